@@ -1,0 +1,30 @@
+# Thin: everything here can be typed by hand. `make run` shows the shipped press warming up, `make test` runs the tests.
+PRESET ?= release
+CASE ?= jl75g-60
+JOBS ?= $(shell nproc)
+
+# Open MPI refuses to start as root otherwise (containers); one thread per process, since the work is split by MPI.
+export OMPI_ALLOW_RUN_AS_ROOT = 1
+export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
+export OMP_NUM_THREADS = 1
+
+.PHONY: run test build dependencies format clean
+
+run: build
+	build/$(PRESET)/app/deadpoint run cases/$(CASE)/case.toml -o results/$(CASE) --force
+
+test: build
+	ctest --preset $(PRESET) --parallel $(JOBS)
+
+build: dependencies
+	@cmake --preset $(PRESET) --log-level=WARNING
+	cmake --build --preset $(PRESET) --parallel $(JOBS)
+
+dependencies:
+	@scripts/install-dependencies
+
+format:
+	scripts/format
+
+clean:
+	rm -rf build

@@ -1,0 +1,52 @@
+#include "case_options.hpp"
+
+#include "deadpoint/casefile/read.hpp"
+#include "deadpoint/casefile/write.hpp"
+#include "deadpoint/core/version.hpp"
+#include "deadpoint/study/prepare.hpp"
+
+#include <fmt/format.h>
+
+using namespace deadpoint;
+
+void add_case_options(CLI::App& command, CaseOptions& options)
+{
+    command.add_option("CASE", options.path, "the case file")->required()->type_name("FILE");
+    command
+        .add_option("--set", options.overrides,
+                    "change a value of the case, e.g. --set \"operation.0.speed=400 rpm\"; may be repeated")
+        ->type_name("PATH=VALUE")
+        ->take_all();
+    command.add_option("--size", options.size_scale, "scale all cell sizes: 2 is coarser and faster, 0.5 finer")
+        ->type_name("FACTOR")
+        ->check(CLI::Range(0.01, 100.0));
+    command.add_flag("-q,--quiet", options.console.quiet, "show warnings and results only");
+    command.add_flag("-v,--verbose", options.console.verbose, "show more of what is done");
+}
+
+casefile::Case read_case(const CaseOptions& options, Console& console)
+{
+    auto result = casefile::read_case(options.path, options.overrides);
+    for (const auto& warning : result.warnings) {
+        console.warn(warning);
+    }
+    return std::move(result.value);
+}
+
+Machine mesh_case(const casefile::Case& description, const CaseOptions& options, Console& console)
+{
+    auto machine = study::prepare_machine(description, options.size_scale, console);
+    console.finish();
+    return machine;
+}
+
+std::vector<std::string> file_comments(const casefile::Case& description, const Console& console)
+{
+    std::vector<std::string> lines{
+        fmt::format("deadpoint {}", version),
+        fmt::format("case {}, hash {}", description.machine.name, casefile::case_hash(description))};
+    for (const auto& warning : console.warnings()) {
+        lines.push_back("warning: " + warning);
+    }
+    return lines;
+}

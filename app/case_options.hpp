@@ -1,0 +1,30 @@
+#pragma once
+
+#include "console.hpp"
+#include "deadpoint/casefile/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+/// What all subcommands that read a case have in common.
+struct CaseOptions {
+    std::string path;
+    std::vector<std::string> overrides;  ///< "path=value"
+    double size_scale = 1;
+    Console::Options console;
+};
+
+/// Adds the case file, --set, --size, --quiet and --verbose.
+void add_case_options(CLI::App& command, CaseOptions& options);
+
+/// Reads the case; its warnings go to the console.
+deadpoint::casefile::Case read_case(const CaseOptions& options, Console& console);
+
+/// Meshes the machine of a case, the stage "mesh" on the console.
+deadpoint::Machine mesh_case(const deadpoint::casefile::Case& description, const CaseOptions& options,
+                             Console& console);
+
+/// Lines for the head of every result file: version, case and hash, warnings.
+std::vector<std::string> file_comments(const deadpoint::casefile::Case& description, const Console& console);

@@ -1,0 +1,111 @@
+#include "case_options.hpp"
+#include "commands.hpp"
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/fem/session.hpp"
+#include "deadpoint/report/plan_text.hpp"
+#include "deadpoint/report/result_folder.hpp"
+#include "deadpoint/report/run_files.hpp"
+#include "deadpoint/study/run.hpp"
+#include "errors.hpp"
+#include "interrupt.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+
+using namespace deadpoint;
+using report::ResultFolder;
+
+namespace {
+
+struct RunOptions : CaseOptions {
+    std::string folder;
+    bool force = false;
+};
+
+/// Makes the result folder on the first rank. All ranks get its path, or the same error.
+std::string make_folder(const RunOptions& options, bool first, std::optional<ResultFolder>& folder)
+{
+    std::string error;
+    if (first) {
+        try {
+            folder.emplace(options.folder,
+                           options.force ? ResultFolder::IfExists::replace : ResultFolder::IfExists::refuse);
+        } catch (const IoError& reason) {
+            error = reason.what();
+        }
+    }
+    error = fem::from_first_rank(error);
+    if (!error.empty()) {
+        throw IoError(error);
+    }
+    return fem::from_first_rank(folder ? folder->path().string() : std::string{});
+}
+
+int run_case(const RunOptions& options, Console& console, bool first, bool& ranks_agree)
+{
+    const auto input = read_case(options, console);
+    std::optional<ResultFolder> folder;
+    const auto path = make_folder(options, first, folder);
+
+    const auto start = std::chrono::steady_clock::now();
+    const auto machine = mesh_case(input, options, console);
+    const double mesh_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    for (const auto& warning : report::plan_warnings(input, machine)) {
+        console.warn(warning);
+    }
+
+    ranks_agree = false;
+    auto result = study::run_case(input, machine, {input.output.fields ? path : std::string{}}, console);
+    result.timings.insert(result.timings.begin(), {"mesh", mesh_seconds});
+    console.finish();
+    if (folder) {
+        report::write_run_files(folder->path(), input, machine, result, console.warnings());
+        folder->commit();
+        fmt::print("{}\nresults{} are in {}\n", report::run_text(input, result),
+                   result.thermal.interrupted ? " up to the interruption" : "", folder->target().string());
+    }
+    return result.thermal.interrupted ? interrupted_exit_code : 0;
+}
+
+/// On several ranks an error that all meet is shown by the first; one that a single rank may have met ends them all,
+/// since the others would wait for it for ever.
+int start_run(RunOptions options)
+{
+    int argc = 0;
+    char** argv = nullptr;
+    const fem::Session session(argc, argv);
+    catch_interrupts();  // after MPI, which has handlers of its own
+    const bool first = session.rank() == 0;
+    options.console.silent = !first;
+    Console console(options.console);
+    bool ranks_agree = true;
+    try {
+        return run_case(options, console, first, ranks_agree);
+    } catch (const Error& error) {
+        if (session.size() == 1 || (ranks_agree && first)) {
+            throw;
+        }
+        if (ranks_agree) {
+            return error.exit_code();
+        }
+        console.finish();
+        print_error(error);
+        fem::abort_ranks(error.exit_code());
+    }
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code)
+{
+    auto* command = app.add_subcommand("run", "compute a case and write the results into a new folder");
+    const auto options = std::make_shared<RunOptions>();
+    add_case_options(*command, *options);
+    command->add_option("-o,--output", options->folder, "the folder for the results; it must not exist")
+        ->required()
+        ->type_name("DIR");
+    command->add_flag("--force", options->force, "replace the folder if it exists, once the results are complete");
+    command->callback([options, &exit_code] { exit_code = start_run(*options); });
+}

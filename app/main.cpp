@@ -1,0 +1,60 @@
+#include "commands.hpp"
+#include "deadpoint/core/version.hpp"
+#include "errors.hpp"
+
+#include <exception>
+#include <fmt/format.h>
+#include <new>
+
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  deadpoint init my-press                                   write a commented case to start from
+  deadpoint check my-press/case.toml                        what is in it, and is it all right?
+  deadpoint mesh my-press/case.toml -o my-press/mesh        look at the geometry in ParaView
+  deadpoint run my-press/case.toml -o my-press/results      warm it up and see the gap move
+  deadpoint run my-press/case.toml -o fast --size 2 --set "operation.0.speed=300 rpm"
+  mpirun -n 2 deadpoint run my-press/case.toml -o results   the same on two processes
+
+Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 file trouble, 130 stopped by Ctrl-C.)";
+
+constexpr int other_error = 1;
+
+int run(int argc, char** argv)
+{
+    CLI::App app("deadpoint: how far a mechanical press drifts thermally at bottom dead point", "deadpoint");
+    app.set_version_flag("--version", fmt::format("deadpoint {}", deadpoint::version));
+    app.footer(examples);
+    app.require_subcommand(1);
+    int exit_code = 0;
+    add_init(app, exit_code);
+    add_check(app, exit_code);
+    add_mesh(app, exit_code);
+    add_run(app, exit_code);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const bool asked_for = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+        app.exit(error);
+        return asked_for ? 0 : static_cast<int>(deadpoint::ErrorKind::input);
+    }
+    return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
+    } catch (const deadpoint::Error& error) {
+        print_error(error);
+        return error.exit_code();
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "error: out of memory\n  help: make the mesh coarser, for example with --size 1.5\n");
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "error: {}\n  help: this is a fault of the program; please report it with the case file\n",
+                   error.what());
+    }
+    return other_error;
+}

@@ -1,0 +1,39 @@
+# Libraries of Debian 12; scripts/install-dependencies installs them, docs/dependencies.md says why each is there.
+find_package(fmt REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(doctest REQUIRED)
+find_package(Boost REQUIRED)
+
+find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+find_path(UDUNITS2_INCLUDE udunits2.h REQUIRED)
+add_library(udunits2 INTERFACE)
+target_link_libraries(udunits2 INTERFACE ${UDUNITS2_LIBRARY})
+target_include_directories(udunits2 SYSTEM INTERFACE ${UDUNITS2_INCLUDE})
+
+find_library(MUPARSER_LIBRARY muparser REQUIRED)
+find_path(MUPARSER_INCLUDE muParser.h REQUIRED)
+add_library(muparser INTERFACE)
+target_link_libraries(muparser INTERFACE ${MUPARSER_LIBRARY})
+target_include_directories(muparser SYSTEM INTERFACE ${MUPARSER_INCLUDE})
+
+find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
+add_library(tomlplusplus INTERFACE)
+target_include_directories(tomlplusplus SYSTEM INTERFACE ${TOMLPLUSPLUS_INCLUDE})
+
+find_library(GMSH_LIBRARY gmsh REQUIRED)
+find_path(GMSH_INCLUDE gmsh.h REQUIRED)
+add_library(gmsh INTERFACE)
+target_link_libraries(gmsh INTERFACE ${GMSH_LIBRARY})
+target_include_directories(gmsh SYSTEM INTERFACE ${GMSH_INCLUDE})
+
+# deal.II: the imported target only, since deal_ii_setup_target() would force its own language standard on ours.
+find_package(deal.II 9.4 REQUIRED HINTS /usr)
+add_library(dealii INTERFACE)
+target_link_libraries(dealii INTERFACE ${DEAL_II_TARGET_RELEASE})
+# Its headers call into PETSc, MPI, TBB and Trilinos, which come with it but are not named by its target.
+target_link_options(dealii INTERFACE -Wl,--copy-dt-needed-entries)
+target_include_directories(dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})

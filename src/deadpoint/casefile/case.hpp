@@ -1,0 +1,255 @@
+#pragma once
+
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The case file as plain data, in SI units. One describe() per struct (describe.hpp) names each key, its unit, its
+/// range and its meaning; reading, checking, writing back and docs/case-file.md all come from that one description.
+namespace deadpoint::casefile {
+
+/// A quantity over another one, linear between the points, constant beyond them.
+struct Table {
+    std::vector<double> x;
+    std::vector<double> y;
+};
+
+/// A constant or a table over time.
+struct Course {
+    double constant = 0;
+    std::optional<Table> table;
+};
+
+struct Material {
+    std::string library;  ///< name in the shipped library; given keys override it
+    double density = 0;
+    double conductivity = 0;
+    double specific_heat = 0;
+    double expansion = 0;
+    double youngs_modulus = 0;
+    double poissons_ratio = 0;
+    std::string source;
+};
+
+struct Lubricant {
+    std::string library;
+    double density = 0;
+    Table viscosity;  ///< kinematic, over temperature; log-linear between the points [m2/s over K]
+    std::string source;
+};
+
+struct Body {
+    std::optional<double> mass;  ///< stated mass of the whole body (not of its modelled half) [kg]
+    std::optional<Vec2> centre_of_mass;
+    std::optional<double> inertia;
+    bool ground = false;
+    bool thermal_only = false;  ///< bearing rings: part of the heat problem, but of no dimension chain link
+};
+
+struct Part {
+    std::string body;
+    std::string material;
+    std::optional<double> size;
+    std::vector<Shape> shapes;
+    std::string step;  ///< path, relative to the file that names it
+    std::string mesh;
+    std::optional<double> unit;  ///< of the file's lengths
+    Vec3 position{};
+    bool tetrahedra = false;
+};
+
+struct Conductance {
+    double resistance = 0;  ///< of the whole contact, 0 = none [m2 K/W]; h1 = h2 = 2 / resistance
+    double side_a = 0;      ///< film to side a [W/m2/K]; both given instead of `resistance`
+    double side_b = 0;
+};
+
+/// One of the bearings or bushes that share a joint.
+struct JointElement {
+    std::string name;
+    std::string type;     ///< "rolling", "plain", "guide"
+    double position = 0;  ///< along the axis [m]
+    double width = 0;
+    double diameter = 0;
+};
+
+struct Interface {
+    std::string name;
+    std::string a;  ///< part or surface; the integrated side
+    std::string b;
+    std::optional<double> diameter;  ///< of the cylinder about the joint's centre; else both sides are surfaces
+    Conductance conductance;
+    double oil = 0;             ///< oil coefficient per area of the joint [W/m2/K]
+    double heat_share = 1;      ///< relative share per area of the friction heat of its row
+    bool stands_still = false;  ///< does not turn, although the joint turns fully (outer rings)
+    bool seat = false;          ///< its fitted centre on the ground body is the joint's centre there (bearing seats)
+    bool journal = false;       ///< its fitted centre on the moving body is the joint's centre there
+};
+
+struct Joint {
+    std::string kind;                 ///< "revolute", "slide"
+    std::vector<std::string> bodies;  ///< two
+    Vec2 centre{};
+    Vec2 direction{0, 1};
+    bool guides_rotation = true;
+    bool turns_fully = false;
+    bool driver = false;
+    std::string friction;
+    double oil_temperature = 293.15;
+    std::vector<JointElement> elements;
+    std::vector<Interface> interfaces;
+};
+
+/// Friction heat H(T) = c0 + c1 (nu(T) / (1 mm2/s))^p, total of the whole press, shared by all joints that name it.
+struct Friction {
+    std::string law;   ///< "calibrated"
+    std::string kind;  ///< "rolling", "pin", "guide": how heat scales with speed
+    std::string lubricant;
+    double load_part = 0;        ///< c0 [W]
+    double viscous_part = 0;     ///< c1 [W]
+    double exponent = 1;         ///< p
+    double reference_speed = 0;  ///< [rad/s]
+    double scale = 1;
+    std::string source;
+};
+
+struct Film {
+    double coefficient = 0;  ///< [W/m2/K]
+    double emissivity = 0;
+    std::optional<Course> ambient;  ///< else the operation's [K]
+};
+
+struct Surface {
+    std::vector<std::string> parts;
+    std::string select;  ///< "exposed", "all", "plane", "cylinder", "box", "group"
+    std::string axis;    ///< "x", "y", "z"
+    std::optional<double> position;
+    std::optional<Vec2> centre;
+    std::optional<double> diameter;
+    std::string group;
+    std::optional<BoxShape> within;
+    std::optional<Film> film;
+    std::optional<Course> temperature;  ///< prescribed, over time [K]
+    std::string temperature_formula;    ///< prescribed, in x, y, z, t (SI), kelvin
+    std::optional<Course> heat_flux;    ///< into the part [W/m2]
+    bool insulated = false;             ///< claims its faces against an "exposed" surface
+};
+
+struct Crankshaft {
+    struct Section {
+        double length = 0;
+        double diameter = 0;
+        std::optional<double> density;
+    };
+    struct Disk {
+        double position = 0;
+        double mass = 0;
+        double polar_inertia = 0;
+        double diametral_inertia = 0;
+    };
+    struct Bearing {
+        double position = 0;
+        double stiffness = 0;
+        double damping = 0;
+    };
+    std::string material;
+    std::vector<Section> sections;
+    std::vector<Disk> disks;
+    std::vector<Bearing> bearings;
+    double pin_position = 0;
+    double start = 0;  ///< position of the first section's end along the axis [m]
+};
+
+struct ProcessForce {
+    std::string kind;  ///< "none", "rectangular"
+    double from = 0;   ///< crank angle [rad]
+    double to = 0;
+};
+
+struct Segment {
+    std::string name;
+    double duration = 0;
+    double speed = 0;               ///< [rad/s]
+    double force = 0;               ///< [N]
+    std::optional<Course> ambient;  ///< [K], time counted from the segment's start
+};
+
+struct Probe {
+    std::string part;
+    Vec3 position{};
+    std::string note;
+};
+
+struct Chain {
+    std::string slide_body;
+    std::string slide_surface;
+    std::string table_surface;
+    std::string ground_surface;   ///< the feet: u_y = 0
+    std::string crank_joint;      ///< its seats give E_BG, its rings E_BC
+    double reaction_angle = 0;    ///< direction of the bearing force on the crank at bottom dead point [rad from x]
+    double drift_rate_limit = 0;  ///< warm-up is over when |dE/dt| stays below [m/s]
+};
+
+struct Numerics {
+    double size = 0.03;
+    double time_tolerance = 0.005;  ///< of a step, at probes and joints [K]
+    double initial_step = 1;
+    double max_step = 1800;
+    double solver_tolerance = 1e-10;
+    int order = 1;  ///< of the elements
+};
+
+struct Output {
+    double history_interval = 60;
+    std::vector<double> field_times;  ///< [s]; the end is always written
+    bool fields = true;
+};
+
+struct MachineSection {
+    std::string name;
+    std::string description;
+    bool half_model = false;
+    double initial_temperature = 293.15;
+    double ambient = 293.15;
+    std::vector<std::string> unbonded;  ///< "part|part" patterns
+};
+
+struct ReferenceRise {
+    std::string probe;
+    double rise = 0;
+};
+
+/// Published or measured values shown beside the result; never an input of the model.
+struct Reference {
+    std::string source;
+    double time = 0;
+    std::map<std::string, double> rises;     ///< by probe [K]
+    std::vector<std::string> calibrated_on;  ///< keys of the case that were fitted to these values
+};
+
+struct Case {
+    int format = 1;
+    MachineSection machine;
+    std::map<std::string, Material> materials;
+    std::map<std::string, Lubricant> lubricants;
+    std::map<std::string, Body> bodies;
+    std::map<std::string, Part> parts;
+    std::map<std::string, Friction> friction;
+    std::map<std::string, double> oil;  ///< oil coefficient per area of the joints, by friction row [W/m2/K]
+    std::map<std::string, Joint> joints;
+    std::map<std::string, Surface> surfaces;
+    std::optional<Crankshaft> crankshaft;
+    std::optional<ProcessForce> process_force;
+    std::vector<Segment> operation;
+    std::map<std::string, Probe> probes;
+    std::optional<Chain> chain;
+    Numerics numerics;
+    Output output;
+    std::optional<Reference> reference;
+};
+
+}  // namespace deadpoint::casefile

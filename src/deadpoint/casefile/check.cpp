@@ -1,0 +1,319 @@
+#include "deadpoint/casefile/check.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/formula.hpp"
+#include "deadpoint/core/suggest.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+#include <string_view>
+
+namespace deadpoint::casefile {
+namespace {
+
+template <class T>
+std::vector<std::string> names_of(const std::map<std::string, T>& map)
+{
+    std::vector<std::string> names;
+    for (const auto& [name, value] : map) {
+        names.push_back(name);
+    }
+    return names;
+}
+
+class Checker {
+public:
+    explicit Checker(const Case& c) : c_(c) {}
+
+    std::vector<Finding> run()
+    {
+        check_bodies();
+        for (const auto& [name, part] : c_.parts) {
+            check_part(name, part);
+        }
+        for (const auto& [name, law] : c_.friction) {
+            refer("friction." + name + ".lubricant", "lubricant", law.lubricant, c_.lubricants);
+        }
+        for (const auto& [name, joint] : c_.joints) {
+            check_joint("joints." + name, joint);
+        }
+        check_drivers();
+        for (const auto& [law, coefficient] : c_.oil) {
+            refer("oil." + law, "friction law", law, c_.friction);
+        }
+        for (const auto& [name, surface] : c_.surfaces) {
+            check_surface("surfaces." + name, surface);
+        }
+        for (const auto& [name, probe] : c_.probes) {
+            refer("probes." + name + ".part", "part", probe.part, c_.parts);
+        }
+        for (std::size_t i = 0; i < c_.machine.unbonded.size(); ++i) {
+            check_pair(fmt::format("machine.unbonded.{}", i), c_.machine.unbonded[i]);
+        }
+        if (c_.crankshaft) {
+            refer("crankshaft.material", "material", c_.crankshaft->material, c_.materials);
+        }
+        if (c_.chain) {
+            check_chain(*c_.chain);
+        }
+        if (c_.reference) {
+            for (const auto& [probe, rise] : c_.reference->rises) {
+                refer("reference.rises." + probe, "probe", probe, c_.probes);
+            }
+        }
+        return std::move(findings_);
+    }
+
+private:
+    void report(std::string code, std::string path, std::string message, std::string help)
+    {
+        findings_.push_back({std::move(code), std::move(path), std::move(message), std::move(help), false});
+    }
+
+    void report_unknown(const std::string& path, std::string_view kind, const std::string& name,
+                        const std::vector<std::string>& names)
+    {
+        const std::string near = closest_name(name, names);
+        std::string help = fmt::format("did you mean '{}'?", near);
+        if (near.empty()) {
+            std::string list;
+            for (const auto& known : names) {
+                list += (list.empty() ? "" : ", ") + known;
+            }
+            help = names.empty() ? fmt::format("the case has no {} at all", kind) : fmt::format("known: {}", list);
+        }
+        report("unknown-name", path, fmt::format("there is no {} '{}'", kind, name), help);
+    }
+
+    template <class T>
+    void refer(const std::string& path, std::string_view kind, const std::string& name,
+               const std::map<std::string, T>& map)
+    {
+        if (!name.empty() && !map.contains(name)) {
+            report_unknown(path, kind, name, names_of(map));
+        }
+    }
+
+    void check_bodies()
+    {
+        std::string first;
+        for (const auto& [name, body] : c_.bodies) {
+            if (!body.ground) {
+                continue;
+            }
+            if (first.empty()) {
+                first = name;
+            } else {
+                report("ground", "bodies." + name + ".ground",
+                       fmt::format("'{}' and '{}' are both the ground", first, name),
+                       "let exactly one body be the ground");
+            }
+        }
+        if (first.empty() && !c_.bodies.empty()) {
+            report("ground", "bodies", "no body is the ground", "add ground = true to the body that stands still");
+        }
+        for (const auto& [name, body] : c_.bodies) {
+            const bool used = std::ranges::any_of(c_.parts, [&](const auto& p) { return p.second.body == name; });
+            const bool jointed = std::ranges::any_of(c_.joints, [&](const auto& j) {
+                return std::ranges::find(j.second.bodies, name) != j.second.bodies.end();
+            });
+            if (!used && !jointed) {
+                findings_.push_back({"unused", "bodies." + name,
+                                     fmt::format("no part or joint belongs to body '{}'", name),
+                                     "remove it, or name it in a part", true});
+            }
+        }
+    }
+
+    void check_part(const std::string& name, const Part& part)
+    {
+        refer("parts." + name + ".body", "body", part.body, c_.bodies);
+        refer("parts." + name + ".material", "material", part.material, c_.materials);
+        if (c_.surfaces.contains(name)) {
+            report("ambiguous-name", "surfaces." + name, fmt::format("'{}' is a part as well as a surface", name),
+                   "rename one of the two: interfaces name either");
+        }
+    }
+
+    void check_joint(const std::string& path, const Joint& joint)
+    {
+        for (std::size_t i = 0; i < joint.bodies.size(); ++i) {
+            refer(fmt::format("{}.bodies.{}", path, i), "body", joint.bodies[i], c_.bodies);
+        }
+        if (joint.bodies.size() == 2 && joint.bodies[0] == joint.bodies[1]) {
+            report("inconsistent", path + ".bodies.1", "a joint cannot connect a body to itself",
+                   "name the other body");
+        }
+        refer(path + ".friction", "friction law", joint.friction, c_.friction);
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < joint.interfaces.size(); ++i) {
+            const auto& interface = joint.interfaces[i];
+            const std::string here = fmt::format("{}.interfaces.{}", path, i);
+            check_side(here + ".a", interface.a, interface.diameter.has_value());
+            check_side(here + ".b", interface.b, interface.diameter.has_value());
+            if (!interface.a.empty() && interface.a == interface.b) {
+                report("inconsistent", here + ".b", fmt::format("'{}' cannot touch itself", interface.b),
+                       "name the other side");
+            }
+            check_body(here + ".a", joint, interface.a);
+            check_body(here + ".b", joint, interface.b);
+            if (!interface.name.empty() && !names.insert(interface.name).second) {
+                report("duplicate-name", here + ".name", fmt::format("two interfaces are called '{}'", interface.name),
+                       "give each a name of its own");
+            }
+        }
+        names.clear();
+        for (std::size_t i = 0; i < joint.elements.size(); ++i) {
+            if (!joint.elements[i].name.empty() && !names.insert(joint.elements[i].name).second) {
+                report("duplicate-name", fmt::format("{}.elements.{}.name", path, i),
+                       fmt::format("two elements are called '{}'", joint.elements[i].name),
+                       "give each a name of its own");
+            }
+        }
+        if (!joint.friction.empty() && joint.interfaces.empty() && c_.friction.contains(joint.friction)) {
+            report("inconsistent", path + ".friction",
+                   "the joint has friction, but no interface where its heat could go",
+                   "add interfaces, or remove `friction`");
+        }
+    }
+
+    void check_side(const std::string& path, const std::string& name, bool is_cylinder)
+    {
+        if (name.empty() || c_.surfaces.contains(name)) {
+            return;
+        }
+        if (c_.parts.contains(name)) {
+            if (!is_cylinder) {
+                report("inconsistent", path,
+                       fmt::format("'{}' is a part, but an interface without diameter joins surfaces", name),
+                       "add `diameter`, or name a surface");
+            }
+            return;
+        }
+        auto names = names_of(c_.surfaces);
+        if (is_cylinder) {
+            const auto parts = names_of(c_.parts);
+            names.insert(names.begin(), parts.begin(), parts.end());
+        }
+        report_unknown(path, is_cylinder ? "part or surface" : "surface", name, names);
+    }
+
+    /// An interface may lie on the bodies of its joint and on bearing rings.
+    void check_body(const std::string& path, const Joint& joint, const std::string& name)
+    {
+        const auto part = c_.parts.find(name);
+        if (part == c_.parts.end()) {
+            return;
+        }
+        const auto body = c_.bodies.find(part->second.body);
+        if (body == c_.bodies.end() || body->second.thermal_only) {
+            return;
+        }
+        if (std::ranges::find(joint.bodies, body->first) != joint.bodies.end()) {
+            return;
+        }
+        report("inconsistent", path,
+               fmt::format("part '{}' belongs to body '{}', which is not of this joint", name, body->first),
+               "name a part of the joint's bodies, or mark the body as thermal_only if it is a bearing ring");
+    }
+
+    void check_drivers()
+    {
+        std::string first;
+        for (const auto& [name, joint] : c_.joints) {
+            if (!joint.driver) {
+                continue;
+            }
+            if (!first.empty()) {
+                report("driver", "joints." + name + ".driver", fmt::format("'{}' and '{}' both drive", first, name),
+                       "let exactly one joint be the driver");
+            }
+            if (first.empty()) {
+                first = name;
+            }
+            const bool grounded = std::ranges::any_of(joint.bodies, [&](const std::string& body) {
+                const auto found = c_.bodies.find(body);
+                return found == c_.bodies.end() || found->second.ground;
+            });
+            if (!grounded) {
+                report("driver", "joints." + name + ".driver", "the driver does not connect to the ground",
+                       "let the joint of crankshaft and frame be the driver");
+            }
+        }
+        if (first.empty() && c_.chain) {
+            report("driver", "joints", "no joint drives the linkage",
+                   "add driver = true to the joint of crankshaft and frame");
+        }
+    }
+
+    void check_pattern(const std::string& path, const std::string& pattern)
+    {
+        const bool found =
+            std::ranges::any_of(c_.parts, [&](const auto& part) { return matches(pattern, part.first); });
+        if (found) {
+            return;
+        }
+        if (pattern.find('*') == std::string::npos) {
+            return report_unknown(path, "part", pattern, names_of(c_.parts));
+        }
+        report("unknown-name", path, fmt::format("no part matches '{}'", pattern), "`*` stands for any letters");
+    }
+
+    void check_surface(const std::string& path, const Surface& surface)
+    {
+        for (std::size_t i = 0; i < surface.parts.size(); ++i) {
+            check_pattern(fmt::format("{}.parts.{}", path, i), surface.parts[i]);
+        }
+        if (surface.temperature_formula.empty()) {
+            return;
+        }
+        try {
+            const Formula formula(surface.temperature_formula);
+        } catch (const InputError& error) {
+            const std::string text = error.what();
+            report("formula", path + ".temperature_formula", text.substr(0, text.find("; write")),
+                   "write it in x, y, z (metres) and t (seconds), like \"293.15 + 10*sin(pi*t/40)\"");
+        }
+    }
+
+    void check_pair(const std::string& path, const std::string& pair)
+    {
+        const auto bar = pair.find('|');
+        if (bar == std::string::npos) {
+            return report("inconsistent", path, fmt::format("'{}' is not a pair of parts", pair),
+                          "write it like \"part|other_part\"");
+        }
+        check_pattern(path, pair.substr(0, bar));
+        check_pattern(path, pair.substr(bar + 1));
+    }
+
+    void check_chain(const Chain& chain)
+    {
+        refer("chain.slide_body", "body", chain.slide_body, c_.bodies);
+        refer("chain.slide_surface", "surface", chain.slide_surface, c_.surfaces);
+        refer("chain.table_surface", "surface", chain.table_surface, c_.surfaces);
+        refer("chain.ground_surface", "surface", chain.ground_surface, c_.surfaces);
+        refer("chain.crank_joint", "joint", chain.crank_joint, c_.joints);
+    }
+
+    const Case& c_;
+    std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+bool matches(std::string_view pattern, std::string_view name)
+{
+    if (pattern.empty()) {
+        return name.empty();
+    }
+    if (pattern.front() == '*') {
+        return matches(pattern.substr(1), name) || (!name.empty() && matches(pattern, name.substr(1)));
+    }
+    return !name.empty() && pattern.front() == name.front() && matches(pattern.substr(1), name.substr(1));
+}
+
+std::vector<Finding> check_references(const Case& c) { return Checker(c).run(); }
+
+}  // namespace deadpoint::casefile

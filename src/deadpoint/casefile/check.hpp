@@ -1,0 +1,27 @@
+#pragma once
+
+#include "deadpoint/casefile/case.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace deadpoint::casefile {
+
+/// A mistake in how the sections of a case refer to each other.
+struct Finding {
+    std::string code;
+    std::string path;  ///< of the key at fault: "joints.crank_pin.bodies.1"
+    std::string message;
+    std::string help;
+    bool warning = false;
+};
+
+/// True if `name` is what `pattern` says; `*` stands for any letters, also none.
+bool matches(std::string_view pattern, std::string_view name);
+
+/// Checks every name that refers to something else, and the rules that span sections. Does not look at geometry.
+/// Names left empty are passed over: that they are missing is found on reading.
+std::vector<Finding> check_references(const Case& c);
+
+}  // namespace deadpoint::casefile

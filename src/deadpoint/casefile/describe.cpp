@@ -1,0 +1,482 @@
+#include "deadpoint/casefile/library.hpp"
+#include "deadpoint/casefile/visitor.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+namespace deadpoint::casefile {
+namespace {
+
+using D = Dimension;
+constexpr Need required = Need::required;
+constexpr Need optional = Need::optional;
+constexpr Range absolute_temperature = positive;
+constexpr double everywhere = 1e3;  ///< half width of a window that is not limited [m]
+
+void choose(Visitor& v, const Key& key, std::string& value, std::initializer_list<std::string_view> options)
+{
+    v.choice(key, value, std::span(options.begin(), options.size()));
+}
+
+void describe_form(Visitor& v, BoxShape& box)
+{
+    v.extent({"x", "extent along x", required}, box.min[0], box.max[0]);
+    v.extent({"y", "extent along y", required}, box.min[1], box.max[1]);
+    v.extent({"z", "extent along z", required}, box.min[2], box.max[2]);
+}
+
+constexpr std::string_view across =
+    "the two coordinates across the axis in the order of the alphabet (axis z: x, y; axis y: x, z; axis x: y, z)";
+
+void describe_form(Visitor& v, CylinderShape& c)
+{
+    v.axis({"axis", "direction of the cylinder", required}, c.axis);
+    v.vector({"centre", across, required}, c.centre, D::length);
+    v.quantity({"diameter", "outer diameter", required}, c.diameter, D::length, positive);
+    v.quantity({"bore", "diameter of the hole along it; 0 for none", optional}, c.bore, D::length, non_negative);
+    v.extent({"range", "from and to along the axis", required}, c.from, c.to);
+    v.expect(c.bore < c.diameter, "bore", "the bore is not smaller than the diameter", "make the bore smaller");
+}
+
+void describe_form(Visitor& v, OutlineShape& o)
+{
+    v.axis({"axis", "direction of extrusion", required}, o.axis);
+    v.points(
+        {"points", "corners around the outline, either way; their coordinates are those across the axis", required},
+        o.points);
+    v.loops({"holes", "outlines to leave out", optional}, o.holes);
+    v.extent({"range", "from and to along the axis", required}, o.from, o.to);
+    v.expect(o.points.size() >= 3, "points", "an outline needs three corners or more", "add the missing corners");
+    v.expect(std::ranges::all_of(o.holes, [](const auto& hole) { return hole.size() >= 3; }), "holes",
+             "a hole needs three corners or more", "add the missing corners");
+}
+
+void describe_form(Visitor& v, ShaftShape& s)
+{
+    v.axis({"axis", "direction of the shaft", required}, s.axis);
+    v.vector({"centre", across, required}, s.centre, D::length);
+    v.quantity({"from", "coordinate along the axis where the first section begins", required}, s.from, D::length,
+               any_value);
+    v.list({"sections", "one after the other along the axis", required}, s.sections);
+}
+
+template <class T>
+T& form_as(Shape& shape)
+{
+    if (!std::holds_alternative<T>(shape.form)) {
+        shape.form = T{};
+    }
+    return std::get<T>(shape.form);
+}
+
+}  // namespace
+
+void Visitor::axis(const Key& key, Axis& value)
+{
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    std::string name(names.at(static_cast<std::size_t>(value)));
+    choice(key, name, names);
+    const auto found = std::ranges::find(names, name);
+    if (found != names.end()) {
+        value = static_cast<Axis>(found - names.begin());
+    }
+}
+
+void describe(Visitor& v, Case& c)
+{
+    v.about(
+        "A case is one TOML file, or several by `include`. Every quantity is text with its unit, like `\"300 kN\"`; "
+        "plain numbers have none. Coordinates are those of the machine at bottom dead point: x to the right, y up, "
+        "z along the crankshaft.");
+    v.integer({"format", "version of this format; 1", required}, c.format, {1, 1, false});
+    v.table({"machine", "the machine as a whole", required}, c.machine);
+    v.named({"materials", "solids"}, c.materials, "name");
+    v.named({"lubricants", "oils and greases"}, c.lubricants, "name");
+    v.named({"bodies", "what moves as one", required}, c.bodies, "name");
+    v.named({"parts", "solids of one material, each meshed on its own", required}, c.parts, "name");
+    v.named({"friction", "laws of friction heat"}, c.friction, "name");
+    v.quantities({"oil", "coefficient to the circulating oil per area of the joints, by friction law"}, c.oil,
+                 D::heat_transfer_coefficient);
+    v.named({"joints", "connections of two bodies"}, c.joints, "name");
+    v.named({"surfaces", "named sets of faces, with what happens there"}, c.surfaces, "name");
+    v.table({"crankshaft", "the crankshaft as a beam"}, c.crankshaft);
+    v.table({"process_force", "the force of the process over a turn"}, c.process_force);
+    v.list({"operation", "what the press does, one segment after the other", required}, c.operation);
+    v.named({"probes", "points whose temperature is recorded"}, c.probes, "name");
+    v.table({"chain", "the dimension chain from slide to table"}, c.chain);
+    v.table({"numerics", "mesh, time stepping and solvers"}, c.numerics);
+    v.table({"output", "what is written"}, c.output);
+    v.table({"reference", "published or measured values"}, c.reference);
+}
+
+void describe(Visitor& v, MachineSection& m)
+{
+    v.about("The machine as a whole.");
+    v.text({"name", "name in reports", required}, m.name);
+    v.text({"description", "a sentence for reports"}, m.description);
+    v.flag({"half_model", "model x <= 0 only; the plane x = 0 is the plane of symmetry"}, m.half_model);
+    v.quantity({"initial_temperature", "of everything at the start"}, m.initial_temperature, D::temperature,
+               absolute_temperature);
+    v.quantity({"ambient", "of the air, where neither the operation nor a film says otherwise"}, m.ambient,
+               D::temperature, absolute_temperature);
+    v.texts(
+        {"unbonded", "pairs \"part|part\" (`*` stands for any letters) of one body that touch without being bonded"},
+        m.unbonded);
+}
+
+void describe(Visitor& v, Material& m)
+{
+    v.about(
+        "A solid. With `library`, keys that are not given come from the shipped library (see the end of this page).");
+    v.text({"library", "name in the shipped library"}, m.library);
+    v.from_library(m);
+    const Need need = m.library.empty() ? required : optional;
+    v.quantity({"density", "mass per volume", need}, m.density, D::density, positive);
+    v.quantity({"conductivity", "thermal conductivity", need}, m.conductivity, D::conductivity, positive);
+    v.quantity({"specific_heat", "heat per mass and kelvin", need}, m.specific_heat, D::specific_heat, positive);
+    v.quantity({"expansion", "linear thermal expansion", need}, m.expansion, D::expansion, any_value);
+    v.quantity({"youngs_modulus", "modulus of elasticity", need}, m.youngs_modulus, D::pressure, positive);
+    v.number({"poissons_ratio", "lateral contraction", need}, m.poissons_ratio, {-1, 0.5, true});
+    v.text({"source", "where the values are from"}, m.source);
+}
+
+void describe(Visitor& v, Lubricant& l)
+{
+    v.about("An oil. With `library`, keys that are not given come from the shipped library.");
+    v.text({"library", "name in the shipped library"}, l.library);
+    v.from_library(l);
+    const Need need = l.library.empty() ? required : optional;
+    v.quantity({"density", "mass per volume; 0 if not known"}, l.density, D::density, non_negative);
+    v.curve({"viscosity", "kinematic viscosity; log-linear between the points, constant beyond them", need},
+            l.viscosity, {"temperature", D::temperature, D::kinematic_viscosity, positive});
+    v.text({"source", "where the values are from"}, l.source);
+}
+
+void describe(Visitor& v, Body& b)
+{
+    v.about("A body of the linkage: the parts that move as one. Exactly one body is the ground.");
+    v.quantity({"mass", "stated mass of the whole body, compared with the modelled one"}, b.mass, D::mass, positive);
+    v.vector({"centre_of_mass", "x and y"}, b.centre_of_mass, D::length);
+    v.quantity({"inertia", "about the centre of mass, about z"}, b.inertia, D::inertia, positive);
+    v.flag({"ground", "stands still"}, b.ground);
+    v.flag({"thermal_only", "conducts heat but is no link of the dimension chain (bearing rings)"}, b.thermal_only);
+    v.expect(!(b.ground && b.thermal_only), "thermal_only", "the ground is a link of the dimension chain",
+             "remove one of `ground` and `thermal_only`");
+}
+
+void describe(Visitor& v, Part& p)
+{
+    v.about("A solid of one material. Its form comes from exactly one of `shapes`, `step` and `mesh`.");
+    v.text({"body", "the body it belongs to", required}, p.body);
+    v.text({"material", "its material", required}, p.material);
+    v.quantity({"size", "wanted cell size; else that of [numerics]"}, p.size, D::length, positive);
+    v.list({"shapes", "primitives, joined and cut in the order given"}, p.shapes);
+    v.path({"step", "STEP file, relative to the file that names it"}, p.step);
+    v.path({"mesh", "Gmsh mesh file, relative to the file that names it"}, p.mesh);
+    v.quantity({"unit", "length of one unit of the STEP or mesh file"}, p.unit, D::length, positive);
+    v.vector({"position", "moves the STEP or mesh file's origin there"}, p.position, D::length);
+    v.flag({"tetrahedra", "mesh with tetrahedra even where hexahedra would do"}, p.tetrahedra);
+    const int sources = (p.shapes.empty() ? 0 : 1) + (p.step.empty() ? 0 : 1) + (p.mesh.empty() ? 0 : 1);
+    v.expect(sources > 0, "", "the part has no form", "give one of `shapes`, `step` and `mesh`");
+    v.expect(sources < 2, p.step.empty() ? "mesh" : "step", "the part has more than one form",
+             "keep one of `shapes`, `step` and `mesh`");
+    v.expect(p.shapes.empty() || p.shapes.front().operation == Shape::Operation::add, "shapes",
+             "the first shape must be added: there is nothing to cut or to draw on", "begin with add = ...");
+}
+
+void describe(Visitor& v, Shape& s)
+{
+    constexpr std::array<std::string_view, 3> operations{"add", "cut", "imprint"};
+    constexpr std::array<std::string_view, 4> forms{"box", "cylinder", "outline", "shaft"};
+    v.about(
+        "A primitive. Its first key says what it does: `add` joins it to the part, `cut` removes it, `imprint` only "
+        "draws its outline into the mesh; the value of that key is its form.");
+    auto operation = static_cast<std::size_t>(s.operation);
+    for (const std::size_t form : v.tagged(operations, operation, forms, s.form.index(), "form of the primitive")) {
+        s.operation = static_cast<Shape::Operation>(operation);
+        v.alternative(forms.at(form));
+        if (form == 0) {
+            describe_form(v, form_as<BoxShape>(s));
+        }
+        if (form == 1) {
+            describe_form(v, form_as<CylinderShape>(s));
+        }
+        if (form == 2) {
+            describe_form(v, form_as<OutlineShape>(s));
+        }
+        if (form == 3) {
+            describe_form(v, form_as<ShaftShape>(s));
+        }
+    }
+}
+
+void describe(Visitor& v, ShaftSection& s)
+{
+    v.quantity({"length", "along the axis", required}, s.length, D::length, positive);
+    v.quantity({"diameter", "of this section", required}, s.diameter, D::length, positive);
+    v.vector({"offset", "of this section's centre from the shaft's (crank throw)"}, s.offset, D::length);
+}
+
+void describe(Visitor& v, Friction& f)
+{
+    v.about("A law of friction heat, H(T) = load_part + viscous_part * (viscosity(T) / (1 mm^2/s))^exponent: the total "
+            "of the whole press at the reference speed, shared by all joints that name the law.");
+    choose(v, {"law", "`calibrated`: the coefficients are given", required}, f.law, {"calibrated"});
+    choose(v, {"kind", "how the heat changes with speed", required}, f.kind, {"rolling", "pin", "guide"});
+    v.text({"lubricant", "the oil whose viscosity counts"}, f.lubricant);
+    v.quantity({"load_part", "heat that does not depend on the viscosity"}, f.load_part, D::power, non_negative);
+    v.quantity({"viscous_part", "heat at a viscosity of 1 mm^2/s, less the load part"}, f.viscous_part, D::power,
+               non_negative);
+    v.number({"exponent", "of the viscosity"}, f.exponent, {0, 2, false});
+    v.quantity({"reference_speed", "crank speed at which the heat was found", required}, f.reference_speed,
+               D::angular_velocity, positive);
+    v.number({"scale", "multiplies the heat"}, f.scale, non_negative);
+    v.text({"source", "where the values are from"}, f.source);
+    v.expect(f.viscous_part == 0 || !f.lubricant.empty(), "viscous_part", "a viscous part needs a lubricant",
+             "name one with `lubricant`");
+}
+
+void describe(Visitor& v, Joint& j)
+{
+    v.about(
+        "A joint says everything about one connection of two bodies: how they move, what rubs, which surfaces touch "
+        "and how they conduct.");
+    choose(v, {"kind", "how the bodies move against each other", required}, j.kind, {"revolute", "slide"});
+    v.texts({"bodies", "the two bodies", required}, j.bodies);
+    v.vector({"centre", "x and y at bottom dead point", required}, j.centre, D::length);
+    v.vector({"direction", "of travel, for a slide"}, j.direction, D::none);
+    v.flag({"guides_rotation", "false for a slide that leaves its body free to turn"}, j.guides_rotation);
+    v.flag({"turns_fully", "turns all the way around, so that each side sees the other's mean around the turn"},
+           j.turns_fully);
+    v.flag({"driver", "its angle is the crank angle"}, j.driver);
+    v.text({"friction", "law of its friction heat"}, j.friction);
+    v.quantity({"oil_temperature", "of the oil that carries heat away"}, j.oil_temperature, D::temperature,
+               absolute_temperature);
+    v.list({"elements", "the bearings or bushes that share the joint"}, j.elements);
+    v.list({"interfaces", "pairs of touching surfaces"}, j.interfaces);
+    v.expect(j.bodies.size() == 2, "bodies", "a joint connects two bodies",
+             "write it like bodies = [\"crank\", \"frame\"]");
+    v.expect(norm(j.direction) > 0, "direction", "the direction of travel has no length", "write it like [0, 1]");
+    v.expect(!j.driver || j.kind != "slide", "driver", "a slide cannot drive the crank",
+             "name a revolute joint as driver");
+}
+
+void describe(Visitor& v, JointElement& e)
+{
+    v.text({"name", "name in reports", required}, e.name);
+    choose(v, {"type", "how it carries", required}, e.type, {"rolling", "plain", "guide"});
+    v.quantity({"position", "along the axis"}, e.position, D::length, any_value);
+    v.quantity({"width", "along the axis"}, e.width, D::length, non_negative);
+    v.quantity({"diameter", "of its running surface"}, e.diameter, D::length, non_negative);
+}
+
+void describe(Visitor& v, Interface& i)
+{
+    v.text({"name", "name within the joint", required}, i.name);
+    v.text({"a", "the integrated side, which the other must cover: a part (with `diameter`) or a surface", required},
+           i.a);
+    v.text({"b", "the other side: a part (with `diameter`) or a surface", required}, i.b);
+    v.quantity({"diameter", "of the cylinder about the joint's centre; without it both sides are surfaces"}, i.diameter,
+               D::length, positive);
+    v.table({"conductance", "how it conducts", required}, i.conductance);
+    v.quantity({"oil", "coefficient to the circulating oil, per area of the joint"}, i.oil,
+               D::heat_transfer_coefficient, non_negative);
+    v.number({"heat_share", "share of the friction heat per area, relative to the other interfaces of the law"},
+             i.heat_share, non_negative);
+    v.flag({"stands_still", "does not turn, although the joint turns fully (outer rings)"}, i.stands_still);
+    v.flag({"seat", "its fitted centre on the ground body is the joint's centre there"}, i.seat);
+    v.flag({"journal", "its fitted centre on the moving body is the joint's centre there"}, i.journal);
+}
+
+void describe(Visitor& v, Conductance& c)
+{
+    v.about("Either the resistance of the whole contact, or a film to each side.");
+    v.quantity({"resistance", "of the whole contact, shared evenly by both sides"}, c.resistance, D::thermal_resistance,
+               non_negative);
+    v.quantity({"side_a", "film to side a"}, c.side_a, D::heat_transfer_coefficient, non_negative);
+    v.quantity({"side_b", "film to side b"}, c.side_b, D::heat_transfer_coefficient, non_negative);
+    const bool whole = c.resistance > 0;
+    const bool sides = c.side_a > 0 || c.side_b > 0;
+    v.expect(whole || sides, "", "the conductance is not given", "give `resistance`, or both `side_a` and `side_b`");
+    v.expect(!(whole && sides), "resistance", "the conductance is given twice",
+             "keep either `resistance` or the two films");
+    v.expect(!sides || (c.side_a > 0 && c.side_b > 0), c.side_a > 0 ? "side_a" : "side_b",
+             "a film is given to one side only", "give both `side_a` and `side_b`");
+}
+
+void describe(Visitor& v, Surface& s)
+{
+    v.about(
+        "A set of exterior faces: all conditions given must hold. A surface may carry one of `film`, `temperature`, "
+        "`temperature_formula`, `heat_flux` and `insulated`; without any it only names its faces.");
+    v.texts({"parts", "names of parts, `*` stands for any letters; none: every part"}, s.parts);
+    choose(v, {"select", "`exposed`: what nothing touches and no other surface claims", required}, s.select,
+           {"exposed", "all", "plane", "cylinder", "box", "group"});
+    choose(v, {"axis", "normal of the plane, axis of the cylinder"}, s.axis, {"x", "y", "z"});
+    v.quantity({"position", "of the plane along its normal"}, s.position, D::length, any_value);
+    v.vector({"centre", across}, s.centre, D::length);
+    v.quantity({"diameter", "of the cylinder"}, s.diameter, D::length, positive);
+    v.text({"group", "physical group of the part's mesh or STEP file"}, s.group);
+    v.table({"within", "only what lies in this box"}, s.within);
+    v.table({"film", "convection and radiation"}, s.film);
+    v.course({"temperature", "prescribed temperature"}, s.temperature, D::temperature, absolute_temperature);
+    v.text({"temperature_formula",
+            "prescribed temperature [K] in x, y, z [m] and t [s], like \"293.15 + 10*sin(pi*t/40)\""},
+           s.temperature_formula);
+    v.course({"heat_flux", "heat into the part"}, s.heat_flux, D::heat_flux, any_value);
+    v.flag({"insulated", "no heat passes; takes its faces from an `exposed` surface"}, s.insulated);
+    const bool plane = s.select == "plane";
+    const bool cylinder = s.select == "cylinder";
+    v.expect(!(plane || cylinder) || !s.axis.empty(), "select", "the selection needs an `axis`", "add axis = \"z\"");
+    v.expect(!plane || s.position, "select", "a plane needs its `position`", "add position = \"0 mm\"");
+    v.expect(!cylinder || (s.centre && s.diameter), "select", "a cylinder needs `centre` and `diameter`",
+             "add both, like centre = [\"0 mm\", \"0 mm\"], diameter = \"80 mm\"");
+    v.expect(s.select != "box" || s.within, "select", "a box needs `within`",
+             "add within = { x = [\"0 mm\", \"1 mm\"], y = [...], z = [...] }");
+    v.expect(s.select != "group" || !s.group.empty(), "select", "a group needs its name", "add group = \"name\"");
+    const int effects = (s.film ? 1 : 0) + (s.temperature ? 1 : 0) + (s.temperature_formula.empty() ? 0 : 1) +
+                        (s.heat_flux ? 1 : 0) + (s.insulated ? 1 : 0);
+    v.expect(effects < 2, "", "the surface has more than one boundary condition",
+             "keep one of `film`, `temperature`, `temperature_formula`, `heat_flux` and `insulated`");
+}
+
+void describe(Visitor& v, BoxShape& b)
+{
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    v.about("A direction that is not given is not limited (1 km either way).");
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (b.min[i] == b.max[i]) {
+            b.min[i] = -everywhere;
+            b.max[i] = everywhere;
+        }
+        v.extent({names[i], "from and to"}, b.min[i], b.max[i]);
+    }
+}
+
+void describe(Visitor& v, Film& f)
+{
+    v.quantity({"coefficient", "heat transfer coefficient", required}, f.coefficient, D::heat_transfer_coefficient,
+               non_negative);
+    v.number({"emissivity", "for radiation to surroundings at ambient temperature"}, f.emissivity, fraction);
+    v.course({"ambient", "temperature of the air there; else that of the operation"}, f.ambient, D::temperature,
+             absolute_temperature);
+}
+
+void describe(Visitor& v, Crankshaft& c)
+{
+    v.about("The crankshaft as a beam along z, for bearing reactions.");
+    v.text({"material", "its material", required}, c.material);
+    v.quantity({"start", "z where the first section begins"}, c.start, D::length, any_value);
+    v.quantity({"pin_position", "z of the crank pin's middle"}, c.pin_position, D::length, any_value);
+    v.list({"sections", "one after the other along z", required}, c.sections);
+    v.list({"disks", "flywheel, gears, counterweights"}, c.disks);
+    v.list({"bearings", "supports"}, c.bearings);
+}
+
+void describe(Visitor& v, Crankshaft::Section& s)
+{
+    v.quantity({"length", "along z", required}, s.length, D::length, positive);
+    v.quantity({"diameter", "of this section", required}, s.diameter, D::length, positive);
+    v.quantity({"density", "in place of the material's"}, s.density, D::density, non_negative);
+}
+
+void describe(Visitor& v, Crankshaft::Disk& d)
+{
+    v.quantity({"position", "along z", required}, d.position, D::length, any_value);
+    v.quantity({"mass", "of the disk", required}, d.mass, D::mass, non_negative);
+    v.quantity({"polar_inertia", "about z", required}, d.polar_inertia, D::inertia, non_negative);
+    v.quantity({"diametral_inertia", "about a diameter", required}, d.diametral_inertia, D::inertia, non_negative);
+}
+
+void describe(Visitor& v, Crankshaft::Bearing& b)
+{
+    v.quantity({"position", "along z", required}, b.position, D::length, any_value);
+    v.quantity({"stiffness", "radial", required}, b.stiffness, D::stiffness, positive);
+    v.quantity({"damping", "radial"}, b.damping, D::damping, non_negative);
+}
+
+void describe(Visitor& v, ProcessForce& p)
+{
+    v.about("The force of the process over a turn of the crank. The angle is counted as usual from the x axis, so that "
+            "the throw points down at 270 deg.");
+    choose(v, {"kind", "course of the force; its height is that of the operation", required}, p.kind,
+           {"none", "rectangular"});
+    v.quantity({"from", "crank angle where the force begins"}, p.from, D::angle, any_value);
+    v.quantity({"to", "crank angle where it ends"}, p.to, D::angle, any_value);
+    v.expect(p.kind != "rectangular" || p.from < p.to, "to", "the force must end after it begins",
+             "write it like from = \"255 deg\", to = \"285 deg\"");
+}
+
+void describe(Visitor& v, Segment& s)
+{
+    v.about("A segment of the operation: run, pause or cool-down.");
+    v.text({"name", "name in reports"}, s.name);
+    v.quantity({"duration", "how long it lasts", required}, s.duration, D::time, positive);
+    v.quantity({"speed", "of the crank; 0 rpm is a pause", required}, s.speed, D::angular_velocity, non_negative);
+    v.quantity({"force", "of the process"}, s.force, D::force, non_negative);
+    v.course({"ambient", "of the air, in place of the machine's; time counts from the start of the segment"}, s.ambient,
+             D::temperature, absolute_temperature);
+}
+
+void describe(Visitor& v, Probe& p)
+{
+    v.about("A point whose temperature is recorded.");
+    v.text({"part", "the part it sits on", required}, p.part);
+    v.vector({"position", "x, y, z", required}, p.position, D::length);
+    v.text({"note", "for reports"}, p.note);
+}
+
+void describe(Visitor& v, Chain& c)
+{
+    v.about("The dimension chain: what the gap between slide and table is made of.");
+    v.text({"slide_body", "the body that carries the tool", required}, c.slide_body);
+    v.text({"slide_surface", "surface of the slide that faces the table", required}, c.slide_surface);
+    v.text({"table_surface", "surface of the table that faces the slide", required}, c.table_surface);
+    v.text({"ground_surface", "the feet of the machine", required}, c.ground_surface);
+    v.text({"crank_joint", "joint of crankshaft and ground", required}, c.crank_joint);
+    v.quantity(
+        {"reaction_angle", "direction of the bearings' force on the crank at bottom dead point, from the x axis"},
+        c.reaction_angle, D::angle, any_value);
+    v.quantity({"drift_rate_limit", "the press is warm when its drift stays slower than this; 0 for no such time"},
+               c.drift_rate_limit, D::velocity, non_negative);
+}
+
+void describe(Visitor& v, Numerics& n)
+{
+    v.about("Mesh, time stepping and solvers.");
+    v.quantity({"size", "wanted cell size of parts that state none"}, n.size, D::length, positive);
+    v.quantity({"time_tolerance", "largest error of a time step at probes and joints"}, n.time_tolerance,
+               D::temperature_difference, positive);
+    v.quantity({"initial_step", "first time step"}, n.initial_step, D::time, positive);
+    v.quantity({"max_step", "largest time step"}, n.max_step, D::time, positive);
+    v.number({"solver_tolerance", "of the linear solvers, relative"}, n.solver_tolerance, {0, 1, true});
+    v.integer({"order", "of the finite elements"}, n.order, {1, 2, false});
+    v.expect(n.initial_step <= n.max_step, "initial_step", "the first time step is longer than the largest one",
+             "make `initial_step` at most `max_step`");
+}
+
+void describe(Visitor& v, Output& o)
+{
+    v.about("What is written besides the summary.");
+    v.quantity({"history_interval", "between rows of history.csv"}, o.history_interval, D::time, positive);
+    v.quantities({"field_times", "when fields are written, besides the end"}, o.field_times, D::time, non_negative);
+    v.flag({"fields", "write temperature and displacement fields at all"}, o.fields);
+}
+
+void describe(Visitor& v, Reference& r)
+{
+    v.about("Published or measured values, shown beside the result; they never enter the model.");
+    v.text({"source", "where the values are from", required}, r.source);
+    v.quantity({"time", "when the rises were read", required}, r.time, D::time, positive);
+    v.quantities({"rises", "temperature rise by probe"}, r.rises, D::temperature_difference);
+    v.texts({"calibrated_on", "keys of the case that were fitted to these values"}, r.calibrated_on);
+}
+
+void describe(Visitor& v, Library& library)
+{
+    v.named({"materials", "solids"}, library.materials, "name");
+    v.named({"lubricants", "oils"}, library.lubricants, "name");
+}
+
+}  // namespace deadpoint::casefile

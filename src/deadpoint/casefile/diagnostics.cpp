@@ -1,0 +1,139 @@
+#include "deadpoint/casefile/diagnostics.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <sstream>
+#include <tuple>
+
+namespace deadpoint::casefile {
+namespace {
+
+bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
+
+int character_count(const std::string& text) { return static_cast<int>(std::ranges::count_if(text, begins_character)); }
+
+/// Blanks as wide as the first `count` characters of the line; tabs stay tabs so that the caret stands right.
+std::string blanks(const std::string& line, int count)
+{
+    std::string result;
+    for (const char c : line) {
+        if (!begins_character(c)) {
+            continue;
+        }
+        if (count-- <= 0) {
+            break;
+        }
+        result += c == '\t' ? '\t' : ' ';
+    }
+    if (count > 0) {
+        result.append(static_cast<std::size_t>(count), ' ');
+    }
+    return result;
+}
+
+}  // namespace
+
+int Sources::add(std::string shown, const std::string& text)
+{
+    File file{std::move(shown), {}};
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        if (line.ends_with('\r')) {
+            line.pop_back();
+        }
+        file.lines.push_back(line);
+    }
+    files_.push_back(std::move(file));
+    return static_cast<int>(files_.size()) - 1;
+}
+
+std::string Sources::line(const Place& place) const
+{
+    if (place.file < 0 || place.line < 1) {
+        return {};
+    }
+    const auto& lines = files_.at(static_cast<std::size_t>(place.file)).lines;
+    const auto index = static_cast<std::size_t>(place.line) - 1;
+    return index < lines.size() ? lines[index] : std::string();
+}
+
+std::size_t Diagnostics::error_count() const
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(items_, [](const Diagnostic& d) { return d.severity == Severity::error; }));
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const
+{
+    auto items = items_;
+    std::ranges::stable_sort(items, [](const Diagnostic& a, const Diagnostic& b) {
+        return std::tuple(a.place.file, a.place.line, a.place.column) <
+               std::tuple(b.place.file, b.place.line, b.place.column);
+    });
+    return items;
+}
+
+std::string Diagnostics::quote(const Place& place) const
+{
+    const std::string line = sources.line(place);
+    if (line.empty()) {
+        return {};
+    }
+    const int before = std::max(place.column - 1, 0);
+    const int room = std::max(character_count(line) - before, 1);
+    const auto carets = static_cast<std::size_t>(std::clamp(place.width, 1, room));
+    return fmt::format("{:>6} | {}\n       | {}{}\n", place.line, line, blanks(line, before), std::string(carets, '^'));
+}
+
+std::string Diagnostics::render(const Diagnostic& d) const
+{
+    std::string text;
+    if (d.place.file >= 0) {
+        text += d.place.line > 0 ? fmt::format("{}:{}:{}: ", sources.name(d.place.file), d.place.line, d.place.column)
+                                 : fmt::format("{}: ", sources.name(d.place.file));
+    }
+    text += fmt::format("{}[{}]", d.severity == Severity::error ? "error" : "warning", d.code);
+    if (!d.path.empty()) {
+        text += ": " + d.path;
+    }
+    text += fmt::format("\n  {}\n", d.message);
+    text += quote(d.place);
+    if (d.other && d.other->file >= 0) {
+        text +=
+            fmt::format("  {} ({}:{}:{})\n", d.other_note, sources.name(d.other->file), d.other->line, d.other->column);
+        text += quote(*d.other);
+    }
+    if (!d.help.empty()) {
+        text += fmt::format("  help: {}\n", d.help);
+    }
+    return text;
+}
+
+std::string Diagnostics::render_errors() const
+{
+    std::string text;
+    for (const auto& diagnostic : sorted()) {
+        if (diagnostic.severity == Severity::error) {
+            text += render(diagnostic) + "\n";
+        }
+    }
+    const auto count = error_count();
+    return text + fmt::format("{} error{} in the case file; nothing was computed", count, count == 1 ? "" : "s");
+}
+
+std::vector<std::string> Diagnostics::render_warnings() const
+{
+    std::vector<std::string> texts;
+    for (const auto& diagnostic : sorted()) {
+        if (diagnostic.severity != Severity::warning) {
+            continue;
+        }
+        texts.push_back(render(diagnostic));
+        while (texts.back().ends_with('\n')) {
+            texts.back().pop_back();
+        }
+    }
+    return texts;
+}
+
+}  // namespace deadpoint::casefile

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace deadpoint::casefile {
+
+/// A stretch of one line of one source text.
+struct Place {
+    int file = -1;   ///< index into Sources, -1: nowhere
+    int line = 0;    ///< from 1
+    int column = 0;  ///< from 1, in characters (not bytes)
+    int width = 1;   ///< characters to underline
+};
+
+/// The texts that were read, for quoting them in messages.
+class Sources {
+public:
+    /// @param shown  name of the text in messages
+    /// @return its index
+    int add(std::string shown, const std::string& text);
+    [[nodiscard]] const std::string& name(int file) const { return files_.at(static_cast<std::size_t>(file)).shown; }
+    /// @return the line's text, empty if there is none
+    [[nodiscard]] std::string line(const Place& place) const;
+
+private:
+    struct File {
+        std::string shown;
+        std::vector<std::string> lines;
+    };
+    std::vector<File> files_;
+};
+
+enum class Severity { error, warning };
+
+struct Diagnostic {
+    Severity severity = Severity::error;
+    std::string code;            ///< short kebab-case name of the kind of mistake
+    Place place;                 ///< where
+    std::string path;            ///< of the key: "joints.crank_pin.centre"
+    std::string message;         ///< what is wrong
+    std::string help;            ///< what to do about it; may be empty
+    std::optional<Place> other;  ///< a second place that takes part ("first stated here")
+    std::string other_note;
+};
+
+/// Collects everything that is wrong with a case, to be shown at once.
+class Diagnostics {
+public:
+    Sources sources;
+
+    void add(Diagnostic diagnostic) { items_.push_back(std::move(diagnostic)); }
+    [[nodiscard]] std::size_t error_count() const;
+    [[nodiscard]] std::size_t size() const { return items_.size(); }
+    /// All errors in order of place, then a line that counts them; ends without a line break.
+    [[nodiscard]] std::string render_errors() const;
+    /// Each warning as a text of its own.
+    [[nodiscard]] std::vector<std::string> render_warnings() const;
+
+private:
+    [[nodiscard]] std::vector<Diagnostic> sorted() const;
+    [[nodiscard]] std::string render(const Diagnostic& diagnostic) const;
+    [[nodiscard]] std::string quote(const Place& place) const;
+
+    std::vector<Diagnostic> items_;
+};
+
+}  // namespace deadpoint::casefile

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "deadpoint/casefile/diagnostics.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace deadpoint::casefile {
+
+/// A TOML value with its place in the text; keeps the rest of the program free of the TOML library.
+struct Node {
+    enum class Kind { table, array, string, integer, real, boolean, date };
+
+    Kind kind = Kind::table;
+    Place place;        ///< of the value
+    Place key_place;    ///< of the key in its table
+    std::string key;    ///< in its table; empty for items of an array
+    std::string text;   ///< string
+    double number = 0;  ///< integer, real
+    std::int64_t integer = 0;
+    bool flag = false;           ///< boolean
+    std::vector<Node> children;  ///< members of a table in the order of the text, or items of an array
+
+    [[nodiscard]] Node* find(std::string_view name);
+    [[nodiscard]] const Node* find(std::string_view name) const;
+};
+
+/// What a kind of value is called: "a table", "text", ...
+std::string_view kind_name(Node::Kind kind);
+
+/// Parses one TOML text, already in `diagnostics.sources` as `file`.
+/// @return the root table; empty, with an error in `diagnostics`, if the text is not TOML
+Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics);
+
+/// A case file with everything it includes, as one tree.
+struct Document {
+    Node root;
+    std::vector<std::filesystem::path> paths;  ///< of each source, by its index; empty for texts that are no files
+};
+
+/// Reads a case file and its includes, and applies the overrides.
+///
+/// Includes are relative to the file that names them and must stay below the folder of the case file; tables of
+/// several files are merged, a key stated twice is an error. An override is "path=value" with numbers for items of
+/// lists ("operation.0.speed=400 rpm"); a value that is not TOML is taken as text.
+///
+/// @throws IoError if the case file itself cannot be read; all else goes to `diagnostics`
+Document load_document(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                       Diagnostics& diagnostics);
+
+}  // namespace deadpoint::casefile

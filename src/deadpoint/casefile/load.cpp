@@ -1,0 +1,280 @@
+#include "deadpoint/casefile/document.hpp"
+#include "deadpoint/core/error.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace deadpoint::casefile {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> read_text(const fs::path& path)
+{
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+        return std::nullopt;
+    }
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (!stream) {
+        return std::nullopt;
+    }
+    return text.str();
+}
+
+bool lies_below(const fs::path& path, const fs::path& folder)
+{
+    const auto relative = path.lexically_relative(folder);
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+class Loader {
+public:
+    Loader(const fs::path& path, Diagnostics& diagnostics)
+        : main_(path), folder_(fs::weakly_canonical(fs::absolute(path)).parent_path()), diagnostics_(diagnostics)
+    {}
+
+    Document run()
+    {
+        auto text = read_text(main_);
+        if (!text) {
+            throw IoError(fmt::format("{}: the case file cannot be read; check its path", main_.string()));
+        }
+        std::vector<fs::path> chain{fs::weakly_canonical(fs::absolute(main_))};
+        document_.root = load(*text, main_, chain);
+        return std::move(document_);
+    }
+
+private:
+    static constexpr std::size_t max_depth = 8;
+
+    Node load(const std::string& text, const fs::path& shown, std::vector<fs::path>& chain)
+    {
+        const int file = diagnostics_.sources.add(shown.string(), text);
+        document_.paths.push_back(chain.back());
+        Node root = parse_toml(text, file, diagnostics_);
+        const auto found = std::ranges::find_if(root.children, [](const Node& n) { return n.key == "include"; });
+        if (found == root.children.end()) {
+            return root;
+        }
+        const Node include = std::move(*found);
+        root.children.erase(found);
+        if (include.kind != Node::Kind::array) {
+            report("wrong-type", include.place, "include", "needs a list of file names",
+                   "write it like include = [\"parts.toml\"]");
+            return root;
+        }
+        for (const auto& item : include.children) {
+            load_include(item, shown, chain, root);
+        }
+        return root;
+    }
+
+    void load_include(const Node& item, const fs::path& shown, std::vector<fs::path>& chain, Node& root)
+    {
+        if (item.kind != Node::Kind::string) {
+            report("wrong-type", item.place, "include", fmt::format("{} is not a file name", kind_name(item.kind)),
+                   "write it like include = [\"parts.toml\"]");
+            return;
+        }
+        const fs::path path = fs::weakly_canonical(chain.back().parent_path() / item.text);
+        if (!lies_below(path, folder_)) {
+            report("include-outside", item.place, "include",
+                   fmt::format("'{}' lies outside the folder of the case file", item.text),
+                   "keep all files of a case in its folder");
+            return;
+        }
+        if (std::ranges::find(chain, path) != chain.end() || chain.size() > max_depth) {
+            report("include-cycle", item.place, "include",
+                   chain.size() > max_depth
+                       ? "includes are nested too deep"
+                       : fmt::format("'{}' is being read already: the files include each other in a circle", item.text),
+                   "remove this include");
+            return;
+        }
+        const auto text = read_text(path);
+        if (!text) {
+            report("include-missing", item.place, "include", fmt::format("the file '{}' cannot be read", item.text),
+                   "its path is relative to the file that includes it");
+            return;
+        }
+        chain.push_back(path);
+        Node included = load(*text, (shown.parent_path() / item.text).lexically_normal(), chain);
+        chain.pop_back();
+        merge(root, std::move(included), "");
+    }
+
+    void merge(Node& into, Node&& from, const std::string& path)
+    {
+        for (auto& child : from.children) {
+            const std::string name = path.empty() ? child.key : path + "." + child.key;
+            Node* present = into.find(child.key);
+            if (present == nullptr) {
+                into.children.push_back(std::move(child));
+            } else if (present->kind == Node::Kind::table && child.kind == Node::Kind::table) {
+                merge(*present, std::move(child), name);
+            } else {
+                Diagnostic diagnostic;
+                diagnostic.code = "duplicate-key";
+                diagnostic.place = child.key_place;
+                diagnostic.path = name;
+                diagnostic.message = fmt::format("'{}' is stated twice", name);
+                diagnostic.help = "keep one of the two";
+                diagnostic.other = present->key_place;
+                diagnostic.other_note = "also stated here";
+                diagnostics_.add(std::move(diagnostic));
+            }
+        }
+    }
+
+    void report(std::string code, const Place& place, std::string path, std::string message, std::string help)
+    {
+        diagnostics_.add({Severity::error, std::move(code), place, std::move(path), std::move(message), std::move(help),
+                          std::nullopt, ""});
+    }
+
+    fs::path main_;
+    fs::path folder_;
+    Diagnostics& diagnostics_;
+    Document document_;
+};
+
+std::string trim(const std::string& text)
+{
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string> split_path(const std::string& path)
+{
+    std::vector<std::string> steps;
+    std::istringstream stream(path);
+    for (std::string step; std::getline(stream, step, '.');) {
+        steps.push_back(trim(step));
+    }
+    return steps;
+}
+
+/// Lists and numbers of an override are TOML, all else is text; this keeps "400 rpm" free of quotes on a command line.
+Node override_value(const std::string& text, int file)
+{
+    Diagnostics ignored;
+    ignored.sources.add("", text);
+    Node root = parse_toml("value = " + text + "\n", 0, ignored);
+    Node node;
+    if (ignored.size() == 0 && root.children.size() == 1) {
+        node = std::move(root.children.front());
+    } else {
+        node.kind = Node::Kind::string;
+        node.text = text;
+    }
+    (void)file;
+    return node;
+}
+
+void set_places(Node& node, const Place& value, const Place& key)
+{
+    node.place = value;
+    node.key_place = key;
+    for (auto& child : node.children) {
+        set_places(child, value, value);
+    }
+}
+
+class Override {
+public:
+    Override(std::string text, int file, Diagnostics& diagnostics)
+        : text_(std::move(text)), file_(file), diagnostics_(diagnostics)
+    {}
+
+    void apply(Node& root)
+    {
+        const auto equals = text_.find('=');
+        if (equals == std::string::npos || trim(text_.substr(0, equals)).empty()) {
+            return report("an override is written path=value", "write it like operation.0.speed=\"400 rpm\"");
+        }
+        const auto steps = split_path(text_.substr(0, equals));
+        key_ = Place{file_, 1, 1, static_cast<int>(equals)};
+        value_ = Place{file_, 1, static_cast<int>(equals) + 2, 1 << 16};
+        Node* node = &root;
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            node = descend(*node, steps[i]);
+            if (node == nullptr) {
+                return;
+            }
+        }
+        const std::string name = node->key;
+        *node = override_value(trim(text_.substr(equals + 1)), file_);
+        set_places(*node, value_, key_);
+        node->key = name;
+    }
+
+private:
+    Node* descend(Node& node, const std::string& step)
+    {
+        if (step.empty()) {
+            report("an empty step in the path", "write it like operation.0.speed");
+            return nullptr;
+        }
+        if (node.kind == Node::Kind::array) {
+            std::size_t index = 0;
+            const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
+            if (error != std::errc() || end != step.data() + step.size() || index >= node.children.size()) {
+                report(fmt::format("'{}' is not one of the {} items of this list", step, node.children.size()),
+                       "items are counted from 0");
+                return nullptr;
+            }
+            return &node.children[index];
+        }
+        if (node.kind != Node::Kind::table) {
+            report(fmt::format("'{}' lies below a single value", step), "shorten the path");
+            return nullptr;
+        }
+        if (Node* child = node.find(step)) {
+            return child;
+        }
+        Node child;
+        child.key = step;
+        child.place = value_;
+        child.key_place = key_;
+        node.children.push_back(std::move(child));
+        return &node.children.back();
+    }
+
+    void report(std::string message, std::string help)
+    {
+        diagnostics_.add({Severity::error, "override", Place{file_, 1, 1, 1 << 16}, "", std::move(message),
+                          std::move(help), std::nullopt, ""});
+    }
+
+    std::string text_;
+    int file_;
+    Diagnostics& diagnostics_;
+    Place key_;
+    Place value_;
+};
+
+}  // namespace
+
+Document load_document(const fs::path& path, const std::vector<std::string>& overrides, Diagnostics& diagnostics)
+{
+    Document document = Loader(path, diagnostics).run();
+    const auto main = document.paths.front();
+    for (const auto& text : overrides) {
+        const int file = diagnostics.sources.add("--set", text);
+        document.paths.push_back(main);
+        Override(text, file, diagnostics).apply(document.root);
+    }
+    return document;
+}
+
+}  // namespace deadpoint::casefile

@@ -1,0 +1,90 @@
+#include "deadpoint/casefile/read.hpp"
+
+#include "deadpoint/casefile/check.hpp"
+#include "deadpoint/casefile/library.hpp"
+#include "deadpoint/casefile/reader.hpp"
+#include "deadpoint/casefile/shipped.hpp"
+#include "deadpoint/core/error.hpp"
+
+#include <charconv>
+#include <sstream>
+
+namespace deadpoint::casefile {
+namespace {
+
+/// Place of the value at a path such as "joints.crank.bodies.1", or of the nearest thing above it that exists.
+Place place_of(const Node& root, const std::string& path)
+{
+    const Node* node = &root;
+    Place place = root.place;
+    std::istringstream stream(path);
+    for (std::string step; std::getline(stream, step, '.');) {
+        const Node* next = nullptr;
+        if (node->kind == Node::Kind::array) {
+            std::size_t index = 0;
+            std::from_chars(step.data(), step.data() + step.size(), index);
+            if (index < node->children.size()) {
+                next = &node->children[index];
+            }
+        } else {
+            next = node->find(step);
+        }
+        if (next == nullptr) {
+            break;
+        }
+        node = next;
+        place = node->kind == Node::Kind::table && node->key_place.file >= 0 ? node->key_place : node->place;
+    }
+    return place;
+}
+
+void load_shipped(std::string_view text, const std::string& name, Library& library)
+{
+    Diagnostics diagnostics;
+    const int file = diagnostics.sources.add(name, std::string(text));
+    Document document;
+    document.root = parse_toml(std::string(text), file, diagnostics);
+    Reader(document, diagnostics, nullptr).read(library);
+    if (diagnostics.error_count() > 0) {
+        throw InputError(diagnostics.render_errors());
+    }
+}
+
+}  // namespace
+
+const Library& shipped_library()
+{
+    static const Library library = [] {
+        Library result;
+        load_shipped(shipped_materials(), "data/materials.toml", result);
+        load_shipped(shipped_lubricants(), "data/lubricants.toml", result);
+        return result;
+    }();
+    return library;
+}
+
+ReadResult read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides)
+{
+    Diagnostics diagnostics;
+    const Document document = load_document(path, overrides, diagnostics);
+    if (diagnostics.error_count() > 0) {
+        throw InputError(diagnostics.render_errors());
+    }
+    ReadResult result;
+    Reader(document, diagnostics, &shipped_library()).read(result.value);
+    for (auto& finding : check_references(result.value)) {
+        diagnostics.add({finding.warning ? Severity::warning : Severity::error, finding.code,
+                         place_of(document.root, finding.path), finding.path, finding.message, finding.help,
+                         std::nullopt, ""});
+    }
+    if (diagnostics.error_count() > 0) {
+        throw InputError(diagnostics.render_errors());
+    }
+    result.warnings = diagnostics.render_warnings();
+    for (std::size_t i = 0; i + overrides.size() < document.paths.size(); ++i) {
+        result.files.push_back(document.paths[i]);
+    }
+    return result;
+}
+
+}  // namespace deadpoint::casefile

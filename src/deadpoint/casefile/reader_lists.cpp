@@ -1,0 +1,202 @@
+#include "deadpoint/casefile/reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace deadpoint::casefile {
+
+// ---------------------------------------------------------------- lists
+
+void Reader::read_vector(const Node& node, const std::string& path, Dimension dimension, std::span<double> value)
+{
+    const std::string item = dimension == Dimension::none ? "0" : "\"0 mm\"";
+    const std::string example = value.size() == 2 ? fmt::format("write it like [{0}, {0}]", item)
+                                                  : fmt::format("write it like [{0}, {0}, {0}]", item);
+    if (!is_a(node, Node::Kind::array, path, example)) {
+        return;
+    }
+    if (node.children.size() != value.size()) {
+        report(node, "wrong-length", path,
+               fmt::format("a list of {}, but {} values are needed", node.children.size(), value.size()), example);
+        return;
+    }
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        read_quantity(node.children[i], fmt::format("{}.{}", path, i), dimension, any_value, value[i]);
+    }
+}
+
+void Reader::vector(const Key& key, std::span<double> value, Dimension dimension)
+{
+    if (const Node* node = take(key)) {
+        read_vector(*node, path_of(key.name), dimension, value);
+    }
+}
+
+void Reader::vector(const Key& key, std::optional<Vec2>& value, Dimension dimension)
+{
+    const Node* node = take(key);
+    if (node == nullptr) {
+        return;
+    }
+    value = Vec2{};
+    read_vector(*node, path_of(key.name), dimension, *value);
+}
+
+void Reader::extent(const Key& key, double& from, double& to)
+{
+    const Node* node = take(key);
+    if (node == nullptr) {
+        return;
+    }
+    const auto before = diagnostics_.size();
+    std::array<double, 2> value{};
+    read_vector(*node, path_of(key.name), Dimension::length, value);
+    if (diagnostics_.size() == before && !(value[0] < value[1])) {
+        report(*node, "wrong-order", path_of(key.name), "the second value is not larger than the first",
+               "write [from, to] with from < to");
+    }
+    from = value[0];
+    to = value[1];
+}
+
+bool Reader::read_list(const Node& node, const std::string& path, Dimension dimension, const Range& range,
+                       std::vector<double>& values)
+{
+    if (!is_a(node, Node::Kind::array, path, "")) {
+        return false;
+    }
+    bool good = true;
+    values.clear();
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+        double value = 0;
+        good = read_quantity(node.children[i], fmt::format("{}.{}", path, i), dimension, range, value) && good;
+        values.push_back(value);
+    }
+    return good;
+}
+
+void Reader::quantities(const Key& key, std::vector<double>& value, Dimension dimension, const Range& range)
+{
+    if (const Node* node = take(key)) {
+        read_list(*node, path_of(key.name), dimension, range, value);
+    }
+}
+
+void Reader::quantities(const Key& key, std::map<std::string, double>& value, Dimension dimension)
+{
+    const Node* node = take(key, Node::Kind::table, "");
+    if (node == nullptr) {
+        return;
+    }
+    for (const auto& child : node->children) {
+        read_quantity(child, fmt::format("{}.{}", path_of(key.name), child.key), dimension, any_value,
+                      value[child.key]);
+    }
+}
+
+void Reader::texts(const Key& key, std::vector<std::string>& value)
+{
+    const Node* node = take(key, Node::Kind::array, "write it like [\"one\", \"two\"]");
+    if (node == nullptr) {
+        return;
+    }
+    value.clear();
+    for (std::size_t i = 0; i < node->children.size(); ++i) {
+        const auto& child = node->children[i];
+        if (is_a(child, Node::Kind::string, fmt::format("{}.{}", path_of(key.name), i), "")) {
+            value.push_back(child.text);
+        }
+    }
+}
+
+void Reader::read_points(const Node& node, const std::string& path, std::vector<Vec2>& value)
+{
+    if (!is_a(node, Node::Kind::array, path, "write it like [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"], ...]")) {
+        return;
+    }
+    value.assign(node.children.size(), Vec2{});
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+        read_vector(node.children[i], fmt::format("{}.{}", path, i), Dimension::length, value[i]);
+    }
+}
+
+void Reader::points(const Key& key, std::vector<Vec2>& value)
+{
+    if (const Node* node = take(key)) {
+        read_points(*node, path_of(key.name), value);
+    }
+}
+
+void Reader::loops(const Key& key, std::vector<std::vector<Vec2>>& value)
+{
+    const Node* node = take(key, Node::Kind::array, "");
+    if (node == nullptr) {
+        return;
+    }
+    value.resize(node->children.size());
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        read_points(node->children[i], fmt::format("{}.{}", path_of(key.name), i), value[i]);
+    }
+}
+
+// ---------------------------------------------------------------- curves
+
+void Reader::read_curve(const Node& node, const std::string& path, const CurveKeys& keys, Table& value)
+{
+    push(node, path);
+    const auto before = diagnostics_.size();
+    const std::string x_path = fmt::format("{}.{}", path, keys.x_name);
+    const Node* x = take({keys.x_name, "the places of the points", Need::required});
+    const Node* y = take({"value", "the value at each of them", Need::required});
+    if (x != nullptr) {
+        read_list(*x, x_path, keys.x, any_value, value.x);
+    }
+    if (y != nullptr) {
+        read_list(*y, path + ".value", keys.y, keys.range, value.y);
+    }
+    if (x != nullptr && y != nullptr && diagnostics_.size() == before) {
+        if (value.x.empty()) {
+            report(*x, "wrong-length", x_path, "the curve has no points", "give one point or more");
+        } else if (value.x.size() != value.y.size()) {
+            report(*y, "wrong-length", path + ".value",
+                   fmt::format("{} values for {} points", value.y.size(), value.x.size()), "give one value per point");
+        }
+        const auto wrong = std::ranges::adjacent_find(value.x, [](double a, double b) { return !(a < b); });
+        if (wrong != value.x.end()) {
+            const auto index = static_cast<std::size_t>(wrong - value.x.begin()) + 1;
+            report(x->children[index], "wrong-order", x_path, "the points do not increase",
+                   "sort them, each only once");
+        }
+    }
+    pop();
+}
+
+void Reader::curve(const Key& key, Table& value, const CurveKeys& keys)
+{
+    const std::string help = fmt::format("write it like {{ {} = [\"{}\", ...], value = [\"{}\", ...] }}", keys.x_name,
+                                         dimension_info(keys.x).example, dimension_info(keys.y).example);
+    if (const Node* node = take(key, Node::Kind::table, help)) {
+        read_curve(*node, path_of(key.name), keys, value);
+    }
+}
+
+void Reader::course(const Key& key, std::optional<Course>& value, Dimension dimension, const Range& range)
+{
+    const Node* node = take(key);
+    if (node == nullptr) {
+        return;
+    }
+    value.emplace();
+    if (node->kind == Node::Kind::table) {
+        value->table.emplace();
+        read_curve(*node, path_of(key.name), {"time", Dimension::time, dimension, range}, *value->table);
+        if (!value->table->y.empty()) {
+            value->constant = value->table->y.front();
+        }
+    } else {
+        read_quantity(*node, path_of(key.name), dimension, range, value->constant);
+    }
+}
+
+}  // namespace deadpoint::casefile

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace deadpoint::casefile {
+
+/// The reference of the case file as Markdown: every section and key with its unit, range, default and meaning, and
+/// the shipped library. docs/case-file.md is this text; a test compares the two.
+std::string reference_page();
+
+}  // namespace deadpoint::casefile

@@ -1,0 +1,198 @@
+#include "deadpoint/drift/chain.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/exchange/face_points.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace deadpoint::drift {
+namespace {
+
+struct SurfacePoint {
+    std::uint32_t face;
+    Vec3 position;
+    double weight;
+    Vec3 normal;
+};
+
+std::vector<SurfacePoint> points_of(const Machine& machine, const ContactSide& side)
+{
+    std::vector<SurfacePoint> points;
+    for (const auto& p : machine.interfaces[side.contact].points)
+        points.push_back(
+            {side.side_b ? p.face_b : p.face_a, side.side_b ? p.position_b : p.position_a, p.weight, p.normal});
+    return points;
+}
+
+const MeshPart& part_of(const Machine& machine, const ContactSide& side)
+{
+    const auto& contact = machine.interfaces[side.contact];
+    return machine.parts[side.side_b ? contact.part_b : contact.part_a];
+}
+
+bool on_symmetry_plane(const Machine& machine, const ContactSide& side, const Vec2& centre)
+{
+    return machine.half_model && part_of(machine, side).cut && std::abs(centre[0]) < 1e-9;
+}
+
+Functional mean_height(const Machine& machine, int surface)
+{
+    Functional result;
+    double area = 0;
+    for (const auto& entry : machine.surfaces[surface].faces)
+        for (const auto& point : face_points(machine, machine.faces[entry.face])) {
+            const double weight = point.weight * entry.fraction;
+            result.points.push_back({entry.face, point.position, {0, weight, 0}});
+            area += weight;
+        }
+    for (auto& point : result.points)
+        point.weight[1] /= area;
+    return result;
+}
+
+CentreFunctionals mean_centre(const Machine& machine, const std::vector<ContactSide>& sides, const Vec2& centre)
+{
+    CentreFunctionals result;
+    for (const auto& side : sides) {
+        const auto fit = fit_circle(machine, side, centre);
+        add(result[0], 1.0 / static_cast<double>(sides.size()), fit.x);
+        add(result[1], 1.0 / static_cast<double>(sides.size()), fit.y);
+    }
+    return result;
+}
+
+CentreFunctionals mean_across(const Machine& machine, const std::vector<ContactSide>& sides, const Vec2& across)
+{
+    CentreFunctionals result;
+    double area = 0;
+    for (const auto& side : sides) {
+        if (machine.half_model && machine.parts[machine.interfaces[side.contact].part_a].cut)
+            return {};
+        if (machine.half_model && machine.parts[machine.interfaces[side.contact].part_b].cut)
+            return {};
+        for (const auto& p : points_of(machine, side)) {
+            if (std::abs(p.normal[0] * across[0] + p.normal[1] * across[1]) < 0.5)
+                continue;
+            area += p.weight;
+            for (int c = 0; c < 2; ++c)
+                result[c].points.push_back({p.face, p.position, across[c] * p.weight * Vec3{across[0], across[1], 0}});
+        }
+    }
+    for (auto& component : result)
+        for (auto& point : component.points)
+            point.weight = (1 / area) * point.weight;
+    return result;
+}
+
+// Growth of the bore's radius less that of the shaft in it.
+Functional contact_growth(const Machine& machine, int contact, const Vec2& centre)
+{
+    const auto fit_a = fit_circle(machine, {contact, false}, centre);
+    const auto fit_b = fit_circle(machine, {contact, true}, centre);
+    const auto* cylinder = std::get_if<CylinderGeometry>(&machine.interfaces[contact].geometry);
+    if (!cylinder)
+        throw InputError("the crank bearing's interface '" + machine.interfaces[contact].name +
+                         "' is not cylindrical, so it has no clearance; unmark it as seat or journal");
+    Functional result;
+    add(result, cylinder->bore ? 1 : -1, fit_a.growth);
+    add(result, cylinder->bore ? -1 : 1, fit_b.growth);
+    return result;
+}
+
+}  // namespace
+
+void add(Functional& a, double factor, const Functional& b)
+{
+    for (const auto& point : b.points)
+        a.points.push_back({point.face, point.position, factor * point.weight});
+}
+
+CircleFit fit_circle(const Machine& machine, const ContactSide& side, const Vec2& centre)
+{
+    const bool symmetric = on_symmetry_plane(machine, side, centre);
+    Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
+    const auto points = points_of(machine, side);
+    const auto shape = [&](const SurfacePoint& p) {
+        const double x = p.position[0] - centre[0], y = p.position[1] - centre[1];
+        const double r = std::hypot(x, y);
+        return Eigen::Vector3d(symmetric ? 0 : x / r, y / r, 1);
+    };
+    for (const auto& p : points)
+        normal_matrix += p.weight * shape(p) * shape(p).transpose();
+    if (symmetric)
+        normal_matrix(0, 0) = 1;
+    const Eigen::LDLT<Eigen::Matrix3d> solver(normal_matrix);
+    if (solver.rcond() < 1e-8)
+        throw InputError("the centre of interface '" + machine.interfaces[side.contact].name +
+                         "' cannot be fitted: too little of the circle is in contact");
+    CircleFit fit;
+    for (const auto& p : points) {
+        const Eigen::Vector3d coefficient = p.weight * solver.solve(shape(p));
+        const double x = p.position[0] - centre[0], y = p.position[1] - centre[1];
+        const double r = std::hypot(x, y);
+        const Vec3 radial{x / r, y / r, 0};
+        if (!symmetric)
+            fit.x.points.push_back({p.face, p.position, coefficient[0] * radial});
+        fit.y.points.push_back({p.face, p.position, coefficient[1] * radial});
+        fit.growth.points.push_back({p.face, p.position, coefficient[2] * radial});
+    }
+    return fit;
+}
+
+JointCentres joint_centres(const Machine& machine, const Linkage& linkage,
+                           const BottomDeadPointSensitivity& sensitivity, int joint, const JointSurfaces& surfaces)
+{
+    const auto& description = linkage.joints[joint];
+    if (description.kind == LinkageJoint::Kind::slide) {
+        const Vec2 across{-description.direction[1], description.direction[0]};
+        return {mean_across(machine, surfaces.in_a, across), mean_across(machine, surfaces.in_b, across)};
+    }
+    const Vec2 centre = sensitivity.joint_centres[joint];
+    return {mean_centre(machine, surfaces.in_a, centre), mean_centre(machine, surfaces.in_b, centre)};
+}
+
+Functional clearance_growth(const Machine& machine, const BottomDeadPointSensitivity& sensitivity,
+                            const ChainDescription& chain)
+{
+    Functional growth;
+    const double bearings = static_cast<double>(chain.seats.size());
+    for (const int contact : chain.clearance)
+        add(growth, 1 / bearings, contact_growth(machine, contact, sensitivity.joint_centres[chain.crank_joint]));
+    return growth;
+}
+
+std::vector<Functional> chain_functionals(const Machine& machine, const Linkage& linkage,
+                                          const BottomDeadPointSensitivity& sensitivity, const ChainDescription& chain)
+{
+    std::vector<Functional> result(dimension_count);
+    const Vec2 crank_centre = sensitivity.joint_centres[chain.crank_joint];
+    result[bearing_to_ground] = mean_centre(machine, chain.seats, crank_centre)[1];
+    result[table_to_ground] = mean_height(machine, chain.table_surface);
+
+    const Functional growth = clearance_growth(machine, sensitivity, chain);
+    add(result[clearance], -chain.pressed[1], growth);
+
+    auto& height = result[slide_height];
+    add(height, 1, mean_height(machine, chain.slide_surface));
+    for (int j = 0; j < static_cast<int>(linkage.joints.size()); ++j) {
+        const auto centres = joint_centres(machine, linkage, sensitivity, j, chain.joints[j]);
+        for (int c = 0; c < 2; ++c) {
+            add(height, sensitivity.weight[j][c], centres.in_b[c]);
+            add(height, -sensitivity.weight[j][c], centres.in_a[c]);
+        }
+    }
+    // The crank's centre on the ground's side lies the clearance away from the seat's.
+    const bool ground_is_b = linkage.joints[chain.crank_joint].body_b == linkage.ground;
+    const double along = dot(sensitivity.weight[chain.crank_joint], chain.pressed);
+    add(height, ground_is_b ? along : -along, growth);
+
+    add(result[gap], 1, height);
+    add(result[gap], -1, result[table_to_ground]);
+    const std::array<const char*, dimension_count> names{"E_BG", "E_WG", "E_BC", "slide height", "E_SW"};
+    for (int d = 0; d < dimension_count; ++d)
+        result[d].name = names[d];
+    return result;
+}
+
+}  // namespace deadpoint::drift

@@ -1,0 +1,122 @@
+#pragma once
+
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/laws.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What the heat stage is given besides the machine, and what it hands on. SI units, temperatures in kelvin.
+namespace deadpoint {
+
+struct Material {
+    double density = 0;         ///< [kg/m3]
+    double conductivity = 0;    ///< [W/m/K]
+    double specific_heat = 0;   ///< [J/kg/K]
+    double expansion = 0;       ///< [1/K]
+    double youngs_modulus = 0;  ///< [Pa]
+    double poissons_ratio = 0;
+};
+
+using TimeCourse = std::function<double(double time)>;
+
+/// How an interface conducts. A film without thickness at T_f receives friction heat q and conducts to both sides and
+/// to the oil:  q + film_a (T_a - T_f) + film_b (T_b - T_f) + oil (T_oil - T_f) = 0.
+struct InterfaceLaw {
+    double film_a = 0;           ///< [W/m2/K]
+    double film_b = 0;           ///< [W/m2/K]
+    double oil = 0;              ///< [W/m2/K]
+    double oil_temperature = 0;  ///< [K]
+    bool turns_fully = false;    ///< each side sees the other's mean around the circumference
+    int source = -1;             ///< index into HeatProblem::sources, or none
+    double heat_weight = 1;      ///< heat per area, relative to the other interfaces of that source
+};
+
+/// Friction heat shared by the interfaces that name it, even over their (weighted) area.
+struct HeatSource {
+    std::string name;
+    double share = 1;  ///< of the whole press's heat that falls into this model (0.5 in a half model)
+};
+
+struct SurfaceCondition {
+    enum class Kind { film, temperature, flux };
+    std::string name;
+    int surface = -1;  ///< index into Machine::surfaces
+    Kind kind = Kind::film;
+    double coefficient = 0;  ///< film [W/m2/K]
+    FilmLaw law;             ///< film: instead of a constant coefficient, if set
+    double emissivity = 0;
+    TimeCourse ambient;  ///< film: if empty, the segment's
+    std::function<double(const Vec3&, double time)> temperature;
+    TimeCourse flux;  ///< [W/m2] into the part
+};
+
+/// A stretch of operation during which the laws hold.
+struct HeatSegment {
+    double duration = 0;
+    std::vector<HeatLaw> heat;  ///< per source; empty function: none
+    TimeCourse ambient;         ///< over the time since the run began
+};
+
+struct HeatProbe {
+    std::string name;
+    int part = -1;
+    Vec3 position{};
+};
+
+struct HeatProblem {
+    std::vector<InterfaceLaw> interfaces;  ///< as Machine::interfaces
+    std::vector<HeatSource> sources;
+    std::vector<SurfaceCondition> surfaces;
+    std::vector<HeatSegment> segments;
+    std::vector<HeatProbe> probes;
+    std::function<double(const Vec3&)> initial_temperature;
+    double time_tolerance = 0.005;   ///< error of one step at probes and interfaces [K]
+    double initial_step = 1;         ///< [s]
+    double max_step = 1800;          ///< [s]
+    double fixed_step = 0;           ///< [s]; > 0 switches the step control off
+    double solver_tolerance = 1e-9;  ///< root mean square error of a linear solve [K]
+    std::vector<double> field_times;
+};
+
+/// One scalar over time at the accepted steps, with its derivative, for cubic interpolation between them.
+struct Series {
+    std::vector<double> value;
+    std::vector<double> rate;
+};
+
+struct EnergyBalance {
+    double generated = 0;  ///< friction heat [J]
+    double to_air = 0;
+    double to_oil = 0;
+    double from_surfaces = 0;  ///< prescribed temperatures and fluxes, into the parts
+    double stored = 0;
+    /// |generated + from_surfaces - to_air - to_oil - stored| over the largest of them.
+    [[nodiscard]] double mismatch() const;
+};
+
+struct ThermalHistory {
+    std::vector<double> time;         ///< of the accepted steps, from 0 [s]
+    std::vector<Series> probes;       ///< [K]
+    std::vector<Series> interface_a;  ///< mean temperature of side a, per interface [K]
+    std::vector<Series> interface_b;
+    std::vector<Series> part_means;                       ///< volume mean per part [K]
+    std::vector<Series> functionals;                      ///< of the adjoints handed in
+    std::vector<std::vector<double>> source_heat;         ///< per source, at the steps, in this model [W]
+    std::vector<std::vector<double>> source_temperature;  ///< mean film temperature [K]
+    std::vector<double> to_air;                           ///< [W], in this model
+    std::vector<double> to_oil;
+    std::vector<std::vector<double>> contributions;  ///< [part][step] of the functional chosen for attribution
+    EnergyBalance energy;                            ///< in this model
+    int rejected_steps = 0;
+    int linear_iterations = 0;
+    int linear_solves = 0;
+    bool law_out_of_range = false;
+    bool interrupted = false;
+};
+
+/// Value of a series at any time within the history (cubic Hermite between the steps).
+double interpolate(const std::vector<double>& time, const Series& series, double at);
+
+}  // namespace deadpoint

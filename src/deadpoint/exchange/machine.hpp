@@ -1,0 +1,231 @@
+#pragma once
+
+#include "deadpoint/core/vec.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// What goes into the machine stage (a description of solids, surfaces and contacts) and what comes out of it
+/// (a mesh with contact points). SI units; coordinates of the machine at bottom dead point.
+namespace deadpoint {
+
+enum class Axis : int { x = 0, y = 1, z = 2 };
+
+// ---------------------------------------------------------------- input
+
+/// Box with faces parallel to the coordinate planes.
+struct BoxShape {
+    Vec3 min{};
+    Vec3 max{};
+};
+
+/// Full or hollow cylinder along a coordinate axis. `centre` holds the two coordinates across the axis, in the order
+/// of the alphabet (axis z: x, y; axis y: x, z; axis x: y, z). `bore` = 0 means full.
+struct CylinderShape {
+    Axis axis = Axis::z;
+    Vec2 centre{};
+    double diameter = 0;
+    double bore = 0;
+    double from = 0;
+    double to = 0;
+};
+
+/// Polygon with polygonal holes, extruded along a coordinate axis. Points are ordered around the outline, either way;
+/// their two coordinates are those across the axis, in the order of the alphabet.
+struct OutlineShape {
+    Axis axis = Axis::z;
+    std::vector<Vec2> points;
+    std::vector<std::vector<Vec2>> holes;
+    double from = 0;
+    double to = 0;
+};
+
+struct ShaftSection {
+    double length = 0;
+    double diameter = 0;
+    Vec2 offset{};  ///< of this section's centre from the shaft's centre line (crank throw)
+};
+
+/// Stepped shaft: sections one after the other along an axis, starting at `from`.
+struct ShaftShape {
+    Axis axis = Axis::z;
+    Vec2 centre{};
+    double from = 0;
+    std::vector<ShaftSection> sections;
+};
+
+/// Shapes apply in the order listed: `add` joins, `cut` removes; `imprint` only draws its outline into the mesh.
+struct Shape {
+    enum class Operation { add, cut, imprint };
+    Operation operation = Operation::add;
+    std::variant<BoxShape, CylinderShape, OutlineShape, ShaftShape> form;
+};
+
+struct StepSource {
+    std::string path;
+    double unit = 1e-3;  ///< length of one unit of the file [m], used when the file does not say
+};
+struct MeshSource {
+    std::string path;   ///< Gmsh mesh file; first-order hexahedra or tetrahedra
+    double unit = 1.0;  ///< length of one unit of the file [m]
+};
+
+struct PartDescription {
+    std::string name;
+    std::string body;
+    std::variant<std::vector<Shape>, StepSource, MeshSource> source;
+    double size = 0;          ///< wanted cell size [m]; 0 takes the machine's
+    double density = 0;       ///< [kg/m3], for masses only
+    Vec3 translation{};       ///< applied to STEP and mesh sources after scaling [m]
+    bool tetrahedra = false;  ///< mesh with tetrahedra even where hexahedra would do
+};
+
+/// Which exterior faces of which parts. All conditions given must hold.
+struct SurfaceSelector {
+    enum class Kind { exposed, all, plane, cylinder, group };
+    Kind kind = Kind::all;
+    std::vector<std::string> parts;  ///< names or patterns with * ; empty: every part
+    Axis axis = Axis::z;             ///< plane: its normal; cylinder: its axis
+    double position = 0;             ///< plane: coordinate along its normal [m]
+    Vec2 centre{};                   ///< cylinder: across its axis [m]
+    double diameter = 0;             ///< cylinder [m]
+    std::string group;               ///< name of a physical surface of a mesh or STEP source
+    /// Only what lies in this box. Whole faces are taken by their centre; contacts are clipped exactly.
+    std::optional<BoxShape> within;
+};
+
+struct SurfaceDescription {
+    std::string name;
+    SurfaceSelector selector;
+};
+
+struct InterfaceDescription {
+    std::string name;   ///< "joint.interface"
+    SurfaceSelector a;  ///< the integrated side: it must be covered by b
+    SurfaceSelector b;
+    double gap = 0;  ///< largest distance between the two sides that still counts as contact [m]; 0: automatic
+};
+
+struct MachineDescription {
+    std::vector<PartDescription> parts;
+    std::vector<SurfaceDescription> surfaces;
+    std::vector<InterfaceDescription> interfaces;
+    double size = 0.03;                 ///< wanted cell size where a part gives none [m]
+    double size_scale = 1;              ///< scales every size
+    bool half_model = false;            ///< keep x <= 0 only; the cut faces become the symmetry plane
+    std::vector<std::string> unbonded;  ///< pairs "a|b" (patterns) of one body that touch without being bonded
+};
+
+// ---------------------------------------------------------------- output
+
+enum class CellKind : std::uint8_t { hexahedron, tetrahedron };
+
+/// First-order cell; node order as in VTK (hexahedron: bottom 0-3 counter-clockwise seen from the top, then top 4-7).
+struct Cell {
+    CellKind kind = CellKind::hexahedron;
+    std::uint32_t part = 0;
+    std::array<std::uint32_t, 8> nodes{};
+};
+
+struct PlaneGeometry {
+    Vec3 normal{};      ///< unit, out of the solid
+    double offset = 0;  ///< normal . x on the plane [m]
+};
+struct CylinderGeometry {
+    Vec3 point{};  ///< on the axis
+    Vec3 axis{};   ///< unit
+    double radius = 0;
+    bool bore = false;  ///< true where the solid lies outside the radius
+};
+struct FreeformGeometry {};
+using FaceGeometry = std::variant<FreeformGeometry, PlaneGeometry, CylinderGeometry>;
+
+/// Exterior face of a cell; 3 or 4 nodes, counter-clockwise seen from outside.
+struct Face {
+    std::uint32_t cell = 0;
+    std::uint32_t part = 0;
+    std::uint8_t node_count = 4;
+    bool symmetry = false;  ///< on the plane x = 0 of a half model
+    std::array<std::uint32_t, 4> nodes{};
+    std::uint32_t geometry = 0;  ///< index into Machine::geometries
+};
+
+struct MeshPart {
+    std::string name;
+    std::string body;
+    std::uint32_t first_cell = 0;
+    std::uint32_t cell_count = 0;
+    CellKind kind = CellKind::hexahedron;
+    double volume = 0;         ///< of the mesh [m3], this model (half of a cut part)
+    double mass = 0;           ///< volume times density [kg]
+    bool cut = false;          ///< cut by the symmetry plane
+    double exterior_area = 0;  ///< [m2], without the symmetry plane
+    double exposed_area = 0;   ///< [m2], without symmetry plane, contacts and bonds
+    double min_quality = 0;    ///< smallest scaled Jacobian (hexahedra) or scaled inradius ratio (tetrahedra), 0..1
+    double mean_quality = 0;
+};
+
+/// One integration point of a contact, on both sides.
+struct ContactPoint {
+    std::uint32_t face_a = 0;
+    std::uint32_t face_b = 0;
+    Vec3 position_a{};  ///< on the facet of face a
+    Vec3 position_b{};  ///< on the facet of face b
+    Vec3 normal{};      ///< unit, out of a into b, of the true (not faceted) surface
+    double weight = 0;  ///< area [m2]; sums to the area of the true surface in contact
+};
+
+/// Two surfaces in contact: an interface of a joint, or a bond.
+struct Contact {
+    std::string name;       ///< of the interface, or "part|part" for a bond
+    FaceGeometry geometry;  ///< of side a
+    std::vector<ContactPoint> points;
+    double area = 0;           ///< in contact [m2]
+    double area_a = 0;         ///< of the whole integrated side [m2]
+    double area_b = 0;         ///< of the whole other side [m2]
+    double max_gap = 0;        ///< largest distance between position_a and position_b [m]
+    std::uint32_t part_a = 0;  ///< part of the first point; interfaces join exactly one part to one part
+    std::uint32_t part_b = 0;
+    [[nodiscard]] double coverage() const { return area_a > 0 ? area / area_a : 0.0; }
+};
+
+struct SurfaceFace {
+    std::uint32_t face = 0;
+    double fraction = 1;  ///< share of the face that is exposed (or in the selection)
+};
+
+struct MeshSurface {
+    std::string name;
+    std::vector<SurfaceFace> faces;
+    double area = 0;  ///< [m2], with the fractions
+};
+
+struct Overlap {
+    std::string part_a;
+    std::string part_b;
+    Vec3 where{};
+    double depth = 0;  ///< [m]
+};
+
+/// The meshed machine.
+struct Machine {
+    std::vector<Vec3> nodes;
+    std::vector<Cell> cells;
+    std::vector<Face> faces;
+    std::vector<FaceGeometry> geometries;
+    std::vector<MeshPart> parts;
+    std::vector<MeshSurface> surfaces;  ///< in the order of the description
+    std::vector<Contact> interfaces;    ///< in the order of the description
+    std::vector<Contact> bonds;
+    std::vector<double> exposed_fraction;  ///< per face, 0..1; 0 on the symmetry plane
+    std::vector<Overlap> overlaps;
+    std::vector<std::string> floating_parts;  ///< tied to nothing: no bond, no interface
+    std::vector<std::string> dropped_parts;   ///< wholly on the far side of the symmetry plane
+    bool half_model = false;
+};
+
+}  // namespace deadpoint

@@ -1,0 +1,408 @@
+#include "deadpoint/fem/discretisation.hpp"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace deadpoint::fem {
+namespace {
+
+// VTK's hexahedron order to deal.II's lexicographic one.
+constexpr std::array<int, 8> lexicographic{0, 1, 3, 2, 4, 5, 7, 6};
+
+dealii::Point<3> to_point(const Vec3& x) { return {x[0], x[1], x[2]}; }
+
+// Ranks own consecutive stretches of cells: parts follow each other, layers of a part too, so stretches are compact.
+void partition(dealii::parallel::shared::Triangulation<3>& triangulation)
+{
+    const auto ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    const auto cells = triangulation.n_active_cells();
+    for (const auto& cell : triangulation.active_cell_iterators())
+        cell->set_subdomain_id(static_cast<dealii::types::subdomain_id>(
+            static_cast<std::uint64_t>(cell->active_cell_index()) * ranks / cells));
+}
+
+// The point itself where it lies in the reference cell, else one near it that does.
+template <class CellAccessor>
+dealii::Point<3> inside_reference_cell(const CellAccessor& cell, dealii::Point<3> unit)
+{
+    if (cell.reference_cell() == dealii::ReferenceCells::Hexahedron)
+        return dealii::GeometryInfo<3>::project_to_unit_cell(unit);
+    for (unsigned i = 0; i < 3; ++i)
+        unit[i] = std::max(unit[i], 0.0);
+    const double sum = unit[0] + unit[1] + unit[2];
+    return sum > 1 ? dealii::Point<3>(unit / sum) : unit;
+}
+
+double cell_volume(const Machine& machine, const Cell& cell)
+{
+    const auto tetrahedron = [&](int a, int b, int c, int d) {
+        const auto& x = machine.nodes;
+        const Vec3 &o = x[cell.nodes[a]], &p = x[cell.nodes[b]], &q = x[cell.nodes[c]], &r = x[cell.nodes[d]];
+        return std::abs(dot(cross(p - o, q - o), r - o)) / 6;
+    };
+    if (cell.kind == CellKind::tetrahedron)
+        return tetrahedron(0, 1, 2, 3);
+    return tetrahedron(0, 1, 2, 5) + tetrahedron(0, 2, 7, 5) + tetrahedron(0, 2, 3, 7) + tetrahedron(0, 5, 7, 4) +
+           tetrahedron(2, 7, 5, 6);
+}
+
+double face_area(const Machine& machine, const Face& face)
+{
+    const auto& x = machine.nodes;
+    const Vec3 first = cross(x[face.nodes[1]] - x[face.nodes[0]], x[face.nodes[2]] - x[face.nodes[0]]);
+    if (face.node_count == 3)
+        return 0.5 * norm(first);
+    return 0.5 * (norm(first) + norm(cross(x[face.nodes[2]] - x[face.nodes[0]], x[face.nodes[3]] - x[face.nodes[0]])));
+}
+
+}  // namespace
+
+int solve(KSP solver, Vec rhs, Vec solution, const char* what)
+{
+    DEADPOINT_PETSC(KSPSolve(solver, rhs, solution));
+    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+    PetscInt iterations = 0;
+    DEADPOINT_PETSC(KSPGetConvergedReason(solver, &reason));
+    DEADPOINT_PETSC(KSPGetIterationNumber(solver, &iterations));
+    if (reason < 0)
+        throw ConvergenceError(
+            std::string("the linear solver did not converge for ") + what + " (reason " + std::to_string(reason) +
+            " after " + std::to_string(iterations) +
+            " iterations); look for badly shaped cells with `deadpoint check`, or for material values far apart");
+    return static_cast<int>(iterations);
+}
+
+Discretisation::Discretisation(const Machine& machine_, int order_)
+    : machine(machine_), order(order_),
+      triangulation(MPI_COMM_WORLD, dealii::Triangulation<3>::none, false,
+                    dealii::parallel::shared::Triangulation<3>::partition_custom_signal),
+      dofs(triangulation)
+{
+    using namespace dealii;
+    elements.push_back(FE_Q<3>(static_cast<unsigned>(order)));
+    elements.push_back(FE_SimplexP<3>(static_cast<unsigned>(order)));
+    mappings.push_back(MappingQ<3>(1));
+    mappings.push_back(MappingFE<3>(FE_SimplexP<3>(1)));
+    quadratures.push_back(QGauss<3>(static_cast<unsigned>(order + 1)));
+    quadratures.push_back(QGaussSimplex<3>(static_cast<unsigned>(order + 1)));
+
+    triangulation.signals.create.connect([this]() { partition(triangulation); });
+    triangulation.signals.post_refinement.connect([this]() { partition(triangulation); });
+    create_triangulation();
+
+    for (const auto& cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+            cell->set_active_fe_index(cell->reference_cell() == ReferenceCells::Hexahedron ? 0 : 1);
+    dofs.distribute_dofs(elements);
+    const auto& owned = dofs.locally_owned_dofs();
+    if (owned.n_elements() == 0 || !owned.is_contiguous())
+        throw InputError(
+            "a rank got no share of the mesh; use fewer ranks or a finer mesh (`--size`), the mesh has only " +
+            std::to_string(machine.cells.size()) + " cells");
+    first = static_cast<PetscInt>(owned.nth_index_in_set(0));
+    last = first + static_cast<PetscInt>(owned.n_elements());
+    total = static_cast<PetscInt>(dofs.n_dofs());
+
+    cells_.reserve(machine.cells.size());
+    for (const auto& cell : dofs.active_cell_iterators())
+        cells_.push_back(cell);
+    depth_.reserve(machine.faces.size());
+    for (const auto& face : machine.faces)
+        depth_.push_back(cell_volume(machine, machine.cells[face.cell]) / face_area(machine, face));
+}
+
+void Discretisation::create_triangulation()
+{
+    std::vector<dealii::Point<3>> vertices;
+    vertices.reserve(machine.nodes.size());
+    for (const auto& node : machine.nodes)
+        vertices.push_back(to_point(node));
+    std::vector<dealii::CellData<3>> cells;
+    cells.reserve(machine.cells.size());
+    for (const auto& cell : machine.cells) {
+        const unsigned count = cell.kind == CellKind::hexahedron ? 8 : 4;
+        dealii::CellData<3> data(count);
+        for (unsigned i = 0; i < count; ++i)
+            data.vertices[count == 8 ? static_cast<unsigned>(lexicographic[i]) : i] = cell.nodes[i];
+        data.material_id = cell.part;
+        cells.push_back(data);
+    }
+    triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
+}
+
+void Discretisation::evaluate_at(std::uint32_t index, const dealii::Point<3>& unit, bool gradients,
+                                 PointShape& shape) const
+{
+    const auto& cell = cells_[index];
+    const auto& element = elements[cell->active_fe_index()];
+    shape.count = static_cast<int>(element.n_dofs_per_cell());
+    std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
+    cell->get_dof_indices(indices);
+    dealii::Tensor<2, 3> inverse;
+    if (gradients) {
+        // Jacobian of the first-order map from the vertices.
+        const auto reference = cell->reference_cell();
+        dealii::Tensor<2, 3> jacobian;
+        for (const auto v : cell->vertex_indices()) {
+            const auto slope = reference.d_linear_shape_function_gradient(unit, v);
+            for (unsigned i = 0; i < 3; ++i)
+                for (unsigned j = 0; j < 3; ++j)
+                    jacobian[i][j] += cell->vertex(v)[i] * slope[j];
+        }
+        inverse = dealii::transpose(dealii::invert(jacobian));
+    }
+    for (int i = 0; i < shape.count; ++i) {
+        shape.dof[i] = static_cast<PetscInt>(indices[i]);
+        shape.value[i] = element.shape_value(static_cast<unsigned>(i), unit);
+        if (gradients) {
+            const dealii::Tensor<1, 3> g = inverse * element.shape_grad(static_cast<unsigned>(i), unit);
+            shape.gradient[i] = {g[0], g[1], g[2]};
+        }
+    }
+}
+
+void Discretisation::evaluate(std::uint32_t face, const Vec3& position, bool gradients, PointShape& shape) const
+{
+    const auto index = machine.faces[face].cell;
+    const auto& cell = cells_[index];
+    const auto& mapping = mappings[cell->active_fe_index()];
+    const auto unit = mapping.transform_real_to_unit_cell(cell, to_point(position));
+    evaluate_at(index, inside_reference_cell(*cell, unit), gradients, shape);
+}
+
+void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape& shape) const
+{
+    const auto& range = machine.parts[part];
+    double nearest = std::numeric_limits<double>::max();
+    std::uint32_t found = range.first_cell;
+    dealii::Point<3> found_unit;
+    for (std::uint32_t c = range.first_cell; c < range.first_cell + range.cell_count; ++c) {
+        const auto& cell = cells_[c];
+        if (cell->center().distance(to_point(position)) > 2 * cell->diameter())
+            continue;
+        dealii::Point<3> unit;
+        try {
+            unit = mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
+        } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
+            continue;
+        }
+        const auto inside = inside_reference_cell(*cell, unit);
+        const double distance = inside.distance(unit) * cell->diameter();
+        if (distance < nearest) {
+            nearest = distance;
+            found = c;
+            found_unit = inside;
+        }
+    }
+    if (nearest == std::numeric_limits<double>::max())
+        throw InputError("no cell of part '" + range.name + "' is near a probe; move the probe onto the part");
+    evaluate_at(found, found_unit, false, shape);
+}
+
+dealii::DynamicSparsityPattern Discretisation::cell_pattern() const
+{
+    dealii::IndexSet rows = dofs.locally_owned_dofs();
+    dealii::DynamicSparsityPattern pattern(dofs.n_dofs(), dofs.n_dofs(), rows);
+    std::vector<dealii::types::global_dof_index> indices;
+    for (const auto& cell : cells_) {
+        indices.resize(cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_indices(indices);
+        std::sort(indices.begin(), indices.end());
+        for (const auto row : indices)
+            if (owns(static_cast<PetscInt>(row)))
+                pattern.add_entries(row, indices.begin(), indices.end(), true);
+    }
+    return pattern;
+}
+
+void Discretisation::add_bond_pattern(dealii::DynamicSparsityPattern& pattern) const
+{
+    for (const auto& bond : machine.bonds) {
+        std::pair<std::uint32_t, std::uint32_t> previous{~0U, ~0U};
+        for (const auto& point : bond.points) {
+            const std::pair<std::uint32_t, std::uint32_t> pair{machine.faces[point.face_a].cell,
+                                                               machine.faces[point.face_b].cell};
+            if (pair == previous)
+                continue;
+            previous = pair;
+            std::vector<dealii::types::global_dof_index> a(cells_[pair.first]->get_fe().n_dofs_per_cell());
+            std::vector<dealii::types::global_dof_index> b(cells_[pair.second]->get_fe().n_dofs_per_cell());
+            cells_[pair.first]->get_dof_indices(a);
+            cells_[pair.second]->get_dof_indices(b);
+            for (const auto row : a)
+                if (owns(static_cast<PetscInt>(row)))
+                    pattern.add_entries(row, b.begin(), b.end());
+            for (const auto row : b)
+                if (owns(static_cast<PetscInt>(row)))
+                    pattern.add_entries(row, a.begin(), a.end());
+        }
+    }
+}
+
+void Discretisation::cell_nodes(std::uint32_t index, std::vector<std::size_t>& unknowns,
+                                std::vector<Vec3>& position) const
+{
+    const auto& cell = cells_[index];
+    const auto& element = cell->get_fe();
+    std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
+    cell->get_dof_indices(indices);
+    unknowns.assign(indices.begin(), indices.end());
+    for (unsigned i = 0; i < indices.size(); ++i) {
+        const auto x =
+            mappings[cell->active_fe_index()].transform_unit_to_real_cell(cell, element.unit_support_point(i));
+        position[indices[i]] = {x[0], x[1], x[2]};
+    }
+}
+
+std::vector<Vec3> Discretisation::support_points() const
+{
+    std::vector<Vec3> all(static_cast<std::size_t>(total));
+    std::vector<std::size_t> unknowns;
+    for (std::uint32_t c = 0; c < cells_.size(); ++c)
+        cell_nodes(c, unknowns, all);
+    return {all.begin() + first, all.begin() + last};
+}
+
+std::size_t Discretisation::vertex_unknown(std::uint32_t index, unsigned node) const
+{
+    const auto& cell = cells_[index];
+    const bool hexahedron = machine.cells[index].kind == CellKind::hexahedron;
+    return cell->vertex_dof_index(hexahedron ? static_cast<unsigned>(lexicographic[node]) : node, 0,
+                                  cell->active_fe_index());
+}
+
+SparseFunctional Discretisation::functional(const std::vector<std::pair<PetscInt, double>>& entries) const
+{
+    std::vector<std::pair<PetscInt, double>> mine;
+    for (const auto& [dof, weight] : entries)
+        if (owns(dof))
+            mine.emplace_back(dof - first, weight);
+    std::sort(mine.begin(), mine.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    SparseFunctional result;
+    for (const auto& [dof, weight] : mine)
+        if (!result.local.empty() && result.local.back() == dof) {
+            result.weight.back() += weight;
+        } else {
+            result.local.push_back(dof);
+            result.weight.push_back(weight);
+        }
+    return result;
+}
+
+void sum_over_ranks(std::vector<double>& values)
+{
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+}
+
+std::vector<double> evaluate(const std::vector<const SparseFunctional*>& functionals, Vec vector)
+{
+    const double* data = nullptr;
+    DEADPOINT_PETSC(VecGetArrayRead(vector, &data));
+    std::vector<double> sums;
+    sums.reserve(functionals.size());
+    for (const auto* f : functionals) {
+        double sum = 0;
+        for (std::size_t i = 0; i < f->local.size(); ++i)
+            sum += f->weight[i] * data[f->local[i]];
+        sums.push_back(sum);
+    }
+    DEADPOINT_PETSC(VecRestoreArrayRead(vector, &data));
+    sum_over_ranks(sums);
+    return sums;
+}
+
+void add_to(Vec vector, const SparseFunctional& functional, double factor)
+{
+    double* data = nullptr;
+    DEADPOINT_PETSC(VecGetArray(vector, &data));
+    for (std::size_t i = 0; i < functional.local.size(); ++i)
+        data[functional.local[i]] += factor * functional.weight[i];
+    DEADPOINT_PETSC(VecRestoreArray(vector, &data));
+}
+
+OwnedMat create_matrix(const Discretisation& space, const dealii::DynamicSparsityPattern& pattern, int block)
+{
+    const PetscInt rows = space.last - space.first;
+    std::vector<PetscInt> diagonal(static_cast<std::size_t>(rows)), off(static_cast<std::size_t>(rows));
+    for (PetscInt r = 0; r < rows; ++r) {
+        const auto row = static_cast<dealii::types::global_dof_index>(space.first + r);
+        PetscInt inside = 0;
+        const auto length = static_cast<PetscInt>(pattern.row_length(row));
+        for (PetscInt k = 0; k < length; ++k)
+            inside += space.owns(static_cast<PetscInt>(pattern.column_number(row, static_cast<unsigned>(k))));
+        diagonal[r] = inside;
+        off[r] = length - inside;
+    }
+    OwnedMat matrix;
+    DEADPOINT_PETSC(MatCreate(PETSC_COMM_WORLD, matrix.out()));
+    DEADPOINT_PETSC(MatSetSizes(matrix, block * rows, block * rows, block * space.total, block * space.total));
+    DEADPOINT_PETSC(MatSetType(matrix, MATAIJ));
+    DEADPOINT_PETSC(MatSetBlockSize(matrix, block));
+    DEADPOINT_PETSC(MatXAIJSetPreallocation(matrix, block, diagonal.data(), off.data(), nullptr, nullptr));
+    DEADPOINT_PETSC(MatSetOption(matrix, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_TRUE));
+    DEADPOINT_PETSC(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
+    DEADPOINT_PETSC(MatSetOption(matrix, MAT_USE_INODES, PETSC_FALSE));
+    return matrix;
+}
+
+OwnedVec create_vector(const Discretisation& space, int block)
+{
+    OwnedVec vector;
+    DEADPOINT_PETSC(VecCreate(PETSC_COMM_WORLD, vector.out()));
+    DEADPOINT_PETSC(VecSetSizes(vector, block * (space.last - space.first), block * space.total));
+    DEADPOINT_PETSC(VecSetType(vector, VECSTANDARD));
+    DEADPOINT_PETSC(VecSetBlockSize(vector, block));
+    return vector;
+}
+
+void for_each_bond_pair(const Discretisation& space, const std::function<void(const BondPair&)>& visit)
+{
+    const auto& faces = space.machine.faces;
+    BondPair pair;
+    for (const auto& bond : space.machine.bonds)
+        for (auto point = bond.points.begin(); point != bond.points.end();) {
+            const auto face_a = point->face_a, face_b = point->face_b;
+            const auto end = std::find_if(point, bond.points.end(),
+                                          [&](const auto& p) { return p.face_a != face_a || p.face_b != face_b; });
+            if (space.cell(faces[face_a].cell)->is_locally_owned()) {
+                pair.points.resize(static_cast<std::size_t>(end - point));
+                for (auto& target : pair.points) {
+                    space.evaluate(face_a, point->position_a, true, target.a);
+                    space.evaluate(face_b, point->position_b, true, target.b);
+                    target.normal = point->normal;
+                    target.weight = point->weight;
+                    ++point;
+                }
+                pair.part_a = static_cast<int>(faces[face_a].part);
+                pair.part_b = static_cast<int>(faces[face_b].part);
+                pair.depth_a = space.depth(face_a);
+                pair.depth_b = space.depth(face_b);
+                visit(pair);
+            }
+            point = end;
+        }
+}
+
+const double* Everywhere::gather(Vec vector)
+{
+    if (values_)
+        DEADPOINT_PETSC(VecRestoreArrayRead(all_, &values_));
+    DEADPOINT_PETSC(VecScatterBegin(scatter_, vector, all_, INSERT_VALUES, SCATTER_FORWARD));
+    DEADPOINT_PETSC(VecScatterEnd(scatter_, vector, all_, INSERT_VALUES, SCATTER_FORWARD));
+    DEADPOINT_PETSC(VecGetArrayRead(all_, &values_));
+    return values_;
+}
+
+Everywhere::~Everywhere()
+{
+    if (values_)
+        VecRestoreArrayRead(all_, &values_);
+}
+
+}  // namespace deadpoint::fem

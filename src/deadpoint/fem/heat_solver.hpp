@@ -1,0 +1,132 @@
+#pragma once
+
+#include "deadpoint/fem/discretisation.hpp"
+#include "deadpoint/fem/model.hpp"
+
+#include <optional>
+
+/// Internal to fem/: transient heat conduction with joint films.
+namespace deadpoint::fem {
+
+/// Everything that enters the heat balance at one time: the rate vector F(t, T) - K T and its parts.
+struct HeatRate {
+    OwnedVec vector;  ///< [W] per unknown
+    std::vector<double> source_heat;
+    std::vector<double> source_slope;  ///< of the model's heat by the mean film temperature's solid part [W/K]
+    std::vector<double> source_temperature;
+    double generated = 0;
+    double to_air = 0;
+    double to_oil = 0;
+    double flux = 0;
+    bool in_range = true;
+};
+
+inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< [W/m2/K4]
+
+class HeatSolver {
+public:
+    HeatSolver(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem);
+
+    void start_from(const Field& field);
+    ThermalHistory run(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
+                       Observer& observer, const StepCallback& on_step, const FieldCallback& on_field);
+
+private:
+    struct Interface {
+        SparseFunctional mean_a;
+        SparseFunctional mean_b;
+        double area = 0;
+        double sum = 0;               ///< film_a + film_b + oil
+        double heat_weight_area = 0;  ///< its share of its source's heat, 0..1
+        /// Turning joints: per axial strip the moments of both sides' unknowns, (dof, zeroth, first).
+        struct Strip {
+            std::vector<std::pair<PetscInt, std::array<double, 2>>> a, b;
+            std::array<double, 2> norm{};
+        };
+        std::vector<Strip> strips;
+    };
+    struct FilmPoint {
+        PointShape shape;
+        double weight = 0;
+    };
+    struct Film {
+        const SurfaceCondition* condition = nullptr;
+        SparseFunctional integral;  ///< of T over the surface
+        double area = 0;
+        std::vector<FilmPoint> points;  ///< only where the coefficient depends on temperature
+    };
+    struct Step {
+        double error = 0;
+        double from_prescribed = 0;
+    };
+
+    void prepare_interfaces();
+    void prepare_films();
+    void prepare_prescribed();
+    void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
+    void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
+    void assemble_cells(Mat mass, Mat stiffness) const;
+    void assemble_bonds(Mat stiffness) const;
+    void assemble_interfaces(Mat stiffness) const;
+    void assemble_films(Mat stiffness) const;
+    void build_system(double factor, Vec temperature);
+    [[nodiscard]] HeatRate rate(double time, Vec temperature) const;
+    void add_sources(HeatRate& rate, Vec temperature) const;
+    void add_variable_films(HeatRate& rate, double time, Vec temperature) const;
+    void impose(double time, Vec temperature) const;
+    HeatRate solve_stage(double time, double factor, Vec known, Vec temperature);
+    Step step(double time, double dt);
+    void set_tolerance(double relative, double absolute);
+    [[nodiscard]] double ambient(const SurfaceCondition& condition, double time) const;
+    void record(ThermalHistory& history, double time, const HeatRate& rate);
+    [[nodiscard]] std::vector<double> observed(Vec vector, bool is_rate) const;
+    void write_fields_until(double from, double dt, const FieldCallback& on_field);
+    [[nodiscard]] double source_change(std::size_t source, const HeatRate& before, const HeatRate& after) const;
+    double prescribed_heat(double dt);
+    void add_energy(EnergyBalance& energy, double dt, double from_prescribed);
+    static bool depends_on_temperature(const SurfaceCondition& condition)
+    {
+        return condition.law || condition.emissivity > 0;
+    }
+    static double film_flux(const SurfaceCondition& condition, double surface, double surroundings);
+    static double film_slope(const SurfaceCondition& condition, double surface, double surroundings);
+    static PetscErrorCode multiply(Mat shell, Vec in, Vec out);
+
+    const Discretisation& space_;
+    const std::vector<Material>& materials_;
+    const HeatProblem& problem_;
+    const HeatSegment* segment_ = nullptr;
+
+    std::vector<Interface> interfaces_;
+    std::vector<SparseFunctional> source_loads_;  ///< b_r: watts of unit heat by unknown
+    std::vector<SparseFunctional> shell_loads_;   ///< the same without prescribed unknowns
+    std::vector<double> source_constant_;         ///< part of the film temperature from the oil [K]
+    std::vector<double> source_self_;             ///< film temperature per watt of the row itself [K/W]
+    std::vector<Film> films_;
+    bool variable_films_ = false;
+    std::vector<PetscInt> prescribed_;  ///< owned unknowns with given temperature, global numbers
+    std::vector<std::pair<Vec3, const SurfaceCondition*>> prescribed_at_;
+
+    OwnedMat mass_, stiffness_, variable_, system_, shell_;
+    OwnedKsp solver_;
+    mutable std::unique_ptr<Everywhere> everywhere_;
+    double system_factor_ = -1;
+    std::vector<double> shell_slopes_;
+
+    OwnedVec now_, middle_, next_, slope_now_, slope_next_, work_, work2_, error_;
+    HeatRate rate_now_, rate_middle_, rate_next_;
+    bool have_previous_ = false;
+    double time_ = 0;  ///< of the stage being solved
+
+    std::vector<SparseFunctional> probes_, part_means_;
+    std::vector<const SparseFunctional*> watched_;
+    const std::vector<Adjoint>* adjoints_ = nullptr;
+    double reference_ = 0;
+    int attribution_ = -1;
+    std::vector<std::uint32_t> part_of_unknown_;
+    int iterations_ = 0;
+    int solves_ = 0;
+    std::size_t next_field_ = 0;
+};
+
+}  // namespace deadpoint::fem

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "deadpoint/core/observer.hpp"
+#include "deadpoint/exchange/deformation.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace deadpoint::fem {
+
+/// This rank's share of a temperature field [K], opaque to other stages.
+struct Field {
+    std::vector<double> owned;
+};
+/// This rank's share of a displacement field [m].
+struct Displacement {
+    std::vector<double> owned;
+};
+/// A functional of the deformation as weights on the temperature field: value = sum of weight (T - T_reference).
+struct Adjoint {
+    std::string name;
+    std::vector<double> owned;
+};
+
+/// Called after each accepted step.
+using StepCallback = std::function<void(double time)>;
+/// Called for each wanted field time, in order.
+using FieldCallback = std::function<void(double time, const Field&)>;
+
+struct ModelSize {
+    long long cells = 0;
+    long long heat_unknowns = 0;
+};
+
+/// Finite elements on the whole machine: transient heat conduction with joint films, and the thermo-elastic
+/// deformation of each body by itself.
+///
+/// Every part has its own mesh and shares no unknown with another: interfaces couple by their films, bonds by
+/// Nitsche's method (symmetric, consistent: a linear field passes a bond exactly whatever the two meshes). Bodies are
+/// free but for the symmetry plane and the feet; what rigid motion is left is held without force and taken out of all
+/// results.
+///
+/// Every member function is collective: all ranks call it with the same arguments.
+class Model {
+public:
+    /// @param materials  per part of the machine
+    /// @param order      of the elements, 1 or 2
+    /// @throws InputError where ranks built different meshes or a material constant is not positive and finite
+    Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer);
+    ~Model();
+    Model(Model&&) noexcept;
+
+    [[nodiscard]] ModelSize size() const;
+
+    /// Temperature field over the operation's segments: TR-BDF2 (second order, L-stable, error estimate of third
+    /// order; Hosea and Shampine 1996), each stage by Newton with the joint heat's dependence on the joint
+    /// temperature included. The fluxes of the stages close the energy balance exactly.
+    /// @param attribution  index of the adjoint whose value is split by part, or -1
+    /// @throws ConvergenceError, DomainError for a non-finite temperature
+    ThermalHistory heat(const HeatProblem& problem, const std::vector<Adjoint>& adjoints, double reference_temperature,
+                        int attribution, Observer& observer, const StepCallback& on_step,
+                        const FieldCallback& on_field);
+
+    /// Feet: faces of this surface keep their height (u_y = 0). To be called before the functions below.
+    void support(int feet_surface);
+    /// Temperature weights of displacement functionals, one elastic solve each.
+    std::vector<Adjoint> adjoints(const std::vector<Functional>& functionals);
+    /// The deformation for a temperature field, each body apart from a rigid motion.
+    Displacement displacement(const Field& temperature, double reference_temperature);
+    std::vector<double> evaluate(const std::vector<Functional>& functionals, const Displacement& displacement);
+    double apply(const Adjoint& adjoint, const Field& temperature, double reference_temperature);
+    /// Frees matrices and preconditioner of the deformation.
+    void release_elasticity();
+    [[nodiscard]] int elastic_iterations() const;
+
+    /// Temperature at points of parts.
+    std::vector<double> sample(const std::vector<HeatProbe>& probes, const Field& field);
+    Field constant_field(double temperature) const;
+    Field interpolate_field(const std::function<double(const Vec3&)>& temperature) const;
+
+    /// One time of the animation: folder/name.vtu (or .pvtu with pieces) with temperature [degC], and displacement [mm]
+    /// where one is given, after adding each part's rigid motion. Returns the file name to list in a .pvd.
+    std::string write_fields(const std::string& folder, const std::string& name, const Field& temperature,
+                             const Displacement* displacement, const std::vector<RigidMotion>& motion_of_part,
+                             const std::vector<int>& body_of_part);
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace deadpoint::fem

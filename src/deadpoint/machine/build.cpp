@@ -1,0 +1,315 @@
+#include "deadpoint/machine/build.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/machine/assembly.hpp"
+#include "deadpoint/machine/contacts.hpp"
+#include "deadpoint/machine/extrude.hpp"
+#include "deadpoint/machine/gmsh_session.hpp"
+#include "deadpoint/machine/interfaces.hpp"
+#include "deadpoint/machine/layers.hpp"
+#include "deadpoint/machine/overlaps.hpp"
+#include "deadpoint/machine/select.hpp"
+#include "deadpoint/machine/solids.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <set>
+
+namespace deadpoint::machine {
+
+namespace {
+
+/// Good enough not to try another axis.
+constexpr double good_quality = 0.3;
+
+struct Worst {
+    double quality = 1;
+    Vec3 where{};
+};
+
+Worst worst_cell(const PartMesh& mesh)
+{
+    Worst worst;
+    for (const Cell& cell : mesh.cells) {
+        const double own = quality(cell, mesh.nodes);
+        if (own < worst.quality) {
+            worst = {own, centre(cell, mesh.nodes)};
+        }
+    }
+    return worst;
+}
+
+std::string place(const Vec3& p)
+{
+    return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
+}
+
+void check(const MachineDescription& description)
+{
+    std::vector<std::string> problems;
+    std::set<std::string> names;
+    for (const PartDescription& part : description.parts) {
+        if (part.name.empty()) {
+            problems.emplace_back("a part has no name; give every part one");
+        }
+        if (!names.insert(part.name).second) {
+            problems.push_back(fmt::format("two parts are called '{}'; rename one", part.name));
+        }
+        if (!(part.size >= 0) || !(part.density >= 0)) {
+            problems.push_back(fmt::format("part '{}': cell size and density must not be negative", part.name));
+        }
+    }
+    if (description.parts.empty()) {
+        problems.emplace_back("the machine has no parts; describe at least one");
+    }
+    if (!(description.size > 0) || !(description.size_scale > 0)) {
+        problems.emplace_back("the cell size and its scale must be positive");
+    }
+    if (!problems.empty()) {
+        throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
+    }
+}
+
+/// The hexahedral mesh with the better worst cell over all axes that fit; empty kind of reason if there is none.
+struct HexahedronAttempt {
+    bool done = false;
+    PartMesh mesh;
+    std::string reason;
+};
+
+HexahedronAttempt try_hexahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half)
+{
+    HexahedronAttempt best;
+    best.reason = "its shapes have no axis in common";
+    double best_quality = least_quality;
+    for (const Axis axis : common_axes(prisms)) {
+        const LayeredPart layered = layered_along(prisms, axis, half);
+        try {
+            const PlaneMesh plane = only_boxes(layered) ? grid_plane(layered, size) : mesh_plane(name, layered, size);
+            PartMesh mesh = extrude(layered, plane, size);
+            const Worst worst = worst_cell(mesh);
+            if (worst.quality >= best_quality) {
+                best_quality = worst.quality;
+                best = {true, std::move(mesh), {}};
+            } else if (!best.done) {
+                best.reason = fmt::format("hexahedra would have a scaled Jacobian of {:.3f} at {}", worst.quality,
+                                          place(worst.where));
+            }
+        } catch (const InputError& error) {
+            if (!best.done) {
+                best.reason = error.what();
+            }
+        }
+        if (best_quality >= good_quality) {
+            break;
+        }
+    }
+    return best;
+}
+
+void check_quality(const PartDescription& part, const PartMesh& mesh)
+{
+    const Worst worst = worst_cell(mesh);
+    if (worst.quality >= least_quality) {
+        return;
+    }
+    throw InputError(fmt::format("part '{}' has bad cells: the worst, at {}, has quality {:.3f}, but {} is needed; "
+                                 "choose another cell size for this "
+                                 "part, set tetrahedra = true, or mend outlines that nearly touch there",
+                                 part.name, place(worst.where), worst.quality, least_quality));
+}
+
+PartMesh mesh_shapes(const PartDescription& part, const std::vector<Prism>& prisms, double size, bool half,
+                     Observer& observer)
+{
+    if (!part.tetrahedra) {
+        HexahedronAttempt attempt = try_hexahedra(part.name, prisms, size, half);
+        if (attempt.done) {
+            return std::move(attempt.mesh);
+        }
+        observer.info(fmt::format("part '{}' gets tetrahedra: {}", part.name, attempt.reason));
+    }
+    PartMesh mesh = mesh_tetrahedra(part.name, prisms, size, half);
+    check_quality(part, mesh);
+    return mesh;
+}
+
+bool beyond_symmetry(const std::vector<Prism>& prisms)
+{
+    const auto beyond = [](const Prism& prism) {
+        if (prism.operation != Shape::Operation::add) {
+            return true;
+        }
+        const Prism flat = along(prism, prism.box ? Axis::z : prism.axis);
+        if (flat.axis == Axis::x) {
+            return flat.from > -1e-9;
+        }
+        if (flat.section.circle) {
+            return flat.section.circle->centre[0] - flat.section.circle->radius > -1e-9;
+        }
+        return std::all_of(flat.section.points.begin(), flat.section.points.end(),
+                           [](const Vec2& point) { return point[0] > -1e-9; });
+    };
+    return std::all_of(prisms.begin(), prisms.end(), beyond);
+}
+
+PartMesh mesh_part(const MachineDescription& description, const PartDescription& part, std::vector<Prism>& prisms,
+                   Observer& observer)
+{
+    const double size = (part.size > 0 ? part.size : description.size) * description.size_scale;
+    const bool half = description.half_model;
+    if (const auto* step = std::get_if<StepSource>(&part.source)) {
+        PartMesh mesh = mesh_step(part, *step, size, half);
+        check_quality(part, mesh);
+        return mesh;
+    }
+    if (const auto* file = std::get_if<MeshSource>(&part.source)) {
+        return read_mesh(part, *file, half);
+    }
+    prisms = prisms_of(part.name, std::get<std::vector<Shape>>(part.source));
+    if (half && beyond_symmetry(prisms)) {
+        return {};
+    }
+    PartMesh mesh = mesh_shapes(part, prisms, size, half, observer);
+    if (mesh.cells.empty()) {
+        throw InputError(fmt::format("part '{}' has no material left after its cuts; correct its shapes", part.name));
+    }
+    return mesh;
+}
+
+void check_imported(const MeshPart& part, Observer& observer)
+{
+    if (part.min_quality <= 1e-6) {
+        throw InputError(fmt::format("part '{}': its mesh holds inverted or flat cells; mesh it again", part.name));
+    }
+    if (part.min_quality < least_quality) {
+        observer.warn(
+            fmt::format("part '{}': the worst cell of its mesh has quality {:.3f}", part.name, part.min_quality));
+    }
+}
+
+std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description, Assembly& assembly,
+                                           Observer& observer)
+{
+    const GmshSession session;
+    std::vector<std::vector<Prism>> shapes;
+    for (std::size_t i = 0; i < description.parts.size(); ++i) {
+        const PartDescription& part = description.parts[i];
+        observer.progress(static_cast<double>(i) / static_cast<double>(description.parts.size()), part.name);
+        std::vector<Prism> prisms;
+        PartMesh mesh = mesh_part(description, part, prisms, observer);
+        if (mesh.cells.empty()) {
+            assembly.machine.dropped_parts.push_back(part.name);
+            continue;
+        }
+        append(assembly, part, std::move(mesh));
+        if (std::holds_alternative<MeshSource>(part.source)) {
+            check_imported(assembly.machine.parts.back(), observer);
+        }
+        shapes.push_back(std::move(prisms));
+    }
+    observer.progress(1, "parts meshed");
+    if (assembly.machine.parts.empty()) {
+        throw InputError(
+            "every part lies at x > 0, but a half model keeps x <= 0; mirror the machine or build it whole");
+    }
+    return shapes;
+}
+
+std::vector<double> exposed_fractions(const Machine& machine, const std::vector<double>& covered)
+{
+    constexpr double noise = 1e-9;
+    std::vector<double> result(covered.size());
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        const double open = 1 - covered[i];
+        result[i] = open < noise ? 0.0 : (open > 1 - noise ? 1.0 : open);
+        if (machine.faces[i].symmetry) {
+            result[i] = 0;
+        }
+    }
+    return result;
+}
+
+void find_floating(Machine& machine)
+{
+    std::vector<char> tied(machine.parts.size(), 0);
+    for (const auto* contacts : {&machine.interfaces, &machine.bonds}) {
+        for (const Contact& contact : *contacts) {
+            tied[contact.part_a] = tied[contact.part_b] = 1;
+        }
+    }
+    for (std::size_t i = 0; i < machine.parts.size(); ++i) {
+        if (tied[i] == 0 && machine.parts.size() > 1) {
+            machine.floating_parts.push_back(machine.parts[i].name);
+        }
+    }
+}
+
+void connect(const MachineDescription& description, Assembly& assembly)
+{
+    Machine& machine = assembly.machine;
+    std::vector<double> covered(machine.faces.size(), 0.0);
+    machine.interfaces = find_interfaces(assembly, description.interfaces, covered);
+    std::vector<std::array<std::uint32_t, 2>> joined;
+    for (const Contact& contact : machine.interfaces) {
+        joined.push_back({std::min(contact.part_a, contact.part_b), std::max(contact.part_a, contact.part_b)});
+    }
+    machine.bonds = find_bonds(assembly, description.unbonded, joined, covered);
+    machine.exposed_fraction = exposed_fractions(machine, covered);
+    for (std::size_t i = 0; i < machine.faces.size(); ++i) {
+        const Face& face = machine.faces[i];
+        machine.parts[face.part].exposed_area += machine.exposed_fraction[i] * area(face, machine.nodes);
+    }
+}
+
+void select_surfaces(const MachineDescription& description, Assembly& assembly)
+{
+    std::vector<std::string> problems;
+    for (const SurfaceDescription& surface : description.surfaces) {
+        try {
+            assembly.machine.surfaces.push_back(select_surface(assembly, surface));
+        } catch (const InputError& error) {
+            problems.emplace_back(error.what());
+        }
+    }
+    if (!problems.empty()) {
+        throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
+    }
+}
+
+void warn_about(const Machine& machine, Observer& observer)
+{
+    for (const Overlap& overlap : machine.overlaps) {
+        observer.warn(fmt::format("parts '{}' and '{}' overlap by {:.2f} mm at {}", overlap.part_a, overlap.part_b,
+                                  1e3 * overlap.depth, place(overlap.where)));
+    }
+    for (const std::string& part : machine.floating_parts) {
+        observer.warn(fmt::format("part '{}' floats: it is tied to nothing by a bond or an interface", part));
+    }
+    for (const MeshSurface& surface : machine.surfaces) {
+        if (surface.faces.empty()) {
+            observer.warn(fmt::format("surface '{}' is empty: nothing there is exposed", surface.name));
+        }
+    }
+}
+
+}  // namespace
+
+Machine build_machine(const MachineDescription& description, Observer& observer)
+{
+    check(description);
+    observer.stage("mesh");
+    Assembly assembly;
+    assembly.machine.half_model = description.half_model;
+    const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, observer);
+    connect(description, assembly);
+    select_surfaces(description, assembly);
+    assembly.machine.overlaps = find_overlaps(assembly, shapes);
+    find_floating(assembly.machine);
+    warn_about(assembly.machine, observer);
+    return std::move(assembly.machine);
+}
+
+}  // namespace deadpoint::machine

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "deadpoint/core/observer.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+/// The machine stage: from a description of solids, surfaces and contacts to a mesh with contact points.
+namespace deadpoint::machine {
+
+/// Meshes every part, finds exterior faces, contacts, bonds, surfaces and overlaps. SI units throughout.
+///
+/// Parts whose shapes are prisms along one axis become layers of hexahedra: their outlines are drawn into one plane
+/// arrangement, which is meshed with quadrilaterals and extruded. All other parts, STEP sources and parts that ask for
+/// it become tetrahedra. Circles have at least 24 segments. Nodes of circles lie on the circle; volumes and facet areas
+/// are those of the inscribed polygons, areas of contacts are those of the true surfaces. Equal descriptions give
+/// bitwise equal machines.
+///
+/// Contacts are found on surfaces of equal geometry (planes, cylinders) by clipping the facets of both sides against
+/// each other in the parameters of the surface, so that areas are exact on non-matching meshes too. Freeform surfaces
+/// of imported parts make no contact. Bonds join touching parts of one body, unless the pair is listed as unbonded or
+/// an interface joins it.
+///
+/// @param description  what to build; see exchange/machine.hpp
+/// @param observer     gets progress, one line per part that could not be meshed with hexahedra, and warnings
+/// @throws InputError  for wrong shapes, unusable files, bad cells, selectors that match nothing, interfaces between
+///                     more than two parts, and interfaces of which less than 98 % is covered (all of them at once)
+/// @throws IoError     if a file cannot be read
+Machine build_machine(const MachineDescription& description, Observer& observer);
+
+/// Least share of the integrated side of an interface that must find a partner.
+inline constexpr double least_coverage = 0.98;
+/// Largest distance between two surfaces that counts as contact where an interface names none [m].
+inline constexpr double contact_tolerance = 1e-5;
+/// Least scaled Jacobian (hexahedra) or scaled inradius ratio (tetrahedra) of a mesh made here.
+inline constexpr double least_quality = 0.05;
+
+}  // namespace deadpoint::machine

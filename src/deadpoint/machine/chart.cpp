@@ -1,0 +1,160 @@
+#include "deadpoint/machine/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace deadpoint::machine {
+
+namespace {
+
+/// Two unit vectors across a unit vector; coordinate axes if it is one.
+std::array<Vec3, 2> frame_across(const Vec3& direction)
+{
+    std::size_t smallest = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        if (std::abs(direction[i]) < std::abs(direction[smallest]) - 1e-12) {
+            smallest = i;
+        }
+    }
+    Vec3 help{};
+    help[smallest] = 1;
+    const Vec3 first = normalised(help - dot(help, direction) * direction);
+    return {first, cross(direction, first)};
+}
+
+bool parallel(const Vec3& a, const Vec3& b) { return norm(cross(a, b)) < 1e-6; }
+
+}  // namespace
+
+Chart::Chart(const FaceGeometry& geometry)
+{
+    if (const auto* cylinder = std::get_if<CylinderGeometry>(&geometry)) {
+        cylinder_ = true;
+        origin_ = cylinder->point;
+        third_ = cylinder->axis;
+        radius_ = cylinder->radius;
+        sense_ = cylinder->bore ? -1 : 1;
+        period_ = 2 * std::numbers::pi * radius_;
+    } else {
+        third_ = std::get<PlaneGeometry>(geometry).normal;
+    }
+    const auto frame = frame_across(third_);
+    first_ = frame[0];
+    second_ = frame[1];
+}
+
+Vec2 Chart::parameters(const Vec3& point) const
+{
+    const Vec3 arm = point - origin_;
+    if (!cylinder_) {
+        return {dot(arm, first_), dot(arm, second_)};
+    }
+    return {radius_ * std::atan2(dot(arm, second_), dot(arm, first_)), dot(arm, third_)};
+}
+
+ChartFace Chart::flatten(const Face& face, std::uint32_t index, const std::vector<Vec3>& nodes) const
+{
+    ChartFace result;
+    result.face = index;
+    result.count = face.node_count;
+    double middle = 0;
+    for (int i = 0; i < result.count; ++i) {
+        Vec2& corner = result.corners[i];
+        corner = parameters(nodes[face.nodes[i]]);
+        if (cylinder_ && i > 0) {
+            corner[0] -= period_ * std::round((corner[0] - result.corners[0][0]) / period_);
+        }
+        middle += corner[0] / result.count;
+    }
+    if (cylinder_) {
+        const double shift = period_ * std::floor(middle / period_ + 0.5);
+        for (Vec2& corner : result.corners) {
+            corner[0] -= shift;
+        }
+    }
+    result.polygon.assign(result.corners.begin(), result.corners.begin() + result.count);
+    result.full_area = signed_area(result.polygon);
+    if (result.full_area < 0) {
+        std::reverse(result.polygon.begin(), result.polygon.end());
+        result.full_area = -result.full_area;
+    }
+    return result;
+}
+
+void Chart::clip(ChartFace& chart_face, const Vec3& face_centre, const BoxShape& box) const
+{
+    for (std::size_t i = 0; i < 3 && !chart_face.polygon.empty(); ++i) {
+        // coordinate i = constant + dot(slope, parameters), on a cylinder only along its axis
+        const Vec2 slope = cylinder_ ? Vec2{0, third_[i]} : Vec2{first_[i], second_[i]};
+        const bool linear = norm(slope) > 1e-9 && (!cylinder_ || std::abs(std::abs(third_[i]) - 1) < 1e-9);
+        if (!linear) {
+            constexpr double slack = 1e-6;
+            const bool in = face_centre[i] > box.min[i] - slack && face_centre[i] < box.max[i] + slack;
+            if (!in) {
+                chart_face.polygon.clear();
+            }
+            continue;
+        }
+        const double constant = cylinder_ ? origin_[i] : dot(face_centre, third_) * third_[i];
+        chart_face.polygon = clipped(chart_face.polygon, {slope, box.max[i] - constant});
+        chart_face.polygon = clipped(chart_face.polygon, {-1.0 * slope, constant - box.min[i]});
+    }
+}
+
+Vec3 Chart::normal(const Vec2& point) const
+{
+    if (!cylinder_) {
+        return third_;
+    }
+    const double angle = point[0] / radius_;
+    return (sense_ * std::cos(angle)) * first_ + (sense_ * std::sin(angle)) * second_;
+}
+
+Vec2 local_coordinates(const ChartFace& face, const Vec2& point)
+{
+    const auto& c = face.corners;
+    const auto solve = [](const Vec2& a, const Vec2& b, const Vec2& right) {
+        const double determinant = a[0] * b[1] - a[1] * b[0];
+        return Vec2{(right[0] * b[1] - right[1] * b[0]) / determinant,
+                    (a[0] * right[1] - a[1] * right[0]) / determinant};
+    };
+    if (face.count == 3) {
+        return solve(c[1] - c[0], c[2] - c[0], point - c[0]);
+    }
+    Vec2 local{0.5, 0.5};
+    for (int iteration = 0; iteration < 25; ++iteration) {
+        const auto [r, s] = local;
+        const Vec2 x = ((1 - r) * (1 - s)) * c[0] + (r * (1 - s)) * c[1] + (r * s) * c[2] + ((1 - r) * s) * c[3];
+        const Vec2 dr = (1 - s) * (c[1] - c[0]) + s * (c[2] - c[3]);
+        const Vec2 ds = (1 - r) * (c[3] - c[0]) + r * (c[2] - c[1]);
+        const Vec2 step = solve(dr, ds, point - x);
+        local = local + step;
+        if (norm(step) < 1e-13) {
+            break;
+        }
+    }
+    return {std::clamp(local[0], 0.0, 1.0), std::clamp(local[1], 0.0, 1.0)};
+}
+
+bool can_touch(const FaceGeometry& a, const FaceGeometry& b, double gap)
+{
+    if (a.index() != b.index()) {
+        return false;
+    }
+    if (const auto* p = std::get_if<PlaneGeometry>(&a)) {
+        const auto& q = std::get<PlaneGeometry>(b);
+        return norm(p->normal + q.normal) < 1e-6 && std::abs(p->offset + q.offset) <= gap;
+    }
+    if (const auto* c = std::get_if<CylinderGeometry>(&a)) {
+        const auto& d = std::get<CylinderGeometry>(b);
+        if (c->bore == d.bore || std::abs(c->radius - d.radius) > gap || !parallel(c->axis, d.axis)) {
+            return false;
+        }
+        const Vec3 between = d.point - c->point;
+        return norm(between - dot(between, c->axis) * c->axis) <= gap;
+    }
+    return false;
+}
+
+}  // namespace deadpoint::machine

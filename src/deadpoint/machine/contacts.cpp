@@ -1,0 +1,375 @@
+#include "deadpoint/machine/contacts.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/machine/build.hpp"
+#include "deadpoint/machine/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace deadpoint::machine {
+
+namespace {
+
+constexpr double least_bond_area = 1e-8;
+/// Shares of a face smaller than this are noise of the clipping.
+constexpr double least_share = 1e-10;
+
+struct Rectangle {
+    Vec2 low{};
+    Vec2 high{};
+};
+
+Rectangle bounds(const Polygon& polygon)
+{
+    Rectangle box{polygon.front(), polygon.front()};
+    for (const Vec2& p : polygon) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            box.low[i] = std::min(box.low[i], p[i]);
+            box.high[i] = std::max(box.high[i], p[i]);
+        }
+    }
+    return box;
+}
+
+Polygon shifted(Polygon polygon, double shift)
+{
+    for (Vec2& p : polygon) {
+        p[0] += shift;
+    }
+    return polygon;
+}
+
+/// Finds polygons by their bounding boxes through a uniform grid.
+class PolygonGrid {
+public:
+    explicit PolygonGrid(const std::vector<Rectangle>& boxes) : boxes_(boxes), seen_(boxes.size(), 0)
+    {
+        all_ = boxes.front();
+        Vec2 mean{};
+        for (const Rectangle& box : boxes) {
+            for (std::size_t i = 0; i < 2; ++i) {
+                all_.low[i] = std::min(all_.low[i], box.low[i]);
+                all_.high[i] = std::max(all_.high[i], box.high[i]);
+                mean[i] += (box.high[i] - box.low[i]) / static_cast<double>(boxes.size());
+            }
+        }
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double count = mean[i] > 0 ? (all_.high[i] - all_.low[i]) / mean[i] : 1.0;
+            counts_[i] = static_cast<int>(std::clamp(count, 1.0, 256.0));
+        }
+        cells_.resize(static_cast<std::size_t>(counts_[0]) * static_cast<std::size_t>(counts_[1]));
+        for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+            visit(boxes[k], [&](std::vector<std::uint32_t>& cell) { cell.push_back(k); });
+        }
+    }
+
+    /// Indices of boxes that overlap `box`, ascending.
+    std::vector<std::uint32_t> find(const Rectangle& box)
+    {
+        ++stamp_;
+        std::vector<std::uint32_t> found;
+        visit(box, [&](const std::vector<std::uint32_t>& cell) {
+            for (const std::uint32_t k : cell) {
+                if (seen_[k] == stamp_ || !overlap(boxes_[k], box)) {
+                    continue;
+                }
+                seen_[k] = stamp_;
+                found.push_back(k);
+            }
+        });
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+private:
+    static bool overlap(const Rectangle& a, const Rectangle& b)
+    {
+        return a.low[0] < b.high[0] && b.low[0] < a.high[0] && a.low[1] < b.high[1] && b.low[1] < a.high[1];
+    }
+    [[nodiscard]] int cell_of(double value, std::size_t i) const
+    {
+        const double width = all_.high[i] - all_.low[i];
+        const double place = width > 0 ? (value - all_.low[i]) / width * counts_[i] : 0.0;
+        return static_cast<int>(std::clamp(std::floor(place), 0.0, counts_[i] - 1.0));
+    }
+    template <typename Visitor>
+    void visit(const Rectangle& box, Visitor visitor)
+    {
+        for (int j = cell_of(box.low[1], 1); j <= cell_of(box.high[1], 1); ++j) {
+            for (int i = cell_of(box.low[0], 0); i <= cell_of(box.high[0], 0); ++i) {
+                visitor(cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(counts_[0]) +
+                               static_cast<std::size_t>(i)]);
+            }
+        }
+    }
+
+    const std::vector<Rectangle>& boxes_;
+    Rectangle all_;
+    std::array<int, 2> counts_{1, 1};
+    std::vector<std::vector<std::uint32_t>> cells_;
+    std::vector<std::uint32_t> seen_;
+    std::uint32_t stamp_ = 0;
+};
+
+using FacesByGeometry = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+
+FacesByGeometry by_geometry(const Machine& machine, const std::vector<std::uint32_t>& faces)
+{
+    FacesByGeometry result;
+    for (const std::uint32_t face : faces) {
+        result[machine.faces[face].geometry].push_back(face);
+    }
+    return result;
+}
+
+std::vector<ChartFace> flattened(const Machine& machine, const Chart& chart, const std::vector<std::uint32_t>& faces,
+                                 const std::optional<BoxShape>& within)
+{
+    std::vector<ChartFace> result;
+    result.reserve(faces.size());
+    for (const std::uint32_t index : faces) {
+        ChartFace face = chart.flatten(machine.faces[index], index, machine.nodes);
+        if (within) {
+            chart.clip(face, centre(machine.faces[index], machine.nodes), *within);
+        }
+        if (!face.polygon.empty()) {
+            result.push_back(std::move(face));
+        }
+    }
+    return result;
+}
+
+double total_area(const Machine& machine, const FacesByGeometry& sides, const std::optional<BoxShape>& within)
+{
+    double sum = 0;
+    for (const auto& [geometry, faces] : sides) {
+        if (std::holds_alternative<FreeformGeometry>(machine.geometries[geometry])) {
+            for (const std::uint32_t face : faces) {
+                sum += area(machine.faces[face], machine.nodes);
+            }
+            continue;
+        }
+        const Chart chart(machine.geometries[geometry]);
+        for (const ChartFace& face : flattened(machine, chart, faces, within)) {
+            sum += signed_area(face.polygon);
+        }
+    }
+    return sum;
+}
+
+/// Clips all faces of one surface of side a against those of one surface of side b.
+class Clipper {
+public:
+    Clipper(const Machine& machine, const FaceGeometry& geometry, Contact& contact, std::vector<double>& covered)
+        : machine_(machine), chart_(geometry), contact_(contact), covered_(covered)
+    {}
+
+    double run(const std::vector<std::uint32_t>& faces_a, const std::optional<BoxShape>& within_a,
+               const std::vector<std::uint32_t>& faces_b, const std::optional<BoxShape>& within_b)
+    {
+        const std::vector<ChartFace> side_a = flattened(machine_, chart_, faces_a, within_a);
+        const std::vector<ChartFace> side_b = flattened(machine_, chart_, faces_b, within_b);
+        if (side_a.empty() || side_b.empty()) {
+            return 0;
+        }
+        struct Copy {
+            std::uint32_t face;
+            double shift;
+        };
+        std::vector<Copy> copies;
+        std::vector<Rectangle> boxes;
+        for (std::uint32_t k = 0; k < side_b.size(); ++k) {
+            for (int turn = -1; turn <= 1; ++turn) {
+                if (turn != 0 && chart_.period() == 0) {
+                    continue;
+                }
+                copies.push_back({k, turn * chart_.period()});
+                boxes.push_back(bounds(shifted(side_b[k].polygon, copies.back().shift)));
+            }
+        }
+        PolygonGrid grid(boxes);
+        double area = 0;
+        for (const ChartFace& a : side_a) {
+            for (const std::uint32_t k : grid.find(bounds(a.polygon))) {
+                area += add_pair(a, side_b[copies[k].face], copies[k].shift);
+            }
+        }
+        return area;
+    }
+
+private:
+    double add_pair(const ChartFace& a, const ChartFace& b, double shift)
+    {
+        const Polygon common = intersection(a.polygon, shifted(b.polygon, shift));
+        if (common.empty()) {
+            return 0;
+        }
+        const double area = signed_area(common);
+        if (area < least_share * std::min(a.full_area, b.full_area)) {
+            return 0;
+        }
+        covered_[a.face] += area / a.full_area;
+        covered_[b.face] += area / b.full_area;
+        points_.clear();
+        append_points(common, points_);
+        for (const PlanePoint& point : points_) {
+            ContactPoint contact;
+            contact.face_a = a.face;
+            contact.face_b = b.face;
+            contact.position_a =
+                position_on(machine_.faces[a.face], machine_.nodes, local_coordinates(a, point.position));
+            const Vec2 on_b = point.position - Vec2{shift, 0};
+            contact.position_b = position_on(machine_.faces[b.face], machine_.nodes, local_coordinates(b, on_b));
+            contact.normal = chart_.normal(point.position);
+            contact.weight = point.weight;
+            contact_.max_gap = std::max(contact_.max_gap, norm(contact.position_b - contact.position_a));
+            contact_.points.push_back(contact);
+        }
+        return area;
+    }
+
+    const Machine& machine_;
+    Chart chart_;
+    Contact& contact_;
+    std::vector<double>& covered_;
+    std::vector<PlanePoint> points_;
+};
+
+bool apart(const BoxShape& a, const BoxShape& b)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (a.min[i] > b.max[i] + contact_tolerance || b.min[i] > a.max[i] + contact_tolerance) {
+            return true;
+        }
+    }
+    return false;
+}
+
+using PatternPair = std::array<std::string, 2>;
+
+std::vector<PatternPair> pattern_pairs(const std::vector<std::string>& unbonded)
+{
+    std::vector<PatternPair> pairs;
+    for (const std::string& text : unbonded) {
+        const std::size_t bar = text.find('|');
+        if (bar == std::string::npos || bar == 0 || bar + 1 == text.size()) {
+            throw InputError(fmt::format("unbonded pair '{}' is not of the form 'part|part'", text));
+        }
+        pairs.push_back({text.substr(0, bar), text.substr(bar + 1)});
+    }
+    return pairs;
+}
+
+bool listed(const std::vector<PatternPair>& pairs, const std::string& a, const std::string& b)
+{
+    return std::any_of(pairs.begin(), pairs.end(), [&](const PatternPair& pair) {
+        return (matches(pair[0], a) && matches(pair[1], b)) || (matches(pair[0], b) && matches(pair[1], a));
+    });
+}
+
+}  // namespace
+
+bool matches(const std::string& pattern, const std::string& name)
+{
+    std::size_t p = 0;
+    std::size_t n = 0;
+    std::size_t star = std::string::npos;
+    std::size_t resume = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            resume = n;
+        } else if (p < pattern.size() && pattern[p] == name[n]) {
+            ++p;
+            ++n;
+        } else if (star != std::string::npos) {
+            p = star + 1;
+            n = ++resume;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') {
+        ++p;
+    }
+    return p == pattern.size();
+}
+
+Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, double gap, std::vector<double>& covered)
+{
+    const Machine& machine = assembly.machine;
+    const FacesByGeometry side_a = by_geometry(machine, a.faces);
+    const FacesByGeometry side_b = by_geometry(machine, b.faces);
+    Contact contact;
+    double largest = 0;
+    for (const auto& [geometry_a, faces_a] : side_a) {
+        double own = 0;
+        for (const auto& [geometry_b, faces_b] : side_b) {
+            if (!can_touch(machine.geometries[geometry_a], machine.geometries[geometry_b], gap)) {
+                continue;
+            }
+            Clipper clipper(machine, machine.geometries[geometry_a], contact, covered);
+            own += clipper.run(faces_a, a.within, faces_b, b.within);
+        }
+        contact.area += own;
+        if (own > largest) {
+            largest = own;
+            contact.geometry = machine.geometries[geometry_a];
+        }
+    }
+    contact.area_a = total_area(machine, side_a, a.within);
+    contact.area_b = total_area(machine, side_b, b.within);
+    if (!contact.points.empty()) {
+        contact.part_a = machine.faces[contact.points.front().face_a].part;
+        contact.part_b = machine.faces[contact.points.front().face_b].part;
+    }
+    return contact;
+}
+
+std::vector<Contact> find_bonds(const Assembly& assembly, const std::vector<std::string>& unbonded,
+                                const std::vector<std::array<std::uint32_t, 2>>& joined, std::vector<double>& covered)
+{
+    const Machine& machine = assembly.machine;
+    const std::vector<PatternPair> pairs = pattern_pairs(unbonded);
+    std::vector<std::vector<std::uint32_t>> geometries(machine.parts.size());
+    for (std::uint32_t g = 0; g < machine.geometries.size(); ++g) {
+        geometries[assembly.part_of_geometry[g]].push_back(g);
+    }
+    const auto touching = [&](std::uint32_t own, std::uint32_t other) {
+        std::vector<std::uint32_t> faces;
+        for (const std::uint32_t g : geometries[own]) {
+            const auto fits = [&](std::uint32_t h) {
+                return can_touch(machine.geometries[g], machine.geometries[h], contact_tolerance);
+            };
+            if (std::any_of(geometries[other].begin(), geometries[other].end(), fits)) {
+                faces.insert(faces.end(), assembly.faces_of_geometry[g].begin(), assembly.faces_of_geometry[g].end());
+            }
+        }
+        return faces;
+    };
+    std::vector<Contact> bonds;
+    for (std::uint32_t i = 0; i < machine.parts.size(); ++i) {
+        for (std::uint32_t j = i + 1; j < machine.parts.size(); ++j) {
+            const MeshPart& a = machine.parts[i];
+            const MeshPart& b = machine.parts[j];
+            const std::array<std::uint32_t, 2> pair{i, j};
+            if (a.body != b.body || apart(assembly.bounds[i], assembly.bounds[j]) || listed(pairs, a.name, b.name) ||
+                std::find(joined.begin(), joined.end(), pair) != joined.end()) {
+                continue;
+            }
+            Contact bond =
+                find_contact(assembly, {touching(i, j), {}}, {touching(j, i), {}}, contact_tolerance, covered);
+            if (bond.area < least_bond_area) {
+                continue;
+            }
+            bond.name = a.name + "|" + b.name;
+            bonds.push_back(std::move(bond));
+        }
+    }
+    return bonds;
+}
+
+}  // namespace deadpoint::machine

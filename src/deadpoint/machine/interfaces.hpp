@@ -1,0 +1,16 @@
+#pragma once
+
+#include "deadpoint/machine/assembly.hpp"
+
+#include <vector>
+
+namespace deadpoint::machine {
+
+/// All interfaces of a description, in its order.
+/// @param covered  per face of the machine: its share in contact is added
+/// @throws InputError listing every interface whose selectors match nothing, that joins other than two parts, or of
+///                    which less than `least_coverage` is covered
+std::vector<Contact> find_interfaces(const Assembly& assembly, const std::vector<InterfaceDescription>& descriptions,
+                                     std::vector<double>& covered);
+
+}  // namespace deadpoint::machine

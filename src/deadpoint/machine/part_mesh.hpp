@@ -1,0 +1,55 @@
+#pragma once
+
+#include "deadpoint/exchange/machine.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The mesh of one part, with its own numbering of nodes, cells and geometries.
+namespace deadpoint::machine {
+
+/// Named faces: indices into PartMesh::faces.
+struct FaceGroup {
+    std::string name;
+    std::vector<std::uint32_t> faces;
+};
+
+/// `cells[i].part` and `faces[i].part` stay 0 here. Empty when the part lies wholly beyond the symmetry plane.
+struct PartMesh {
+    CellKind kind = CellKind::hexahedron;
+    std::vector<Vec3> nodes;
+    std::vector<Cell> cells;
+    std::vector<Face> faces;
+    std::vector<FaceGeometry> geometries;
+    std::vector<FaceGroup> groups;
+};
+
+/// Number of nodes of a cell.
+constexpr int node_count(CellKind kind) { return kind == CellKind::hexahedron ? 8 : 4; }
+
+/// The nodes of a face in ascending order: equal for the two sides of a face.
+using FaceKey = std::array<std::uint32_t, 4>;
+FaceKey face_key(const Face& face);
+
+/// The exterior faces of cells, counter-clockwise seen from outside, all with geometry 0.
+std::vector<Face> exterior_faces(const std::vector<Cell>& cells);
+
+/// Volume of a cell [m3]: exact for the trilinear map of a hexahedron.
+double volume(const Cell& cell, const std::vector<Vec3>& nodes);
+/// Area vector of a face [m2]: its length is the area of a plane face, it points outwards.
+Vec3 area_vector(const Face& face, const std::vector<Vec3>& nodes);
+/// Area of a face [m2] (bilinear facets by 2 x 2 Gauss points).
+double area(const Face& face, const std::vector<Vec3>& nodes);
+Vec3 centre(const Face& face, const std::vector<Vec3>& nodes);
+Vec3 centre(const Cell& cell, const std::vector<Vec3>& nodes);
+
+/// Smallest scaled Jacobian over the corners of a hexahedron, or three times inradius over circumradius of a
+/// tetrahedron; 1 is best, 0 or less is degenerate.
+double quality(const Cell& cell, const std::vector<Vec3>& nodes);
+
+/// Position on the bilinear (4 nodes) or linear (3 nodes) facet at the local coordinates; a triangle uses (r, s) as its
+/// second and third barycentric coordinate, a quadrilateral r and s in 0..1.
+Vec3 position_on(const Face& face, const std::vector<Vec3>& nodes, const Vec2& local);
+
+}  // namespace deadpoint::machine

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "deadpoint/core/vec.hpp"
+
+#include <vector>
+
+/// Convex polygons in a plane, counter-clockwise.
+namespace deadpoint::machine {
+
+using Polygon = std::vector<Vec2>;
+
+/// Positive for counter-clockwise polygons.
+double signed_area(const Polygon& polygon);
+
+/// The half plane of all points p with dot(normal, p) <= offset.
+struct HalfPlane {
+    Vec2 normal{};
+    double offset = 0;
+};
+
+/// Sutherland-Hodgman, one step: what of a convex polygon lies in the half plane; empty if less than a triangle.
+Polygon clipped(const Polygon& polygon, const HalfPlane& half_plane);
+/// The intersection of two convex polygons.
+Polygon intersection(const Polygon& subject, const Polygon& window);
+
+struct PlanePoint {
+    Vec2 position{};
+    double weight = 0;
+};
+/// Appends integration points of a convex polygon: it is split into quadrilaterals (2 x 2 Gauss points) and at most one
+/// triangle (3 points, degree 2). Weights sum to the area.
+void append_points(const Polygon& polygon, std::vector<PlanePoint>& points);
+
+}  // namespace deadpoint::machine

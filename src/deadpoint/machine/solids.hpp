@@ -1,0 +1,22 @@
+#pragma once
+
+#include "deadpoint/machine/part_mesh.hpp"
+#include "deadpoint/machine/shapes.hpp"
+
+#include <string>
+
+/// Sources that become tetrahedra, or come meshed. All need a GmshSession.
+namespace deadpoint::machine {
+
+/// Tetrahedra of about `size` in the shapes of a part. @param half keep x <= 0 only
+PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half);
+
+/// Tetrahedra in the solids of a STEP file; faces named in the file become groups.
+/// @throws IoError if the file cannot be read, InputError if it holds no solid
+PartMesh mesh_step(const PartDescription& part, const StepSource& source, double size, bool half);
+
+/// Cells of a Gmsh file (any version Gmsh reads); physical surfaces become groups. Planes and cylinders are recognised.
+/// @throws IoError if the file cannot be read, InputError for cells other than first-order hexahedra or tetrahedra
+PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool half);
+
+}  // namespace deadpoint::machine

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Line charts as SVG, for reports and papers: light grid, colours that colour-blind readers can tell apart (Okabe and
+/// Ito), each line named at its right end instead of in a box.
+namespace deadpoint::report {
+
+struct ChartPoint {
+    double x = 0;
+    double y = 0;
+};
+
+struct ChartSeries {
+    std::string name;
+    std::vector<double> x;
+    std::vector<double> y;            ///< a value that is not finite interrupts the line
+    std::vector<ChartPoint> markers;  ///< hollow circles in the line's colour, e.g. measured values
+    bool dashed = false;
+    bool emphasised = false;  ///< drawn thicker
+};
+
+struct Chart {
+    std::string title;
+    std::string subtitle;  ///< grey, below the title; may be empty
+    std::string x_label;   ///< with unit, e.g. "time [h]"
+    std::string y_label;
+    std::vector<ChartSeries> series;
+    std::string marker_note;   ///< what the hollow circles are; may be empty
+    bool include_zero = true;  ///< the vertical axis reaches 0
+    double width = 860;        ///< [px]
+    double height = 480;
+};
+
+/// The chart as an SVG document.
+std::string svg_chart(const Chart& chart);
+
+/// Writes svg_chart(chart), with `comments` (version, case hash) as XML comments; complete or absent.
+/// @throws IoError if the file cannot be written
+void write_svg_chart(const std::filesystem::path& path, const Chart& chart,
+                     const std::vector<std::string>& comments = {});
+
+/// Round positions (1, 2 or 5 times a power of ten apart) that cover low..high with about `wanted` steps.
+std::vector<double> nice_ticks(double low, double high, int wanted);
+
+}  // namespace deadpoint::report

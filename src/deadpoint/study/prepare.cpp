@@ -1,0 +1,70 @@
+#include "deadpoint/study/prepare.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/machine/build.hpp"
+#include "deadpoint/study/translate_machine.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace deadpoint::study {
+namespace {
+
+bool has_condition(const casefile::Surface& surface)
+{
+    return surface.film || surface.temperature || !surface.temperature_formula.empty() || surface.heat_flux ||
+           surface.insulated;
+}
+
+double area_of(const Machine& machine, const SurfaceFace& entry)
+{
+    const auto& face = machine.faces[entry.face];
+    const auto& x = machine.nodes;
+    double area = 0.5 * norm(cross(x[face.nodes[1]] - x[face.nodes[0]], x[face.nodes[2]] - x[face.nodes[0]]));
+    if (face.node_count == 4)
+        area += 0.5 * norm(cross(x[face.nodes[2]] - x[face.nodes[0]], x[face.nodes[3]] - x[face.nodes[0]]));
+    return area * entry.fraction;
+}
+
+[[noreturn]] void throw_claimed_twice(const Machine& machine, std::uint32_t face, const std::string& first,
+                                      const std::string& second)
+{
+    throw InputError(fmt::format(
+        "surfaces.{} and surfaces.{} both claim a face of part '{}'; narrow one of them with 'within' or 'parts'",
+        first, second, machine.parts[machine.faces[face].part].name));
+}
+
+void settle_claims(const casefile::Case& input, Machine& machine)
+{
+    std::map<std::uint32_t, std::string> by_place, by_exposure;
+    for (const auto& surface : machine.surfaces) {
+        const auto& description = input.surfaces.at(surface.name);
+        if (!has_condition(description))
+            continue;
+        auto& claims = description.select == "exposed" ? by_exposure : by_place;
+        for (const auto& entry : surface.faces)
+            if (const auto [at, added] = claims.emplace(entry.face, surface.name); !added)
+                throw_claimed_twice(machine, entry.face, at->second, surface.name);
+    }
+    for (auto& surface : machine.surfaces) {
+        const auto& description = input.surfaces.at(surface.name);
+        if (description.select != "exposed" || !has_condition(description))
+            continue;
+        std::erase_if(surface.faces, [&](const SurfaceFace& entry) { return by_place.contains(entry.face); });
+        surface.area = 0;
+        for (const auto& entry : surface.faces)
+            surface.area += area_of(machine, entry);
+    }
+}
+
+}  // namespace
+
+Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer)
+{
+    auto machine = machine::build_machine(describe_machine(input, size_scale), observer);
+    settle_claims(input, machine);
+    return machine;
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "deadpoint/casefile/case.hpp"
+#include "deadpoint/core/observer.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The pipeline of one case: machine -> linkage -> deformation functionals -> heat -> drift.
+namespace deadpoint::study {
+
+/// The adjoint's gap against the gap of the deformation solved directly at the last field time.
+struct AdjointCheck {
+    double time = 0;
+    double by_adjoint = 0;
+    double by_deformation = 0;
+    double joint_opening = 0;  ///< largest distance of two centres of a joint after closing [m]
+};
+
+/// A name and its value over the steps, for files and tables.
+struct JointHistory {
+    std::string name;
+    std::vector<double> temperature;  ///< area mean of both sides of its interfaces [K]
+    std::vector<double> heat;         ///< friction heat, whole press [W]
+};
+
+struct RunResult {
+    ThermalHistory thermal;  ///< of the model: half of the press in a half model
+    double whole = 1;        ///< factor from the model to the whole press
+    std::vector<std::string> probes;
+    std::vector<std::string> parts;
+    std::vector<std::string> sources;
+    std::vector<JointHistory> joints;
+    std::optional<BottomDeadPointSensitivity> sensitivity;
+    std::optional<DriftSeries> drift;
+    std::optional<AdjointCheck> adjoint_check;
+    long long cells = 0;
+    long long heat_unknowns = 0;
+    int elastic_iterations = 0;
+    int ranks = 1;
+    double peak_memory = 0;                               ///< of all ranks together [byte]
+    std::vector<std::pair<std::string, double>> timings;  ///< stage, wall time [s]
+    std::vector<std::pair<double, std::string>> fields;   ///< time [s], file in the results folder
+};
+
+struct RunOptions {
+    std::string field_folder;  ///< existing folder for field files; empty: no field files
+};
+
+/// Computes a case on its meshed machine. Collective under MPI: all ranks call it and get the same result.
+///
+/// The deformation is left out where the case has no dimension chain. After Observer::cancelled() the result holds
+/// everything up to the last finished step, marked as interrupted.
+///
+/// @throws InputError, DomainError, ConvergenceError, IoError
+RunResult run_case(const casefile::Case& input, const Machine& machine, const RunOptions& options, Observer& observer);
+
+}  // namespace deadpoint::study

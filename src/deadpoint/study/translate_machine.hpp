@@ -1,0 +1,23 @@
+#pragma once
+
+#include "deadpoint/casefile/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+namespace deadpoint::study {
+
+/// What the machine stage needs of a case: its parts, surfaces and the interfaces of its joints.
+///
+/// Surfaces come in the order of `Case::surfaces`. Interfaces come joint by joint in the order of `Case::joints`, those
+/// of a joint as listed, and are named "joint.interface". A side that names a part, with a diameter given, is the
+/// cylinder about the joint's centre along z on that part; a side that names a surface is that surface.
+///
+/// @param size_scale  scales every cell size, > 0
+/// @throws InputError if a name leads nowhere, a selector lacks what its kind needs, or the scale is not positive
+MachineDescription describe_machine(const casefile::Case& input, double size_scale = 1);
+
+/// The selector of a surface of the case.
+/// @param name  for messages
+/// @throws InputError if it lacks what its kind needs
+SurfaceSelector selector_of(const casefile::Surface& surface, const std::string& name);
+
+}  // namespace deadpoint::study

@@ -1,0 +1,229 @@
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("deadpoint-cli-" + std::to_string(std::random_device{}()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+    [[nodiscard]] std::string operator/(const std::string& name) const { return (path / name).string(); }
+};
+
+std::string content(const fs::path& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+}
+
+struct Outcome {
+    int code = -1;
+    std::string out;
+    std::string err;
+};
+
+/// Runs the command with arguments in shell syntax.
+Outcome deadpoint(const std::string& arguments)
+{
+    const Folder folder;
+    const std::string line = std::string(DEADPOINT_COMMAND) + " " + arguments + " >" + (folder / "out") + " 2>" +
+                             (folder / "err") + " </dev/null";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
+}
+
+/// Starts the command through the shell, sends it SIGINT once `sign` appears on its standard error, and waits for it.
+Outcome interrupted(const std::string& arguments, const std::string& sign)
+{
+    using namespace std::chrono_literals;
+    const Folder folder;
+    const std::string line = "exec " + std::string(DEADPOINT_COMMAND) + " " + arguments + " >" + (folder / "out") +
+                             " 2>" + (folder / "err") + " </dev/null";
+    const pid_t child = fork();
+    if (child == 0) {
+        execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    for (int i = 0; i < 600 && content(folder / "err").find(sign) == std::string::npos; ++i) {
+        std::this_thread::sleep_for(100ms);
+    }
+    std::this_thread::sleep_for(500ms);
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
+}
+
+bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+const std::string two_blocks = std::string(DEADPOINT_TEST_DATA) + "/cli/two-blocks.toml";
+
+}  // namespace
+
+TEST_CASE("--version and --help answer on standard output with exit code 0")
+{
+    const auto version = deadpoint("--version");
+    CHECK(version.code == 0);
+    CHECK(version.out.find("deadpoint 0.") == 0);
+    const auto help = deadpoint("--help");
+    CHECK(help.code == 0);
+    for (const char* piece : {"init", "check", "mesh", "run", "Examples:", "Exit codes:"}) {
+        CHECK_MESSAGE(has(help.out, piece), piece);
+    }
+    CHECK(has(deadpoint("run --help").out, "--force"));
+}
+
+TEST_CASE("a wrong command line is exit code 2 and says what is wrong")
+{
+    CHECK(deadpoint("").code == 2);
+    CHECK(deadpoint("rnu case.toml").code == 2);
+    const auto missing = deadpoint("run " + two_blocks);
+    CHECK(missing.code == 2);
+    CHECK(has(missing.err, "--output"));
+    CHECK(deadpoint("check " + two_blocks + " --size 0").code == 2);
+}
+
+TEST_CASE("a missing case file is exit code 5, a broken one exit code 2 with its place")
+{
+    const auto missing = deadpoint("check no/such/case.toml");
+    CHECK(missing.code == 5);
+    CHECK(has(missing.err, "no/such/case.toml"));
+
+    const Folder folder;
+    auto text = content(two_blocks);
+    text.replace(text.find("\"7800 kg/m^3\""), 13, "\"7800 kg\"    ");
+    std::ofstream(folder / "broken.toml") << text;
+    const auto broken = deadpoint("check " + (folder / "broken.toml"));
+    CHECK(broken.code == 2);
+    CHECK(has(broken.err, "broken.toml:8:11: error["));  // line and column of the value
+    CHECK(has(broken.err, "materials.steel.density"));
+    CHECK(has(broken.err, "^^^"));
+    CHECK(has(broken.err, "help:"));
+}
+
+TEST_CASE("init writes a case that passes its check, and never overwrites one")
+{
+    const Folder folder;
+    const auto file = folder / "press/case.toml";
+    const auto first = deadpoint("init " + (folder / "press"));
+    CHECK(first.code == 0);
+    CHECK(has(first.out, "deadpoint check " + file));
+    const auto text = content(file);
+    REQUIRE_FALSE(text.empty());
+    const auto second = deadpoint("init " + (folder / "press"));
+    CHECK(second.code == 5);
+    CHECK(has(second.err, "not overwritten"));
+    CHECK(content(file) == text);
+    CHECK(deadpoint("check " + file).code == 0);
+}
+
+TEST_CASE("check prints the plan and warns of a mass that does not fit")
+{
+    const auto result = deadpoint("check " + two_blocks);
+    CHECK(result.code == 0);
+    CHECK(result.out.find("two blocks\n") == 0);
+    CHECK(has(result.out, "15.60        16.00      -2.5 %"));
+    CHECK(has(result.out, "lower|upper       100.0"));   // bonded over 100 mm x 100 mm
+    CHECK(has(result.out, "0.1000  film 10.0 W/m2/K"));  // ten faces of 100 mm x 100 mm
+    CHECK(has(result.out, "16 hexahedra"));              // 2 x 2 x 2 cells of 50 mm in each block
+    CHECK(has(result.out, "no errors, 1 warning\n"));
+    CHECK(has(result.err, "warning: body 'frame' has 15.60 kg by its parts, but 16.00 kg are stated (-2.5 %)"));
+    CHECK(has(result.err, "mesh\n"));
+    CHECK_FALSE(has(deadpoint("check --quiet " + two_blocks).err, "mesh\n"));
+}
+
+TEST_CASE("--set changes a value, --size the cells")
+{
+    const auto heavier = deadpoint("check " + two_blocks + " --set 'materials.steel.density=8000 kg/m^3'");
+    CHECK(has(heavier.out, "no errors, 0 warnings\n"));
+    CHECK(has(deadpoint("check --size 0.5 " + two_blocks).out, "128 hexahedra"));  // eight times as many
+    const auto wrong = deadpoint("check " + two_blocks + " --set materials.steel.densty=1");
+    CHECK(wrong.code == 2);
+    CHECK(has(wrong.err, "density"));  // the remedy
+}
+
+TEST_CASE("mesh writes a new folder, refuses an old one and replaces it on request")
+{
+    const Folder folder;
+    const auto target = folder / "mesh";
+    CHECK(deadpoint("mesh " + two_blocks + " -o " + target).code == 0);
+    CHECK(has(content(target + "/mesh.vtu"), "NumberOfPoints=\"54\" NumberOfCells=\"16\""));  // 3 x 3 x 3 nodes each
+    CHECK(has(content(target + "/mesh.vtu"), "hash "));
+    CHECK(has(content(target + "/surfaces.vtu"), "NumberOfCells=\"48\""));  // 6 x 4 faces each
+    CHECK(has(content(target + "/names.csv"), "# warning: body 'frame'"));
+    CHECK(has(content(target + "/names.csv"), "surface,0,air\n"));
+
+    std::ofstream(target + "/mine.txt") << "mine";
+    const auto refused = deadpoint("mesh " + two_blocks + " -o " + target);
+    CHECK(refused.code == 5);
+    CHECK(has(refused.err, "--force"));
+    CHECK(fs::exists(target + "/mine.txt"));
+    CHECK(deadpoint("mesh " + two_blocks + " --force -o " + target).code == 0);
+    CHECK_FALSE(fs::exists(target + "/mine.txt"));
+    CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
+}
+
+TEST_CASE("run refuses an existing folder before it computes anything")
+{
+    const Folder folder;
+    fs::create_directories(folder / "results");
+    const auto refused = deadpoint("run " + two_blocks + " -o " + (folder / "results"));
+    CHECK(refused.code == 5);
+    CHECK(has(refused.err, "exists already"));
+    CHECK(fs::is_empty(folder / "results"));
+}
+
+TEST_CASE("run writes every file with version, hash and warnings, and says where")
+{
+    const Folder folder;
+    const auto target = folder / "results";
+    const auto result =
+        deadpoint("run " + two_blocks + " -o " + target + " --set 'machine.initial_temperature=30 degC'");
+    REQUIRE(result.code == 0);
+    CHECK(has(result.out, "results are in " + target));
+    for (const char* name : {"case.toml", "summary.json", "history.csv", "temperatures.svg", "fields.pvd"}) {
+        CHECK_MESSAGE(fs::exists(fs::path(target) / name), name);
+    }
+    const auto history = content(target + "/history.csv");
+    CHECK(history.find("# deadpoint ") == 0);
+    CHECK(has(history, "hash "));
+    CHECK(has(history, "# warning: body 'frame'"));
+    CHECK(has(history, "time [s],top [degC]"));
+    CHECK(has(history, "\n0,30"));  // it starts where it was told to
+    CHECK(has(content(target + "/summary.json"), "\"interrupted\": false"));
+    // The resolved case means the same: same hash.
+    const auto hash = history.substr(history.find("hash ") + 5, 16);
+    const auto again = folder / "again";
+    REQUIRE(deadpoint("run -q " + target + "/case.toml -o " + again).code == 0);
+    CHECK(has(content(again + "/history.csv"), hash));
+    CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 2);
+}
+
+TEST_CASE("Ctrl-C keeps the results so far, marked as interrupted, with exit code 130")
+{
+    const Folder folder;
+    const auto target = folder / "results";
+    // 100 hours in steps of a second would take minutes.
+    const auto result = interrupted("run " + two_blocks + " -o " + target +
+                                        " --set 'operation.0.duration=100 h' --set 'numerics.max_step=1 s'",
+                                    "heat\n");
+    CHECK(result.code == 130);
+    CHECK(has(result.err, "stopping after this step"));
+    CHECK(has(content(target + "/summary.json"), "\"interrupted\": true"));
+    CHECK(has(content(target + "/history.csv"), "time [s]"));
+    CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
+}

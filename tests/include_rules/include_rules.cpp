@@ -1,0 +1,216 @@
+#include "include_rules.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+    int line = 0;
+    bool own = false;  // "..." instead of <...>
+    std::string target;
+};
+using Files = std::map<std::string, std::vector<Include>>;  // by path relative to the root
+
+/// The folders that each folder may include besides itself.
+const std::map<std::string, std::set<std::string>>& allowed_folders()
+{
+    static const std::set<std::string> values{"core", "exchange"};
+    static const std::set<std::string> stages{"core",      "exchange",     "casefile", "mechanism", "crankshaft",
+                                              "tribology", "surroundings", "machine",  "fem",       "drift"};
+    static const auto rules = [] {
+        std::map<std::string, std::set<std::string>> result{{"core", {}}, {"exchange", {"core"}}};
+        for (const auto& stage : stages) {
+            result.try_emplace(stage, values);
+        }
+        result["study"] = stages;
+        result["report"] = stages;
+        result["report"].insert("study");
+        result["app"] = result["report"];
+        result["app"].insert("report");
+        return result;
+    }();
+    return rules;
+}
+
+/// Libraries that only one folder may include: pattern of the header's name, folder.
+const std::vector<std::pair<std::regex, std::string>>& wrapped_libraries()
+{
+    static const std::vector<std::pair<std::regex, std::string>> rules{
+        {std::regex("deal\\.II/.*|petsc.*|slepc.*|mpi\\.h|mpi/.*|.*openmpi.*"), "fem"},
+        {std::regex("gmsh.*"), "machine"},
+        {std::regex("toml.*"), "casefile"},
+        {std::regex("CLI/.*|spdlog/.*"), "app"},
+    };
+    return rules;
+}
+
+std::string folder_of(const std::string& file)
+{
+    static const std::string source = "src/deadpoint/";
+    if (!file.starts_with(source)) {
+        return "app";
+    }
+    return file.substr(source.size(), file.find('/', source.size()) - source.size());
+}
+
+bool is_standard(const Include& include)
+{
+    return !include.own && include.target.find_first_of("./") == std::string::npos;
+}
+
+/// Path of an own header relative to the root: "deadpoint/..." below src, anything else beside the including file.
+std::string resolved(const std::string& from, const std::string& target)
+{
+    if (target.starts_with("deadpoint/")) {
+        return "src/" + target;
+    }
+    return (fs::path(from).parent_path() / target).lexically_normal().generic_string();
+}
+
+Files read_files(const fs::path& root)
+{
+    static const std::regex line_pattern("\\s*#\\s*include\\s*([<\"])([^>\"]+)[>\"].*");
+    Files files;
+    for (const char* top : {"src/deadpoint", "app"}) {
+        if (!fs::exists(root / top)) {
+            continue;
+        }
+        for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+            const auto extension = entry.path().extension();
+            if (extension != ".hpp" && extension != ".cpp") {
+                continue;
+            }
+            auto& includes = files[entry.path().lexically_relative(root).generic_string()];
+            std::ifstream in(entry.path());
+            std::string text;
+            for (int line = 1; std::getline(in, text); ++line) {
+                std::smatch match;
+                if (std::regex_match(text, match, line_pattern)) {
+                    includes.push_back({line, match[1] == "\"", match[2]});
+                }
+            }
+        }
+    }
+    return files;
+}
+
+/// Headers through which a library's header is seen, directly or through other headers; by path.
+std::set<std::string> internal_headers(const Files& files)
+{
+    std::set<std::string> result;
+    const auto shows_library = [&](const std::string& file, const Include& include) {
+        return include.own ? result.contains(resolved(file, include.target)) : !is_standard(include);
+    };
+    for (bool grown = true; grown;) {
+        const auto before = result.size();
+        for (const auto& [file, includes] : files) {
+            const bool header = file.starts_with("src/") && file.ends_with(".hpp");
+            if (header && std::ranges::any_of(includes, [&](const auto& i) { return shows_library(file, i); })) {
+                result.insert(file);
+            }
+        }
+        grown = result.size() > before;
+    }
+    return result;
+}
+
+/// What is wrong with one include, or nothing.
+std::string fault(const std::string& file, const Include& include, const std::set<std::string>& internal)
+{
+    const std::string folder = folder_of(file);
+    if (include.own) {
+        if (file.starts_with("src/") && !include.target.starts_with("deadpoint/")) {
+            return "write own headers as \"deadpoint/<folder>/<file>\", not \"" + include.target + "\"";
+        }
+        const std::string target = resolved(file, include.target);
+        const std::string other = folder_of(target);
+        const auto rule = allowed_folders().find(folder);
+        if (rule == allowed_folders().end()) {
+            return "the folder '" + folder + "' has no rule; add it to tests/include_rules and docs/design.md";
+        }
+        if (other != folder && !rule->second.contains(other)) {
+            return "'" + folder + "' may not include '" + other + "' (" + include.target + ")";
+        }
+        if (other != folder && internal.contains(target)) {
+            return "'" + include.target + "' shows a library's header and is therefore internal to '" + other + "'";
+        }
+        return {};
+    }
+    for (const auto& [pattern, wrapper] : wrapped_libraries()) {
+        if (folder != wrapper && std::regex_match(include.target, pattern)) {
+            return "<" + include.target + "> may be included only in '" + wrapper + "'";
+        }
+    }
+    return {};
+}
+
+/// Depth-first search for cycles; each is reported once, at the file where it closes.
+class CycleSearch {
+public:
+    explicit CycleSearch(const Files& files) : files_(files) {}
+
+    std::vector<std::string> run()
+    {
+        for (const auto& [file, includes] : files_) {
+            visit(file);
+        }
+        return found_;
+    }
+
+private:
+    void visit(const std::string& file)
+    {
+        if (done_.contains(file) || !files_.contains(file)) {
+            return;
+        }
+        path_.push_back(file);
+        for (const auto& include : files_.at(file)) {
+            if (!include.own) {
+                continue;
+            }
+            const std::string target = resolved(file, include.target);
+            const auto start = std::find(path_.begin(), path_.end(), target);
+            if (start == path_.end()) {
+                visit(target);
+                continue;
+            }
+            std::string text = file + ":" + std::to_string(include.line) + ": cycle of includes:";
+            for (auto at = start; at != path_.end(); ++at) {
+                text += " " + *at + " ->";
+            }
+            found_.push_back(text + " " + target);
+        }
+        path_.pop_back();
+        done_.insert(file);
+    }
+
+    const Files& files_;
+    std::vector<std::string> path_;
+    std::set<std::string> done_;
+    std::vector<std::string> found_;
+};
+
+}  // namespace
+
+std::vector<std::string> include_violations(const fs::path& root)
+{
+    const Files files = read_files(root);
+    const auto internal = internal_headers(files);
+    std::vector<std::string> result;
+    for (const auto& [file, includes] : files) {
+        for (const auto& include : includes) {
+            if (const auto text = fault(file, include, internal); !text.empty()) {
+                result.push_back(file + ":" + std::to_string(include.line) + ": " + text);
+            }
+        }
+    }
+    const auto cycles = CycleSearch(files).run();
+    result.insert(result.end(), cycles.begin(), cycles.end());
+    return result;
+}

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Checks the #include lines below `root`/src/deadpoint and `root`/app against the rules of docs/design.md:
+///  - a folder includes only folders below it in the pipeline;
+///  - a library is included only from the folder that wraps it;
+///  - public headers include only std and own headers: one that shows a library's header, directly or through another
+///    header, is internal and may be included only from its own folder;
+///  - files below src/ spell own headers "deadpoint/<folder>/<file>";
+///  - no file includes itself, directly or through others.
+///
+/// @return one line per violation: "file:line: what is wrong"; empty if all is well
+std::vector<std::string> include_violations(const std::filesystem::path& root);

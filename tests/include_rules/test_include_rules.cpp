@@ -1,0 +1,103 @@
+#include "include_rules.hpp"
+
+#include <doctest/doctest.h>
+#include <fstream>
+#include <random>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A small source tree in a temporary folder.
+struct Tree {
+    fs::path root = fs::temp_directory_path() / ("deadpoint-rules-" + std::to_string(std::random_device{}()));
+    ~Tree() { fs::remove_all(root); }
+    void add(const std::string& file, const std::string& text) const
+    {
+        fs::create_directories((root / file).parent_path());
+        std::ofstream(root / file) << text;
+    }
+};
+
+/// The one violation that a single file with the given text causes.
+std::string violation(const std::string& file, const std::string& text)
+{
+    const Tree tree;
+    tree.add(file, text);
+    const auto found = include_violations(tree.root);
+    return found.size() == 1 ? found.front() : std::to_string(found.size()) + " violations";
+}
+
+}  // namespace
+
+TEST_CASE("the project's own sources keep the rules")
+{
+    REQUIRE(fs::exists(fs::path(DEADPOINT_SOURCE_DIR) / "src/deadpoint/core/error.hpp"));
+    for (const auto& text : include_violations(DEADPOINT_SOURCE_DIR)) {
+        FAIL_CHECK(text);
+    }
+}
+
+TEST_CASE("a tree that keeps the rules passes")
+{
+    const Tree tree;
+    tree.add("src/deadpoint/core/a.hpp", "#include <vector>\n");
+    tree.add("src/deadpoint/exchange/b.hpp", "#include \"deadpoint/core/a.hpp\"\n");
+    tree.add("src/deadpoint/fem/c.hpp", "#include <deal.II/base/point.h>\n#include <mpi.h>\n");
+    tree.add("src/deadpoint/fem/c.cpp", "#include \"deadpoint/fem/c.hpp\"\n#include <petscksp.h>\n");
+    tree.add("src/deadpoint/machine/d.cpp", "#include \"deadpoint/exchange/b.hpp\"\n#include <gmsh.h>\n");
+    tree.add("src/deadpoint/study/e.hpp", "#include \"deadpoint/exchange/b.hpp\"\n");
+    tree.add("app/console.hpp", "#include <spdlog/spdlog.h>\n");
+    tree.add("app/main.cpp", "#include \"console.hpp\"\n#include \"deadpoint/study/e.hpp\"\n#include <CLI/CLI.hpp>\n");
+    CHECK(include_violations(tree.root).empty());
+}
+
+TEST_CASE("each planted violation is found, with file and line")
+{
+    CHECK(violation("src/deadpoint/core/a.cpp", "\n#include \"deadpoint/exchange/machine.hpp\"\n") ==
+          "src/deadpoint/core/a.cpp:2: 'core' may not include 'exchange' (deadpoint/exchange/machine.hpp)");
+    CHECK(violation("src/deadpoint/drift/a.cpp", "#include \"deadpoint/mechanism/x.hpp\"\n") ==
+          "src/deadpoint/drift/a.cpp:1: 'drift' may not include 'mechanism' (deadpoint/mechanism/x.hpp)");
+    CHECK(violation("src/deadpoint/fem/a.cpp", "#include \"deadpoint/casefile/case.hpp\"\n").find("'fem' may not") !=
+          std::string::npos);
+    CHECK(
+        violation("src/deadpoint/report/a.cpp", "#include \"../../../app/console.hpp\"\n").find("write own headers") !=
+        std::string::npos);
+    CHECK(violation("src/deadpoint/study/a.cpp", "  #  include <mpi.h>\n") ==
+          "src/deadpoint/study/a.cpp:1: <mpi.h> may be included only in 'fem'");
+    CHECK(violation("src/deadpoint/drift/a.cpp", "#include <deal.II/fe/fe_q.h>\n").find("only in 'fem'") !=
+          std::string::npos);
+    CHECK(violation("app/a.cpp", "#include <gmsh.h>\n").find("only in 'machine'") != std::string::npos);
+    CHECK(violation("src/deadpoint/machine/a.cpp", "#include <toml++/toml.h>\n").find("only in 'casefile'") !=
+          std::string::npos);
+    CHECK(violation("src/deadpoint/report/a.cpp", "#include <spdlog/spdlog.h>\n").find("only in 'app'") !=
+          std::string::npos);
+    CHECK(violation("src/deadpoint/novel/a.cpp", "#include \"deadpoint/core/vec.hpp\"\n").find("has no rule") !=
+          std::string::npos);
+}
+
+TEST_CASE("a cycle is found, also through a third file")
+{
+    const Tree tree;
+    tree.add("src/deadpoint/core/a.hpp", "#include \"deadpoint/core/b.hpp\"\n");
+    tree.add("src/deadpoint/core/b.hpp", "#include \"deadpoint/core/c.hpp\"\n");
+    tree.add("src/deadpoint/core/c.hpp", "#include <vector>\n#include \"deadpoint/core/a.hpp\"\n");
+    const auto found = include_violations(tree.root);
+    REQUIRE(found.size() == 1);
+    CHECK(found.front() == "src/deadpoint/core/c.hpp:2: cycle of includes: src/deadpoint/core/a.hpp -> "
+                           "src/deadpoint/core/b.hpp -> src/deadpoint/core/c.hpp -> src/deadpoint/core/a.hpp");
+}
+
+TEST_CASE("a library seen through a header may not leave its folder")
+{
+    const Tree tree;
+    tree.add("src/deadpoint/fem/a.hpp", "#include <deal.II/base/point.h>\n");
+    tree.add("src/deadpoint/fem/b.hpp", "#include \"deadpoint/fem/a.hpp\"\n");
+    tree.add("src/deadpoint/fem/b.cpp", "#include \"deadpoint/fem/b.hpp\"\n");
+    CHECK(include_violations(tree.root).empty());
+    tree.add("src/deadpoint/study/c.cpp", "#include <vector>\n#include \"deadpoint/fem/b.hpp\"\n");
+    const auto found = include_violations(tree.root);
+    REQUIRE(found.size() == 1);
+    CHECK(found.front() == "src/deadpoint/study/c.cpp:2: 'deadpoint/fem/b.hpp' shows a library's header and is "
+                           "therefore internal to 'fem'");
+}

@@ -1,0 +1,268 @@
+#include "deadpoint/casefile/check.hpp"
+#include "deadpoint/casefile/library.hpp"
+#include "deadpoint/casefile/read.hpp"
+#include "deadpoint/casefile/reference.hpp"
+#include "deadpoint/casefile/shipped.hpp"
+#include "deadpoint/casefile/write.hpp"
+#include "deadpoint/core/error.hpp"
+
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+using namespace deadpoint;
+using namespace deadpoint::casefile;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path data = fs::path(DEADPOINT_TEST_DATA) / "casefile";
+
+/// A folder that is removed with its contents at the end of the test.
+class Scratch {
+public:
+    Scratch()
+        : path_(fs::temp_directory_path() / fs::path("deadpoint-casefile-" + std::to_string(std::random_device()())))
+    {
+        fs::remove_all(path_);
+        fs::create_directories(path_);
+    }
+    ~Scratch() { fs::remove_all(path_); }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+
+    [[nodiscard]] fs::path file(const std::string& name, std::string_view text) const
+    {
+        std::ofstream(path_ / name) << text;
+        return path_ / name;
+    }
+
+private:
+    fs::path path_;
+};
+
+std::string error_of(const fs::path& path, const std::vector<std::string>& overrides = {})
+{
+    try {
+        read_case(path, overrides);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("values of a case arrive in SI")
+{
+    const auto result = read_case(data / "press.toml");
+    const Case& c = result.value;
+    CHECK(c.machine.half_model);
+    CHECK(c.machine.ambient == doctest::Approx(293.15).epsilon(1e-15));
+    CHECK(c.materials.at("HT300").youngs_modulus == 135e9);
+    CHECK(c.lubricants.at("oil").viscosity.x == std::vector{293.15, 303.15});
+    CHECK(c.lubricants.at("oil").viscosity.y == std::vector{70e-6, 50e-6});
+    CHECK(c.bodies.at("crank").mass == 217.617);
+    CHECK(c.bodies.at("crank").centre_of_mass == Vec2{0, -0.01375});
+    CHECK(c.bodies.at("frame").ground);
+    CHECK(c.friction.at("crank_bearings").reference_speed == doctest::Approx(20.943951023931955).epsilon(1e-15));
+    const auto& joint = c.joints.at("crank_bearing");
+    CHECK(joint.elements.at(0).position == -0.292);
+    CHECK(joint.interfaces.at(0).conductance.resistance == 6.01e-6);
+    CHECK(joint.interfaces.at(0).diameter == 0.17);
+    CHECK(joint.interfaces.at(0).journal);
+    CHECK(joint.interfaces.at(1).heat_share == 0.5);
+    CHECK(joint.interfaces.at(1).stands_still);
+    CHECK(c.oil.at("crank_bearings") == 346);
+    CHECK(c.joints.at("guide").interfaces.at(0).conductance.side_b == 3e5);
+    CHECK(c.crankshaft->sections.at(1).length == 0.0254);
+    CHECK(c.process_force->to == doctest::Approx(4.97418836818384).epsilon(1e-14));  // 285 deg
+    CHECK(c.operation.size() == 2);
+    CHECK(c.operation.at(1).ambient->constant == 291.15);
+    CHECK(c.surfaces.at("air").film->ambient->table->x == std::vector{0.0, 3600.0});
+    CHECK(c.surfaces.at("gib").within->min[2] == -1000);  // not limited along z
+    CHECK(c.chain->drift_rate_limit == doctest::Approx(1e-6 / 3600).epsilon(1e-15));
+    CHECK(c.output.field_times == std::vector{1800.0, 3600.0, 7200.0});
+    CHECK(c.reference->rises.at("P1") == 7.8);
+    CHECK(result.files.size() == 2);
+}
+
+TEST_CASE("shapes keep their order and their form")
+{
+    const Case c = read_case(data / "press.toml").value;
+    const auto& shapes = c.parts.at("plate").shapes;
+    REQUIRE(shapes.size() == 4);
+    CHECK(std::get<BoxShape>(shapes[0].form).max == Vec3{0.75, 0.5, -0.2345});
+    CHECK(shapes[1].operation == Shape::Operation::cut);
+    CHECK(std::get<CylinderShape>(shapes[1].form).diameter == 0.26);
+    CHECK(std::get<OutlineShape>(shapes[2].form).holes.at(0).at(1) == Vec2{0.002, 0.301});
+    CHECK(shapes[3].operation == Shape::Operation::imprint);
+    const auto& shaft = std::get<ShaftShape>(c.parts.at("shaft").shapes.at(0).form);
+    CHECK(shaft.from == -0.4856);
+    CHECK(shaft.sections.at(1).offset == Vec2{0, -0.025});
+    CHECK(fs::path(c.parts.at("slide").step).is_absolute());
+}
+
+TEST_CASE("the library fills what a material does not state itself")
+{
+    const Case c = read_case(data / "press.toml").value;
+    const auto& shipped = shipped_library().materials.at("C45");
+    CHECK(c.materials.at("steel").density == shipped.density);
+    CHECK(c.materials.at("steel").expansion == 1.3e-5);
+    CHECK(c.lubricants.at("shipped").viscosity.y == shipped_library().lubricants.at("ISO-VG-32").viscosity.y);
+}
+
+TEST_CASE("shipped values")
+{
+    const auto& library = shipped_library();
+    for (const auto& [name, material] : library.materials) {
+        CAPTURE(name);
+        CHECK(material.source.size() > 10);
+    }
+    // ASTM D341 through 32 at 40 and 5.4 at 100 degC: 86.28 at 20, 11.19 at 70 degC (computed independently); five
+    // significant digits are stored.
+    const auto& oil = library.lubricants.at("ISO-VG-32").viscosity;
+    const auto at = [&](double celsius) {
+        for (std::size_t i = 0; i < oil.x.size(); ++i) {
+            if (std::abs(oil.x[i] - celsius - 273.15) < 1e-9) {
+                return oil.y[i] * 1e6;
+            }
+        }
+        return 0.0;
+    };
+    CHECK(at(20) == doctest::Approx(86.28).epsilon(1e-4));
+    CHECK(at(70) == doctest::Approx(11.19).epsilon(5e-4));
+}
+
+TEST_CASE("a resolved case reads back as the same case")
+{
+    const Scratch scratch;
+    const Case first = read_case(data / "press.toml").value;
+    const std::string text = write_case(first);
+    const Case second = read_case(scratch.file("resolved.toml", text)).value;
+    CHECK(write_case(second) == text);
+    CHECK(case_hash(second) == case_hash(first));
+    CHECK(second.friction.at("crank_bearings").exponent == first.friction.at("crank_bearings").exponent);
+    CHECK(second.machine.ambient == first.machine.ambient);
+    CHECK(second.machine.description == first.machine.description);
+    CHECK(second.parts.at("shaft").tetrahedra);
+}
+
+TEST_CASE("the hash tells cases apart, but not ways of writing them")
+{
+    const auto path = data / "sound.toml";
+    const auto hash = case_hash(read_case(path).value);
+    CHECK(case_hash(read_case(path, {"operation.0.duration=60 min"}).value) == hash);
+    CHECK(case_hash(read_case(path, {"operation.0.duration=61 min"}).value) != hash);
+}
+
+TEST_CASE("overrides")
+{
+    const auto path = data / "press.toml";
+    const Case c = read_case(path, {"operation.0.speed=400 rpm", "numerics.size = \"20 mm\"", "parts.shaft.size=8 mm",
+                                    "numerics.order=1", "output.fields=true", "parts.plate.shapes.1.bore=10 mm",
+                                    "probes.P2={ part = \"plate\", position = [\"0 mm\", \"1 mm\", \"0 mm\"] }",
+                                    "output.field_times=[\"1 h\"]"})
+                       .value;
+    CHECK(c.operation.at(0).speed == doctest::Approx(41.88790204786391).epsilon(1e-15));
+    CHECK(c.numerics.size == 0.02);
+    CHECK(c.parts.at("shaft").size == 0.008);
+    CHECK(c.numerics.order == 1);
+    CHECK(c.output.fields);
+    CHECK(std::get<CylinderShape>(c.parts.at("plate").shapes.at(1).form).bore == 0.01);
+    CHECK(c.probes.at("P2").position[1] == 0.001);
+    CHECK(c.output.field_times == std::vector{3600.0});
+
+    CHECK(holds(error_of(path, {"operation.7.speed=400 rpm"}), "'7' is not one of the 2 items"));
+    CHECK(holds(error_of(path, {"numerics.size"}), "an override is written path=value"));
+    CHECK(holds(error_of(path, {"numerics.size.x=1"}), "below a single value"));
+    CHECK(holds(error_of(path, {"numerics.sise=1 mm"}), "did you mean 'size'?"));
+    CHECK(holds(error_of(path, {"numerics.size=20 kg"}), "--set:1:15: error[unit-mismatch]: numerics.size"));
+}
+
+TEST_CASE("a case file that cannot be read is an error of input and output")
+{
+    CHECK_THROWS_AS(read_case(data / "nowhere.toml"), IoError);
+    CHECK_THROWS_AS(read_case(data), IoError);
+}
+
+TEST_CASE("malformed texts end in a message, not in the parser")
+{
+    const Scratch scratch;
+    for (const char* text : {"x = [}",
+                             "[/a]",
+                             "[",
+                             "[]",
+                             "[[",
+                             "=",
+                             "x",
+                             "x =",
+                             "x = \"",
+                             "x = '''",
+                             "x = \"\\",
+                             "x = {",
+                             "x = 1 2",
+                             "x = 01",
+                             "\xff",
+                             "x = \"\xff\"",
+                             "\xc3\xa9 = 1",
+                             "x = \u201ca\u201d",
+                             "a.b = 1\na = 2",
+                             "[a]\n[a]",
+                             "x = 1e",
+                             "x = 0x",
+                             "x = 1979-99-99",
+                             "x = \"\\q\"",
+                             "]",
+                             "x = [1,,2]",
+                             "x={a=1,}"}) {
+        CAPTURE(text);
+        CHECK(error_of(scratch.file("broken.toml", text)) != "");
+    }
+}
+
+TEST_CASE("a body that nothing uses is a warning, not an error")
+{
+    const auto result = read_case(data / "sound.toml", {"bodies.spare.thermal_only=true"});
+    REQUIRE(result.warnings.size() == 1);
+    CHECK(holds(result.warnings.at(0), "no part or joint belongs to body 'spare'"));
+}
+
+TEST_CASE("patterns")
+{
+    CHECK(matches("column_*", "column_left"));
+    CHECK(matches("*", ""));
+    CHECK(matches("*_x_*", "a_x_b"));
+    CHECK_FALSE(matches("column_*", "colum_left"));
+    CHECK_FALSE(matches("", "a"));
+    CHECK(matches("a*b*c", "aXbYbZc"));
+    CHECK_FALSE(matches("a*b", "abc"));
+}
+
+TEST_CASE("the starter case is sound and means the same when written back")
+{
+    const Scratch scratch;
+    const auto result = read_case(scratch.file("case.toml", starter_case()));
+    CHECK(result.warnings.empty());
+    const std::string text = write_case(result.value);
+    CHECK(write_case(read_case(scratch.file("resolved.toml", text)).value) == text);
+}
+
+TEST_CASE("docs/case-file.md is the reference page of this program")
+{
+    // To renew the page, run this test with DEADPOINT_RENEW_DOCS=1.
+    const fs::path page = DEADPOINT_SOURCE_DIR "/docs/case-file.md";
+    if (std::getenv("DEADPOINT_RENEW_DOCS") != nullptr) {
+        std::ofstream(page) << reference_page();
+    }
+    std::ifstream stream(page);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    CHECK(text.str() == reference_page());
+}
