@@ -196,10 +196,10 @@ struct Chain {
 
 struct Numerics {
     double size = 0.03;
-    double time_tolerance = 0.005;  ///< of a step, at probes and joints [K]
+    double time_tolerance = 0.02;  ///< of a step, at probes and joints [K]
     double initial_step = 1;
     double max_step = 1800;
-    double solver_tolerance = 1e-10;
+    double solver_tolerance = 1e-6;
     int order = 1;  ///< of the elements
 };
 

@@ -205,6 +205,19 @@ void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape
     evaluate_at(found, found_unit, false, shape);
 }
 
+double Discretisation::continue_cell(std::uint32_t index, const Vec3& position, PointShape& shape) const
+{
+    const auto& cell = cells_[index];
+    try {
+        const auto unit =
+            mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
+        evaluate_at(index, unit, false, shape);
+        return unit.distance(inside_reference_cell(*cell, unit));
+    } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
+        return std::numeric_limits<double>::max();
+    }
+}
+
 dealii::DynamicSparsityPattern Discretisation::cell_pattern() const
 {
     dealii::IndexSet rows = dofs.locally_owned_dofs();

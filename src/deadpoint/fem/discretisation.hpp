@@ -55,6 +55,8 @@ public:
     void evaluate(std::uint32_t face, const Vec3& position, bool gradients, PointShape& shape) const;
     /// The same for the cell of `part` that holds `position` (the nearest one if none does).
     void evaluate_in_part(int part, const Vec3& position, PointShape& shape) const;
+    /// Shape functions of a cell continued to a point that may lie outside; returns by how much of the cell's size.
+    double continue_cell(std::uint32_t cell, const Vec3& position, PointShape& shape) const;
     [[nodiscard]] dealii::DynamicSparsityPattern cell_pattern() const;
     void add_bond_pattern(dealii::DynamicSparsityPattern& pattern) const;
     /// Where the owned unknowns sit.

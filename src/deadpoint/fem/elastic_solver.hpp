@@ -3,6 +3,7 @@
 #include "deadpoint/fem/discretisation.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/fem/rigid_pieces.hpp"
+#include "deadpoint/fem/ties.hpp"
 
 #include <memory>
 
@@ -21,22 +22,25 @@ public:
 private:
     [[nodiscard]] std::vector<PetscInt> supported(int feet_surface) const;
     void assemble();
-    void assemble_bonds();
+    void choose_solver(PetscInt size);
     void set_near_null_space();
-    /// Sum over the machine of the thermal stress's work: visit(unknown, part-wise weights) is built on this.
-    template <class CellVisitor, class BondVisitor>
-    void for_each_thermal_term(const CellVisitor& cell_visitor, const BondVisitor& bond_visitor) const;
+    void solve_free(const char* what);
+    /// Calls visit(shape functions, unknowns, thermal modulus of the part) for each cell of this rank.
+    template <class Visitor> void for_each_cell(const Visitor& visit) const;
     void load(const Functional& functional, Vec target) const;
     void clear_fixed(Vec vector) const;
     [[nodiscard]] double thermal_modulus(int part) const;  ///< E alpha / (1 - 2 nu) [Pa/K]
 
     const Discretisation& space_;
     const std::vector<Material>& materials_;
-    OwnedMat matrix_;
+    Ties ties_;
+    OwnedMat expansion_;  ///< from free to all displacements
+    OwnedMat matrix_;     ///< of the free displacements
     OwnedKsp solver_;
-    OwnedVec solution_, rhs_, last_;
+    OwnedVec solution_, rhs_;       ///< all displacements
+    OwnedVec free_solution_, free_rhs_;
     std::unique_ptr<RigidPieces> pieces_;
-    std::vector<PetscInt> fixed_;  ///< owned, global numbers
+    std::vector<PetscInt> fixed_;  ///< this rank's, as global numbers of free displacements
     int iterations_ = 0;
 };
 

@@ -18,21 +18,52 @@ double axial(const FaceGeometry& geometry, const Vec3& position)
     return cylinder ? dot(cylinder->axis, position - cylinder->point) : 0.0;
 }
 
-// Axial coordinates of the layers of the integrated side: one strip between neighbours.
-std::vector<double> strip_edges(const Machine& machine, const Contact& contact)
-{
-    std::set<std::uint32_t> nodes;
-    for (const auto& point : contact.points) {
-        const auto& face = machine.faces[point.face_a];
-        nodes.insert(face.nodes.begin(), face.nodes.begin() + face.node_count);
+// The integrated side's layers along the axis: one strip each.
+class AxialStrips {
+public:
+    AxialStrips(const Machine& machine, const Contact& contact) : geometry_(contact.geometry)
+    {
+        std::set<std::uint32_t> nodes;
+        for (const auto& point : contact.points) {
+            const auto& face = machine.faces[point.face_a];
+            nodes.insert(face.nodes.begin(), face.nodes.begin() + face.node_count);
+        }
+        for (const auto node : nodes)
+            edges_.push_back(axial(geometry_, machine.nodes[node]));
+        std::sort(edges_.begin(), edges_.end());
+        edges_.erase(std::unique(edges_.begin(), edges_.end(), [](double a, double b) { return b - a < 1e-7; }),
+                     edges_.end());
+        std::vector<double> weight(count(), 0.0);
+        middle_.assign(count(), 0.0);
+        for (const auto& point : contact.points) {
+            const auto strip = find(point);
+            weight[strip] += point.weight;
+            middle_[strip] += point.weight * axial(geometry_, point.position_a);
+        }
+        for (std::size_t s = 0; s < count(); ++s)
+            middle_[s] /= std::max(weight[s], 1e-300);
     }
-    std::vector<double> edges;
-    for (const auto node : nodes)
-        edges.push_back(axial(contact.geometry, machine.nodes[node]));
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end(), [](double a, double b) { return b - a < 1e-7; }), edges.end());
-    return edges;
-}
+
+    [[nodiscard]] std::size_t count() const { return edges_.size() > 1 ? edges_.size() - 1 : 1; }
+    [[nodiscard]] std::size_t find(const ContactPoint& point) const
+    {
+        const double z = axial(geometry_, point.position_a);
+        const auto above = std::upper_bound(edges_.begin(), edges_.end(), z) - edges_.begin();
+        return static_cast<std::size_t>(
+            std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(count()) - 1));
+    }
+    // From the centroid of what is in contact in the strip, so that the modes 1 and z are orthogonal there even where
+    // the other side covers a strip in part.
+    [[nodiscard]] double from_middle(std::size_t strip, const ContactPoint& point) const
+    {
+        return axial(geometry_, point.position_a) - middle_[strip];
+    }
+
+private:
+    const FaceGeometry& geometry_;
+    std::vector<double> edges_;
+    std::vector<double> middle_;
+};
 
 void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns, double factor)
 {
@@ -63,6 +94,7 @@ void HeatSolver::prepare_interfaces()
     std::vector<std::vector<std::pair<PetscInt, double>>> loads(problem_.sources.size());
     source_constant_.assign(problem_.sources.size(), 0.0);
     source_self_.assign(problem_.sources.size(), 0.0);
+    source_to_oil_.assign(problem_.sources.size(), 0.0);
     for (std::size_t i = 0; i < machine.interfaces.size(); ++i) {
         const auto& contact = machine.interfaces[i];
         const auto& law = problem_.interfaces[i];
@@ -73,10 +105,10 @@ void HeatSolver::prepare_interfaces()
             throw DomainError("interface '" + contact.name +
                               "' conducts nothing to either side nor to the oil; give it a conductance");
         std::vector<std::pair<PetscInt, double>> a, b;
-        const auto edges = strip_edges(machine, contact);
-        std::vector<std::map<PetscInt, std::array<double, 2>>> moments_a(edges.size()), moments_b(edges.size());
+        const AxialStrips strips(machine, contact);
+        std::vector<std::map<PetscInt, std::array<double, 2>>> moments_a(strips.count()), moments_b(strips.count());
         if (law.turns_fully)
-            interface.strips.resize(edges.size() > 1 ? edges.size() - 1 : 1);
+            interface.strips.resize(strips.count());
         PointShape shape_a, shape_b;
         for (const auto& point : contact.points) {
             space_.evaluate(point.face_a, point.position_a, false, shape_a);
@@ -85,12 +117,8 @@ void HeatSolver::prepare_interfaces()
             append(b, shape_b, point.weight / contact.area);
             if (!law.turns_fully)
                 continue;
-            const double z = axial(contact.geometry, point.position_a);
-            const auto above = std::upper_bound(edges.begin(), edges.end(), z) - edges.begin();
-            const auto strip = static_cast<std::size_t>(
-                std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(interface.strips.size()) - 1));
-            const double middle = edges.size() > 1 ? 0.5 * (edges[strip] + edges[strip + 1]) : z;
-            const std::array<double, 2> mode{1, z - middle};
+            const auto strip = strips.find(point);
+            const std::array<double, 2> mode{1, strips.from_middle(strip, point)};
             for (int m = 0; m < 2; ++m) {
                 interface.strips[strip].norm[m] += point.weight * mode[m] * mode[m];
                 for (int k = 0; k < shape_a.count; ++k)
@@ -111,6 +139,7 @@ void HeatSolver::prepare_interfaces()
             for (const auto& [dof, weight] : b)
                 loads[law.source].emplace_back(dof, share * law.film_b / interface.sum * weight);
             source_constant_[law.source] += share * law.oil * law.oil_temperature / interface.sum;
+            source_to_oil_[law.source] += share * law.oil / interface.sum;
             source_self_[law.source] += share * share / (contact.area * interface.sum);
         }
         interface.mean_a = space_.functional(a);

@@ -81,6 +81,8 @@ private:
     void record(ThermalHistory& history, double time, const HeatRate& rate);
     [[nodiscard]] std::vector<double> observed(Vec vector, bool is_rate) const;
     void write_fields_until(double from, double dt, const FieldCallback& on_field);
+    [[nodiscard]] std::vector<double> tangent_less_law(const HeatRate& before, const HeatRate& after) const;
+    void correct_heat(HeatRate& rate, const std::vector<double>& corrections) const;
     [[nodiscard]] double source_change(std::size_t source, const HeatRate& before, const HeatRate& after) const;
     double prescribed_heat(double dt);
     void add_energy(EnergyBalance& energy, double dt, double from_prescribed);
@@ -102,6 +104,7 @@ private:
     std::vector<SparseFunctional> shell_loads_;   ///< the same without prescribed unknowns
     std::vector<double> source_constant_;         ///< part of the film temperature from the oil [K]
     std::vector<double> source_self_;             ///< film temperature per watt of the row itself [K/W]
+    std::vector<double> source_to_oil_;  ///< share of a row's heat that goes straight to the oil
     std::vector<Film> films_;
     bool variable_films_ = false;
     std::vector<PetscInt> prescribed_;  ///< owned unknowns with given temperature, global numbers
@@ -113,9 +116,10 @@ private:
     double system_factor_ = -1;
     std::vector<double> shell_slopes_;
 
-    OwnedVec now_, middle_, next_, slope_now_, slope_next_, work_, work2_, error_;
+    OwnedVec now_, middle_, next_, slope_now_, slope_before_, slope_next_, work_, work2_, error_;
     HeatRate rate_now_, rate_middle_, rate_next_;
-    bool have_previous_ = false;
+    bool have_previous_ = false;  ///< the slope at the start of the step is known
+    double previous_dt_ = 0;      ///< between slope_before_ and slope_now_; 0: unknown [s]
     double time_ = 0;  ///< of the stage being solved
 
     std::vector<SparseFunctional> probes_, part_means_;

@@ -16,10 +16,11 @@ Eigen::Map<const Column> column(const std::array<double, 6>& mode) { return Eige
 
 }  // namespace
 
-RigidPieces::RigidPieces(const Discretisation& space, const std::vector<PetscInt>& supported) : space_(space)
+RigidPieces::RigidPieces(const Discretisation& space, const std::vector<PetscInt>& supported, const Ties& ties)
+    : space_(space)
 {
     find_pieces();
-    find_free_motions(supported);
+    find_free_motions(supported, ties);
 }
 
 void RigidPieces::find_pieces()
@@ -78,7 +79,7 @@ RigidPieces::Mode RigidPieces::row(const Piece& piece, const Vec3& position, int
     return result;
 }
 
-void RigidPieces::find_free_motions(const std::vector<PetscInt>& supported)
+void RigidPieces::find_free_motions(const std::vector<PetscInt>& supported, const Ties& ties)
 {
     std::vector<Gram> held(pieces_.size(), Gram::Zero()), inertia(pieces_.size(), Gram::Zero());
     for (const PetscInt unknown : supported) {
@@ -127,7 +128,7 @@ void RigidPieces::find_free_motions(const std::vector<PetscInt>& supported)
         std::vector<Best> best(pieces_.size());
         for (std::size_t i = 0; i < position_.size(); ++i) {
             const int p = piece_of_node_[i];
-            if (static_cast<int>(pieces_[p].free.size()) <= round)
+            if (static_cast<int>(pieces_[p].free.size()) <= round || ties.is_tied(static_cast<PetscInt>(i)))
                 continue;
             for (int c = 0; c < 3; ++c) {
                 const auto r = row(pieces_[p], position_[i], c);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/fem/discretisation.hpp"
+#include "deadpoint/fem/ties.hpp"
 
 #include <array>
 #include <vector>
@@ -17,7 +17,7 @@ namespace deadpoint::fem {
 class RigidPieces {
 public:
     /// @param supported  unknowns (3 node + component) that are held anyway, the same on all ranks
-    RigidPieces(const Discretisation& space, const std::vector<PetscInt>& supported);
+    RigidPieces(const Discretisation& space, const std::vector<PetscInt>& supported, const Ties& ties);
 
     /// Unknowns to hold besides the supported ones, on all ranks.
     [[nodiscard]] const std::vector<PetscInt>& holds() const { return holds_; }
@@ -38,7 +38,7 @@ private:
     template <class Visitor>
     void for_each_mode(double* values, const Visitor& visit) const;
     void find_pieces();
-    void find_free_motions(const std::vector<PetscInt>& supported);
+    void find_free_motions(const std::vector<PetscInt>& supported, const Ties& ties);
     [[nodiscard]] Mode row(const Piece& piece, const Vec3& position, int component) const;
 
     const Discretisation& space_;

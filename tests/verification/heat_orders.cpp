@@ -1,0 +1,112 @@
+#include "solved_case.hpp"
+
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/translate_heat.hpp"
+
+#include <cmath>
+
+// Observed orders of convergence.
+
+using namespace verification;
+
+namespace {
+
+constexpr int grid = 7;
+
+// Root mean square error inside the cube of cube.toml against its source-free field.
+double cube_error(int order, bool tetrahedra, int cells)
+{
+    auto input = read("cube", {"numerics.order=" + std::to_string(order),
+                               std::string("parts.cube.tetrahedra=") + (tetrahedra ? "true" : "false")});
+    input.numerics.size = 0.1 / cells;
+    std::vector<deadpoint::Vec3> points;
+    for (int i = 0; i < grid; ++i)
+        for (int j = 0; j < grid; ++j)
+            for (int k = 0; k < grid; ++k)
+                points.push_back({0.1 * (i + 0.37) / grid, 0.1 * (j + 0.43) / grid, 0.1 * (k + 0.61) / grid});
+    for (std::size_t i = 0; i < points.size(); ++i)
+        input.probes[std::to_string(1000 + i)] = {"cube", points[i], ""};
+    const auto solved = solve(input);
+    double sum = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& x = points[i];
+        const double exact =
+            20 + 20 * std::exp(std::sqrt(2.0) * 20 * x[0]) * std::sin(20 * x[1]) * std::sin(20 * x[2]);
+        sum += std::pow(solved.probe(std::to_string(1000 + i)) - exact, 2);
+    }
+    return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+double observed_order(double coarse, double fine, double ratio) { return std::log(coarse / fine) / std::log(ratio); }
+
+// Temperatures at the end of a run of fixed steps.
+std::vector<double> with_fixed_step(const Case& input, const deadpoint::Machine& machine, double step)
+{
+    deadpoint::Observer silent;
+    deadpoint::fem::Model model(machine, deadpoint::study::describe_materials(input, machine), input.numerics.order,
+                                silent);
+    auto problem = deadpoint::study::describe_heat(input, machine, silent);
+    problem.fixed_step = step;
+    problem.solver_tolerance = 1e-13;
+    const auto history = model.heat(problem, {}, input.machine.initial_temperature, -1, silent, {}, {});
+    CHECK(history.energy.mismatch() < 1e-6);
+    std::vector<double> values;
+    for (const auto* group : {&history.probes, &history.interface_a, &history.interface_b})
+        for (const auto& series : *group)
+            values.push_back(series.value.back());
+    return values;
+}
+
+// Order of the time integration by three runs, each with half the step of the one before.
+void check_time_order(const Case& input, double step)
+{
+    deadpoint::Observer silent;
+    const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
+    const auto coarse = with_fixed_step(input, machine, step), middle = with_fixed_step(input, machine, step / 2),
+               fine = with_fixed_step(input, machine, step / 4);
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+        const double order = observed_order(std::abs(coarse[i] - middle[i]), std::abs(middle[i] - fine[i]), 2);
+        MESSAGE("order in time " << order << ", last difference " << std::abs(middle[i] - fine[i]) << " K");
+        CHECK(std::abs(order - 2) < 0.1);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("order in time: two slabs after a jump")
+{
+    auto input = read("two-slabs", {"parts.steel_slab.size=2 mm", "parts.aluminium_slab.size=2 mm"});
+    input.operation.resize(1);
+    input.operation[0].duration = 80;
+    check_time_order(input, 1.0);
+}
+
+TEST_CASE("order in time: a wall temperature that changes all the time")
+{
+    auto input = read("nafems-t3", {"numerics.size=4 mm"});
+    check_time_order(input, 0.5);
+}
+
+TEST_CASE("order in time: heat that depends on the temperature it makes")
+{
+    auto input = read("shaft-in-block", {"numerics.size=20 mm", "parts.block.size=20 mm", "parts.shaft.size=14 mm"});
+    input.lubricants["oil"].viscosity = {{273.15, 373.15}, {300e-6, 3e-6}};  // smooth: no corner in the table
+    input.operation[0].duration = 1600;
+    check_time_order(input, 40);
+}
+
+TEST_CASE("order in space: a field without sources in a cube")
+{
+    struct Target {
+        int order;
+        bool tetrahedra;
+        int coarse, fine;
+    };
+    for (const auto& target : {Target{1, false, 6, 12}, Target{2, false, 4, 8}}) {
+        const double coarse = cube_error(target.order, target.tetrahedra, target.coarse);
+        const double fine = cube_error(target.order, target.tetrahedra, target.fine);
+        const double order = observed_order(coarse, fine, 2);
+        MESSAGE("hexahedra of order " << target.order << ": errors " << coarse << ", " << fine << " K, order " << order);
+        CHECK(std::abs(order - (target.order + 1)) < 0.15);
+    }
+}
