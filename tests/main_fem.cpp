@@ -1,5 +1,6 @@
 #define DOCTEST_CONFIG_IMPLEMENT
 #include "deadpoint/fem/session.hpp"
+
 #include <doctest/doctest.h>
 
 // For tests that solve: MPI and PETSc stay open while they run.

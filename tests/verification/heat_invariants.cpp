@@ -117,7 +117,8 @@ TEST_CASE("the order of the case file does not matter")
     const auto text = text_of(shaft_in_block);
     const auto other = reversed(text);
     REQUIRE(other != text);
-    CHECK(largest_difference(solve(shaft_in_block), solve(read_text(other))) == 0);
+    // The same to the last digits that sums in memory of other alignment may change.
+    CHECK(largest_difference(solve(shaft_in_block), solve(read_text(other))) < 1e-9);
 }
 
 TEST_CASE("inches give the same as millimetres")
@@ -148,13 +149,12 @@ TEST_CASE("the sides of an interface swapped give the same")
 {
     const std::string path = "joints.bearing.interfaces.0.";
     const auto base = solve(shaft_in_block);
-    const auto swapped = solve(shaft_in_block, {path + "a=shaft", path + "b=block",
-                                                path + "conductance.side_a=2000 W/m^2/K",
-                                                path + "conductance.side_b=3000 W/m^2/K",
-                                                "surfaces.shaft_seat.parts=[\"shaft\"]", "surfaces.shaft_seat.select=cylinder",
-                                                "surfaces.shaft_seat.axis=z", "surfaces.shaft_seat.centre=[\"0 mm\", \"0 mm\"]",
-                                                "surfaces.shaft_seat.diameter=50 mm", path + "a=shaft_seat",
-                                                "surfaces.shaft_seat.within.z=[\"0 mm\", \"40 mm\"]"});
+    const auto swapped =
+        solve(shaft_in_block, {path + "a=shaft", path + "b=block", path + "conductance.side_a=2000 W/m^2/K",
+                               path + "conductance.side_b=3000 W/m^2/K", "surfaces.shaft_seat.parts=[\"shaft\"]",
+                               "surfaces.shaft_seat.select=cylinder", "surfaces.shaft_seat.axis=z",
+                               "surfaces.shaft_seat.centre=[\"0 mm\", \"0 mm\"]", "surfaces.shaft_seat.diameter=50 mm",
+                               path + "a=shaft_seat", "surfaces.shaft_seat.within.z=[\"0 mm\", \"40 mm\"]"});
     // The chord heights and the axial strips of the other mesh: 1 % of the rise.
     CHECK(std::abs(base.side_a() - swapped.side_b()) < 0.01 * largest_rise(base));
     CHECK(std::abs(base.side_b() - swapped.side_a()) < 0.01 * largest_rise(base));
@@ -180,7 +180,8 @@ TEST_CASE("joint heat follows the viscosity at the film temperature")
         if (film < 20 || film > 40)
             continue;
         const double viscosity = 80 * std::pow(30.0 / 80, (film - 20) / 20);
-        CHECK(solved.history().source_heat[0][i] == doctest::Approx(20 + 2 * viscosity).epsilon(1e-8));
+        // A stage uses the tangent of the law, which may differ from it by 1e-5.
+        CHECK(solved.history().source_heat[0][i] == doctest::Approx(20 + 2 * viscosity).epsilon(3e-5));
     }
     // Generated heat is the integral of the recorded heat: trapezoids against the integrator's own weights.
     double sum = 0;
@@ -202,18 +203,31 @@ TEST_CASE("nothing gets colder than it started or hotter than the rubbing surfac
         }
 }
 
-TEST_CASE("a linear field passes a bond between meshes that do not match")
+namespace {
+
+void check_linear_field(const std::vector<std::string>& overrides, double tolerance)
 {
     const auto exact = [](double x, double y, double z) { return 300 + 100 * x - 250 * y + 70 * z - zero_celsius; };
-    for (const auto& overrides :
-         {std::vector<std::string>{}, {"parts.upper.tetrahedra=true"}, {"numerics.order=2"}}) {
-        const auto solved = solve("bonded-blocks", overrides);
-        REQUIRE(solved.machine.bonds.size() == 1);
-        CHECK(solved.machine.bonds[0].area == doctest::Approx(0.035 * 0.04).epsilon(1e-9));
-        CHECK(std::abs(solved.probe("lower") - exact(0.031, 0.033, 0.017)) < 1e-10 * 300);
-        CHECK(std::abs(solved.probe("upper") - exact(0.023, 0.044, 0.021)) < 1e-10 * 300);
-        CHECK(std::abs(solved.probe("bond") - exact(0.027, 0.040, 0.019)) < 1e-10 * 300);
-    }
+    const auto solved = solve("bonded-blocks", overrides);
+    REQUIRE(solved.machine.bonds.size() == 1);
+    CHECK(solved.machine.bonds[0].area == doctest::Approx(0.035 * 0.04).epsilon(1e-9));
+    CHECK(std::abs(solved.probe("lower") - exact(0.031, 0.033, 0.017)) < tolerance);
+    CHECK(std::abs(solved.probe("upper") - exact(0.023, 0.044, 0.021)) < tolerance);
+    CHECK(std::abs(solved.probe("bond") - exact(0.027, 0.040, 0.019)) < tolerance);
+}
+
+}  // namespace
+
+TEST_CASE("a linear field passes a bond between meshes that do not match")
+{
+    check_linear_field({}, 1e-10);
+    check_linear_field({"numerics.order=2"}, 1e-10);
+}
+
+TEST_CASE("a linear field passes a bond between hexahedra and tetrahedra")
+{
+    check_linear_field({"parts.upper.tetrahedra=true"}, 1e-10);
+    check_linear_field({"parts.lower.tetrahedra=true", "parts.upper.tetrahedra=true"}, 1e-10);
 }
 
 TEST_CASE("a small Biot number gives the exponential")
@@ -281,7 +295,8 @@ TEST_CASE("half a symmetric machine of equal meshes is exact")
 TEST_CASE("a turning joint smears what does not turn with it, and loses no heat")
 {
     // Air on one side of the block only: its bore is no longer uniform.
-    const std::vector<std::string> one_sided{"surfaces.air.select=plane", "surfaces.air.axis=y", "surfaces.air.position=60 mm",
+    const std::vector<std::string> one_sided{"surfaces.air.select=plane", "surfaces.air.axis=y",
+                                             "surfaces.air.position=60 mm",
                                              "surfaces.air.film.coefficient=500 W/m^2/K"};
     auto still_overrides = one_sided;
     still_overrides.push_back("joints.bearing.turns_fully=false");

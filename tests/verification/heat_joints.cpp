@@ -42,8 +42,8 @@ TEST_CASE("two bars with a contact: matching meshes")
 TEST_CASE("two bars with a contact: meshes that do not match")
 {
     for (const auto& target : bar_targets)
-        check_bars(solve("two-bars", {resistance + target.resistance, "parts.first_bar.size=3 mm",
-                                      "parts.second_bar.size=2.3 mm"}),
+        check_bars(solve("two-bars",
+                         {resistance + target.resistance, "parts.first_bar.size=3 mm", "parts.second_bar.size=2.3 mm"}),
                    target);
 }
 
@@ -65,8 +65,9 @@ TEST_CASE("two bars with a contact: along y and along z")
 
 TEST_CASE("two bars with a contact: sides swapped")
 {
-    const auto solved = solve("two-bars", {"joints.contact.interfaces.0.a=end_of_second",
-                                           "joints.contact.interfaces.0.b=end_of_first", "parts.second_bar.size=2.3 mm"});
+    const auto solved =
+        solve("two-bars", {"joints.contact.interfaces.0.a=end_of_second", "joints.contact.interfaces.0.b=end_of_first",
+                           "parts.second_bar.size=2.3 mm"});
     CHECK(std::abs(solved.side_a() - bar_targets[0].second) < 1e-5);
     CHECK(std::abs(solved.side_b() - bar_targets[0].first) < 1e-5);
 }

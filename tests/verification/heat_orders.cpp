@@ -1,7 +1,6 @@
-#include "solved_case.hpp"
-
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/translate_heat.hpp"
+#include "solved_case.hpp"
 
 #include <cmath>
 
@@ -11,30 +10,42 @@ using namespace verification;
 
 namespace {
 
-constexpr int grid = 7;
+// Van der Corput's sequence: points that fill 0..1 evenly without falling into step with any mesh.
+double spread(unsigned i, unsigned base)
+{
+    double value = 0, digit = 1;
+    for (; i > 0; i /= base) {
+        digit /= base;
+        value += digit * (i % base);
+    }
+    return value;
+}
+
+struct CubeError {
+    double size;  ///< edge of a cube of a cell's mean volume [m]
+    double error;
+};
 
 // Root mean square error inside the cube of cube.toml against its source-free field.
-double cube_error(int order, bool tetrahedra, int cells)
+CubeError cube_error(int order, bool tetrahedra, int cells)
 {
+    constexpr unsigned count = 1500;
     auto input = read("cube", {"numerics.order=" + std::to_string(order),
                                std::string("parts.cube.tetrahedra=") + (tetrahedra ? "true" : "false")});
     input.numerics.size = 0.1 / cells;
     std::vector<deadpoint::Vec3> points;
-    for (int i = 0; i < grid; ++i)
-        for (int j = 0; j < grid; ++j)
-            for (int k = 0; k < grid; ++k)
-                points.push_back({0.1 * (i + 0.37) / grid, 0.1 * (j + 0.43) / grid, 0.1 * (k + 0.61) / grid});
+    for (unsigned i = 1; i <= count; ++i)
+        points.push_back({0.1 * spread(i, 2), 0.1 * spread(i, 3), 0.1 * spread(i, 5)});
     for (std::size_t i = 0; i < points.size(); ++i)
-        input.probes[std::to_string(1000 + i)] = {"cube", points[i], ""};
+        input.probes[std::to_string(10000 + i)] = {"cube", points[i], ""};
     const auto solved = solve(input);
     double sum = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto& x = points[i];
-        const double exact =
-            20 + 20 * std::exp(std::sqrt(2.0) * 20 * x[0]) * std::sin(20 * x[1]) * std::sin(20 * x[2]);
-        sum += std::pow(solved.probe(std::to_string(1000 + i)) - exact, 2);
+        const double exact = 20 + 20 * std::exp(std::sqrt(2.0) * 10 * x[0]) * std::sin(10 * x[1]) * std::sin(10 * x[2]);
+        sum += std::pow(solved.history().probes[i].value.back() - zero_celsius - exact, 2);
     }
-    return std::sqrt(sum / static_cast<double>(points.size()));
+    return {0.1 / std::cbrt(static_cast<double>(solved.result.cells)), std::sqrt(sum / count)};
 }
 
 double observed_order(double coarse, double fine, double ratio) { return std::log(coarse / fine) / std::log(ratio); }
@@ -102,11 +113,14 @@ TEST_CASE("order in space: a field without sources in a cube")
         bool tetrahedra;
         int coarse, fine;
     };
-    for (const auto& target : {Target{1, false, 6, 12}, Target{2, false, 4, 8}}) {
-        const double coarse = cube_error(target.order, target.tetrahedra, target.coarse);
-        const double fine = cube_error(target.order, target.tetrahedra, target.fine);
-        const double order = observed_order(coarse, fine, 2);
-        MESSAGE("hexahedra of order " << target.order << ": errors " << coarse << ", " << fine << " K, order " << order);
-        CHECK(std::abs(order - (target.order + 1)) < 0.15);
+    // Hexahedra halve exactly; unstructured tetrahedra of two sizes are not alike, and their order is coarser.
+    for (const auto& target : {Target{1, false, 8, 16}, {2, false, 4, 8}, {1, true, 7, 13}, {2, true, 5, 9}}) {
+        const auto coarse = cube_error(target.order, target.tetrahedra, target.coarse);
+        const auto fine = cube_error(target.order, target.tetrahedra, target.fine);
+        const double order = observed_order(coarse.error, fine.error, coarse.size / fine.size);
+        MESSAGE(std::string(target.tetrahedra ? "tetrahedra" : "hexahedra")
+                << " of order " << target.order << ": errors " << coarse.error << ", " << fine.error << " K, order "
+                << order);
+        CHECK(std::abs(order - (target.order + 1)) < (target.tetrahedra ? 0.3 : 0.1));
     }
 }

@@ -3,9 +3,9 @@
 #include "deadpoint/casefile/read.hpp"
 #include "deadpoint/study/prepare.hpp"
 #include "deadpoint/study/run.hpp"
-#include <doctest/doctest.h>
 
 #include <algorithm>
+#include <doctest/doctest.h>
 #include <functional>
 #include <string>
 #include <vector>

@@ -188,9 +188,10 @@ struct Chain {
     std::string slide_body;
     std::string slide_surface;
     std::string table_surface;
-    std::string ground_surface;   ///< the feet: u_y = 0
-    std::string crank_joint;      ///< its seats give E_BG, its rings E_BC
-    double reaction_angle = 0;    ///< direction of the bearing force on the crank at bottom dead point [rad from x]
+    std::string ground_surface;  ///< the feet: u_y = 0
+    std::string crank_joint;     ///< its seats give E_BG, its rings E_BC
+    double reaction_angle =
+        0;  ///< direction in which the crank is pressed into its bearings at bottom dead point [rad from x]
     double drift_rate_limit = 0;  ///< warm-up is over when |dE/dt| stays below [m/s]
 };
 

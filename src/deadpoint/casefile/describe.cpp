@@ -435,9 +435,9 @@ void describe(Visitor& v, Chain& c)
     v.text({"table_surface", "surface of the table that faces the slide", required}, c.table_surface);
     v.text({"ground_surface", "the feet of the machine", required}, c.ground_surface);
     v.text({"crank_joint", "joint of crankshaft and ground", required}, c.crank_joint);
-    v.quantity(
-        {"reaction_angle", "direction of the bearings' force on the crank at bottom dead point, from the x axis"},
-        c.reaction_angle, D::angle, any_value);
+    v.quantity({"reaction_angle",
+                "direction in which the crank is pressed into its bearings at bottom dead point, from the x axis"},
+               c.reaction_angle, D::angle, any_value);
     v.quantity({"drift_rate_limit", "the press is warm when its drift stays slower than this; 0 for no such time"},
                c.drift_rate_limit, D::velocity, non_negative);
 }
@@ -450,7 +450,9 @@ void describe(Visitor& v, Numerics& n)
                D::temperature_difference, positive);
     v.quantity({"initial_step", "first time step"}, n.initial_step, D::time, positive);
     v.quantity({"max_step", "largest time step"}, n.max_step, D::time, positive);
-    v.number({"solver_tolerance", "of the linear solvers, relative"}, n.solver_tolerance, {0, 1, true});
+    v.number({"solver_tolerance",
+              "root mean square error that a linear solve of the temperature field may leave, in kelvin"},
+             n.solver_tolerance, {0, 1, true});
     v.integer({"order", "of the finite elements"}, n.order, {1, 2, false});
     v.expect(n.initial_step <= n.max_step, "initial_step", "the first time step is longer than the largest one",
              "make `initial_step` at most `max_step`");

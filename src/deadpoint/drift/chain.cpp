@@ -111,12 +111,17 @@ void add(Functional& a, double factor, const Functional& b)
 CircleFit fit_circle(const Machine& machine, const ContactSide& side, const Vec2& centre)
 {
     const bool symmetric = on_symmetry_plane(machine, side, centre);
+    const auto* cylinder = std::get_if<CylinderGeometry>(&machine.interfaces[side.contact].geometry);
+    if (!cylinder)
+        throw InputError("interface '" + machine.interfaces[side.contact].name +
+                         "' of a revolute joint is not cylindrical, so its centre cannot be fitted");
+    const double radius = cylinder->radius;
     Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
     const auto points = points_of(machine, side);
     const auto shape = [&](const SurfacePoint& p) {
         const double x = p.position[0] - centre[0], y = p.position[1] - centre[1];
         const double r = std::hypot(x, y);
-        return Eigen::Vector3d(symmetric ? 0 : x / r, y / r, 1);
+        return Eigen::Vector3d(symmetric ? 0 : x / r, y / r, r / radius);
     };
     for (const auto& p : points)
         normal_matrix += p.weight * shape(p) * shape(p).transpose();

@@ -45,8 +45,8 @@ struct JointCentres {
 };
 
 /// Fit of a circle to the displaced surface about its axis: the radial displacement is taken as
-/// a_x cos(phi) + a_y sin(phi) + g and (a_x, a_y, g) by least squares over the surface; g, the growth of the radius,
-/// keeps a half bore from passing its growth off as a shift.
+/// a_x cos(phi) + a_y sin(phi) + g r / R and (a_x, a_y, g) by least squares over the surface; g, the growth of the
+/// radius R, keeps a half bore from passing its growth off as a shift.
 ///
 /// On the symmetry plane of a half model a_x is 0 and only (a_y, g) are fitted.
 struct CircleFit {

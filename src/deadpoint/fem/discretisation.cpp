@@ -209,8 +209,7 @@ double Discretisation::continue_cell(std::uint32_t index, const Vec3& position, 
 {
     const auto& cell = cells_[index];
     try {
-        const auto unit =
-            mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
+        const auto unit = mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
         evaluate_at(index, unit, false, shape);
         return unit.distance(inside_reference_cell(*cell, unit));
     } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {

@@ -43,8 +43,8 @@ ElasticSolver::ElasticSolver(const Discretisation& space, const std::vector<Mate
     PetscInt size = 0;
     DEADPOINT_PETSC(MatGetTrace(matrix_, &trace));
     DEADPOINT_PETSC(MatGetSize(matrix_, &size, nullptr));
-    DEADPOINT_PETSC(MatZeroRowsColumns(
-        matrix_, static_cast<PetscInt>(fixed_.size()), fixed_.data(), trace / size, nullptr, nullptr));
+    DEADPOINT_PETSC(MatZeroRowsColumns(matrix_, static_cast<PetscInt>(fixed_.size()), fixed_.data(), trace / size,
+                                       nullptr, nullptr));
     choose_solver(size);
 
     solution_ = create_vector(space_, 3);
@@ -52,8 +52,8 @@ ElasticSolver::ElasticSolver(const Discretisation& space, const std::vector<Mate
     DEADPOINT_PETSC(MatCreateVecs(matrix_, free_solution_.out(), free_rhs_.out()));
 }
 
-// A sparse factor serves all adjoints and field times, and thin frames of many plates, which multigrid takes hundreds of
-// iterations for; beyond its memory, multigrid with the rigid motions.
+// A sparse factor serves all adjoints and field times, and thin frames of many plates, which multigrid takes hundreds
+// of iterations for; beyond its memory, multigrid with the rigid motions.
 void ElasticSolver::choose_solver(PetscInt size)
 {
     const bool direct = size <= largest_direct;
@@ -157,8 +157,7 @@ void ElasticSolver::assemble()
                 }
             }
         const auto count = static_cast<PetscInt>(n);
-        DEADPOINT_PETSC(
-            MatSetValuesBlocked(all, count, nodes.data(), count, nodes.data(), block.data(), ADD_VALUES));
+        DEADPOINT_PETSC(MatSetValuesBlocked(all, count, nodes.data(), count, nodes.data(), block.data(), ADD_VALUES));
     }
     DEADPOINT_PETSC(MatAssemblyBegin(all, MAT_FINAL_ASSEMBLY));
     DEADPOINT_PETSC(MatAssemblyEnd(all, MAT_FINAL_ASSEMBLY));
@@ -210,11 +209,11 @@ void ElasticSolver::load(const Functional& functional, Vec target) const
     DEADPOINT_PETSC(VecRestoreArray(target, &values));
 }
 
-template <class Visitor> void ElasticSolver::for_each_cell(const Visitor& visit) const
+template <class Visitor>
+void ElasticSolver::for_each_cell(const Visitor& visit) const
 {
-    dealii::hp::FEValues<3> values(
-        space_.mappings, space_.elements, space_.quadratures,
-        dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+    dealii::hp::FEValues<3> values(space_.mappings, space_.elements, space_.quadratures,
+                                   dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
     std::vector<dealii::types::global_dof_index> indices;
     for (const auto& cell : space_.dofs.active_cell_iterators()) {
         if (!cell->is_locally_owned())

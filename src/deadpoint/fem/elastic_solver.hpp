@@ -26,7 +26,8 @@ private:
     void set_near_null_space();
     void solve_free(const char* what);
     /// Calls visit(shape functions, unknowns, thermal modulus of the part) for each cell of this rank.
-    template <class Visitor> void for_each_cell(const Visitor& visit) const;
+    template <class Visitor>
+    void for_each_cell(const Visitor& visit) const;
     void load(const Functional& functional, Vec target) const;
     void clear_fixed(Vec vector) const;
     [[nodiscard]] double thermal_modulus(int part) const;  ///< E alpha / (1 - 2 nu) [Pa/K]
@@ -37,7 +38,7 @@ private:
     OwnedMat expansion_;  ///< from free to all displacements
     OwnedMat matrix_;     ///< of the free displacements
     OwnedKsp solver_;
-    OwnedVec solution_, rhs_;       ///< all displacements
+    OwnedVec solution_, rhs_;  ///< all displacements
     OwnedVec free_solution_, free_rhs_;
     std::unique_ptr<RigidPieces> pieces_;
     std::vector<PetscInt> fixed_;  ///< this rank's, as global numbers of free displacements

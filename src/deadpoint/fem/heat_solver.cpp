@@ -341,8 +341,8 @@ std::vector<double> HeatSolver::tangent_less_law(const HeatRate& before, const H
 {
     std::vector<double> result;
     for (std::size_t r = 0; r < after.source_heat.size(); ++r)
-        result.push_back(
-            before.source_heat[r] + before.source_slope[r] * source_change(r, before, after) - after.source_heat[r]);
+        result.push_back(before.source_heat[r] + before.source_slope[r] * source_change(r, before, after) -
+                         after.source_heat[r]);
     return result;
 }
 

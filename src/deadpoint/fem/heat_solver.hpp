@@ -104,7 +104,7 @@ private:
     std::vector<SparseFunctional> shell_loads_;   ///< the same without prescribed unknowns
     std::vector<double> source_constant_;         ///< part of the film temperature from the oil [K]
     std::vector<double> source_self_;             ///< film temperature per watt of the row itself [K/W]
-    std::vector<double> source_to_oil_;  ///< share of a row's heat that goes straight to the oil
+    std::vector<double> source_to_oil_;           ///< share of a row's heat that goes straight to the oil
     std::vector<Film> films_;
     bool variable_films_ = false;
     std::vector<PetscInt> prescribed_;  ///< owned unknowns with given temperature, global numbers
@@ -120,7 +120,7 @@ private:
     HeatRate rate_now_, rate_middle_, rate_next_;
     bool have_previous_ = false;  ///< the slope at the start of the step is known
     double previous_dt_ = 0;      ///< between slope_before_ and slope_now_; 0: unknown [s]
-    double time_ = 0;  ///< of the stage being solved
+    double time_ = 0;             ///< of the stage being solved
 
     std::vector<SparseFunctional> probes_, part_means_;
     std::vector<const SparseFunctional*> watched_;

@@ -8,21 +8,21 @@
 namespace deadpoint::fem {
 namespace {
 
-    constexpr double largest_continuation = 0.1;
+constexpr double largest_continuation = 0.1;
 
-    // Parts from fine to coarse: a part's place in this order.
-    std::vector<std::size_t> coarseness(const Machine& machine)
-    {
-        std::vector<std::size_t> order(machine.parts.size());
-        std::iota(order.begin(), order.end(), 0);
-        const auto cell_volume = [&](std::size_t p) { return machine.parts[p].volume / machine.parts[p].cell_count; };
-        std::stable_sort(
-            order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cell_volume(a) < cell_volume(b); });
-        std::vector<std::size_t> place(order.size());
-        for (std::size_t i = 0; i < order.size(); ++i)
-            place[order[i]] = i;
-        return place;
-    }
+// Parts from fine to coarse: a part's place in this order.
+std::vector<std::size_t> coarseness(const Machine& machine)
+{
+    std::vector<std::size_t> order(machine.parts.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto cell_volume = [&](std::size_t p) { return machine.parts[p].volume / machine.parts[p].cell_count; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return cell_volume(a) < cell_volume(b); });
+    std::vector<std::size_t> place(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        place[order[i]] = i;
+    return place;
+}
 
 }  // namespace
 
@@ -115,19 +115,18 @@ OwnedMat Ties::expansion(const Discretisation& space) const
     std::vector<PetscInt> entries(static_cast<std::size_t>(3 * rows), 1);
     for (const auto& [node, masters] : tied_)
         if (space.owns(node))
-            std::fill_n(
-                entries.begin() + 3 * (node - space.first), 3, static_cast<PetscInt>(masters.size()));
+            std::fill_n(entries.begin() + 3 * (node - space.first), 3, static_cast<PetscInt>(masters.size()));
     DEADPOINT_PETSC(MatSeqAIJSetPreallocation(matrix, 0, entries.data()));
     DEADPOINT_PETSC(MatMPIAIJSetPreallocation(matrix, 0, entries.data(), 0, entries.data()));
     for (PetscInt node = space.first; node < space.last; ++node)
         for (PetscInt c = 0; c < 3; ++c)
             if (const auto tie = tied_.find(node); tie != tied_.end())
                 for (const auto& [master, weight] : tie->second)
-                    DEADPOINT_PETSC(MatSetValue(
-                        matrix, 3 * node + c, 3 * number[static_cast<std::size_t>(master)] + c, weight, INSERT_VALUES));
+                    DEADPOINT_PETSC(MatSetValue(matrix, 3 * node + c, 3 * number[static_cast<std::size_t>(master)] + c,
+                                                weight, INSERT_VALUES));
             else
-                DEADPOINT_PETSC(
-                    MatSetValue(matrix, 3 * node + c, 3 * number[static_cast<std::size_t>(node)] + c, 1, INSERT_VALUES));
+                DEADPOINT_PETSC(MatSetValue(matrix, 3 * node + c, 3 * number[static_cast<std::size_t>(node)] + c, 1,
+                                            INSERT_VALUES));
     DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
     DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
     return matrix;

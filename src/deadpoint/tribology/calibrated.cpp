@@ -56,7 +56,10 @@ LawValue ViscosityCurve::operator()(double temperature) const
     const auto i = static_cast<std::size_t>(above - temperature_.begin());
     const double slope = (log_viscosity_[i] - log_viscosity_[i - 1]) / (temperature_[i] - temperature_[i - 1]);
     const double value = std::exp(log_viscosity_[i - 1] + slope * (temperature - temperature_[i - 1]));
-    return {value, slope * value, temperature >= temperature_.front() && temperature <= temperature_.back()};
+    constexpr double rounding = 0.05;  // [K]: a press that starts at the first point is not outside
+    const bool in_range =
+        temperature >= temperature_.front() - rounding && temperature <= temperature_.back() + rounding;
+    return {value, slope * value, in_range};
 }
 
 FrictionKind friction_kind(const std::string& name)

@@ -1,0 +1,121 @@
+#include "deadpoint/drift/chain.hpp"
+#include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/mechanism/bottom_dead_point.hpp"
+#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/translate_linkage.hpp"
+#include "solved_case.hpp"
+
+#include <cmath>
+
+using namespace deadpoint;
+using doctest::Approx;
+
+namespace {
+
+Observer silent;
+
+// Mean of a displacement component over a surface, or its value at the surface's point of largest coordinate.
+Functional mean_over(const Machine& machine, const std::string& surface, int component)
+{
+    Functional result;
+    double area = 0;
+    for (const auto& entry : machine.surfaces[study::surface_index(machine, surface)].faces)
+        for (const auto& point : face_points(machine, machine.faces[entry.face])) {
+            PointWeight weight{entry.face, point.position, {}};
+            weight.weight[component] = point.weight;
+            area += point.weight;
+            result.points.push_back(weight);
+        }
+    for (auto& point : result.points)
+        point.weight[component] /= area;
+    return result;
+}
+
+struct Bar {
+    Machine machine;
+    fem::Model model;
+
+    explicit Bar(const casefile::Case& input)
+        : machine(study::prepare_machine(input, 1, silent)),
+          model(machine, study::describe_materials(input, machine), 1, silent)
+    {}
+    std::vector<double> values(const std::string& feet, const fem::Field& field, const std::vector<Functional>& wanted)
+    {
+        model.support(study::surface_index(machine, feet));
+        return model.evaluate(wanted, model.displacement(field, 293.15));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a free bar of two bonded blocks stretches by alpha dT L")
+{
+    Bar bar(verification::read("bar"));
+    const auto top = mean_over(bar.machine, "top", 1);
+    const auto bottom = mean_over(bar.machine, "bottom", 1);
+    const auto u = bar.values("", bar.model.constant_field(293.15 + 50), {top, bottom});
+    // 1.04 m with the caps; exact in the finite-element space and through the ties, so only rounding remains
+    CHECK(u[0] - u[1] == Approx(1.2e-5 * 50 * 1.04).epsilon(1e-9));
+    // free of supports: the mean displacement is zero, so both ends move apart evenly
+    CHECK(u[0] == Approx(-u[1]).epsilon(1e-6));
+}
+
+TEST_CASE("a bar clamped at both ends is stressed by -126 MPa and bulges by (1 + nu) alpha dT")
+{
+    Bar bar(verification::read("bar"));
+    // Caps held in height at all their faces; the bar between them is a uniaxial state away from nothing: u_y = 0.
+    const auto u = bar.values("both_caps", bar.model.constant_field(293.15 + 50),
+                              {mean_over(bar.machine, "right_side", 0), mean_over(bar.machine, "left_side", 0),
+                               mean_over(bar.machine, "right_side", 1)});
+    const double lateral = (u[0] - u[1]) / 0.1;
+    // Ties at nodes carry linear displacements exactly but a uniform stress only nearly across meshes that do not
+    // match: 1e-3 is what is asked of them.
+    CHECK(lateral == Approx(1.3 * 1.2e-5 * 50).epsilon(1e-3));
+    CHECK(std::abs(u[2]) < 1e-3 * 1.2e-5 * 50);
+    const double youngs = 210e9, poisson = 0.3, free_strain = 1.2e-5 * 50;
+    // Hooke with strain_y = 0 and equal strains across: sigma_y from both lateral strains
+    const double bulk = youngs / ((1 + poisson) * (1 - 2 * poisson));
+    const double stress = bulk * (2 * poisson * lateral) - youngs / (1 - 2 * poisson) * free_strain;
+    CHECK(stress == Approx(-126e6).epsilon(1e-3));
+}
+
+TEST_CASE("adjoint and direct deformation agree on a field that bends the bar")
+{
+    Bar bar(verification::read("bar"));
+    const auto field = bar.model.interpolate_field(
+        [](const Vec3& x) { return 293.15 + 40 * x[0] / 0.1 * x[1] + 30 * std::sin(9 * x[2]); });
+    auto stretch = mean_over(bar.machine, "top", 1);
+    drift::add(stretch, -1, mean_over(bar.machine, "bottom", 1));
+    const auto direct = bar.values("", field, {stretch});
+    const auto adjoint = bar.model.adjoints({stretch});
+    // both are the same linear algebra, solved to 1e-10
+    CHECK(bar.model.apply(adjoint[0], field, 293.15) == Approx(direct[0]).epsilon(1e-9));
+}
+
+TEST_CASE("warming the whole press evenly opens the gap by alpha dT L_SW")
+{
+    std::vector<std::string> overrides;
+    for (const char* material : {"40Cr", "45", "HT200", "HT300", "QT600-3"})
+        overrides.push_back(std::string("materials.") + material + ".expansion=1.1e-5 1/K");
+    const auto input =
+        casefile::read_case(std::string(DEADPOINT_VERIFICATION_CASES) + "/../../../cases/jl75g-60/case.toml", overrides)
+            .value;
+    const auto machine = study::prepare_machine(input, 2.5, silent);
+    const auto linkage = study::describe_linkage(input);
+    const auto sensitivity = mechanism::bottom_dead_point(linkage);
+    const auto chain = study::describe_chain(input, machine, linkage);
+    const auto dimensions = drift::chain_functionals(machine, linkage, sensitivity, chain);
+    fem::Model model(machine, study::describe_materials(input, machine), 1, silent);
+    model.support(study::surface_index(machine, input.chain->ground_surface));
+    const auto adjoints = model.adjoints(dimensions);
+    const auto warm = model.constant_field(293.15 + 10);
+    const auto value = [&](drift::Dimension d) { return model.apply(adjoints[d], warm, 293.15); };
+    const double per_metre = 1.1e-5 * 10;
+    // A uniform expansion is a linear displacement, which elements, ties and circle fits reproduce: what is left is
+    // coordinates that the case rounds to 0.1 um, and the solver.
+    CHECK(value(drift::gap) == Approx(per_metre * 0.3).epsilon(1e-5));
+    CHECK(value(drift::bearing_to_ground) == Approx(per_metre * 2.7134324).epsilon(1e-6));
+    CHECK(value(drift::table_to_ground) == Approx(per_metre * 1.005).epsilon(1e-6));
+    CHECK(std::abs(value(drift::clearance)) < 1e-6 * per_metre * 0.3);
+}
