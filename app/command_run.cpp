@@ -57,7 +57,8 @@ int run_case(const RunOptions& options, Console& console, bool first, bool& rank
     }
 
     ranks_agree = false;
-    auto result = study::run_case(input, machine, {input.output.fields ? path : std::string{}}, console);
+    auto result = study::run_case(input, machine,
+                                  {input.output.fields ? path : std::string{}, file_comments(input, console)}, console);
     result.timings.insert(result.timings.begin(), {"mesh", mesh_seconds});
     console.finish();
     if (folder) {

@@ -1,10 +1,14 @@
 #include "commands.hpp"
+#include "deadpoint/core/suggest.hpp"
 #include "deadpoint/core/version.hpp"
 #include "errors.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <fmt/format.h>
 #include <new>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -20,6 +24,17 @@ Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 fil
 
 constexpr int other_error = 1;
 
+const std::vector<std::string> subcommands{"init", "check", "mesh", "run"};
+
+/// Says that a word is no subcommand, and which one it may have meant.
+int refuse_subcommand(const std::string& word)
+{
+    const auto meant = deadpoint::closest_name(word, subcommands);
+    fmt::print(stderr, "error: there is no subcommand '{}'\n  help: {}\n", word,
+               meant.empty() ? "give one of init, check, mesh and run" : fmt::format("did you mean '{}'?", meant));
+    return static_cast<int>(deadpoint::ErrorKind::input);
+}
+
 int run(int argc, char** argv)
 {
     CLI::App app("deadpoint: how far a mechanical press drifts thermally at bottom dead point", "deadpoint");
@@ -31,6 +46,9 @@ int run(int argc, char** argv)
     add_check(app, exit_code);
     add_mesh(app, exit_code);
     add_run(app, exit_code);
+    if (argc > 1 && argv[1][0] != '-' && std::count(subcommands.begin(), subcommands.end(), argv[1]) == 0) {
+        return refuse_subcommand(argv[1]);
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

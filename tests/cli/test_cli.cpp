@@ -90,7 +90,9 @@ TEST_CASE("--version and --help answer on standard output with exit code 0")
 TEST_CASE("a wrong command line is exit code 2 and says what is wrong")
 {
     CHECK(deadpoint("").code == 2);
-    CHECK(deadpoint("rnu case.toml").code == 2);
+    const auto misspelt = deadpoint("rnu case.toml");
+    CHECK(misspelt.code == 2);
+    CHECK(has(misspelt.err, "did you mean 'run'?"));
     const auto missing = deadpoint("run " + two_blocks);
     CHECK(missing.code == 2);
     CHECK(has(missing.err, "--output"));

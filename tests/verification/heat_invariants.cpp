@@ -79,9 +79,9 @@ std::string in_inches(const std::string& text)
     for (std::sregex_iterator match(text.begin(), text.end(), length), end; match != end; ++match) {
         std::ostringstream inches;
         inches.precision(17);
-        inches << std::stod((*match)[1]) / 25.4;
+        inches << '"' << std::stod((*match)[1]) / 25.4 << " in\"";
         result.append(from, (*match)[0].first);
-        result += "\"" + inches.str() + " in\"";
+        result += inches.str();
         from = (*match)[0].second;
     }
     result.append(from, text.cend());

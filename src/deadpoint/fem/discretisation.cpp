@@ -146,14 +146,19 @@ void Discretisation::evaluate_at(std::uint32_t index, const dealii::Point<3>& un
     cell->get_dof_indices(indices);
     dealii::Tensor<2, 3> inverse;
     if (gradients) {
-        // Jacobian of the first-order map from the vertices.
-        const auto reference = cell->reference_cell();
+        // Jacobian of the first-order map from the vertices; the library knows the shape functions of hexahedra only.
         dealii::Tensor<2, 3> jacobian;
-        for (const auto v : cell->vertex_indices()) {
-            const auto slope = reference.d_linear_shape_function_gradient(unit, v);
+        if (cell->reference_cell() == dealii::ReferenceCells::Hexahedron) {
+            for (const auto v : cell->vertex_indices()) {
+                const auto slope = dealii::GeometryInfo<3>::d_linear_shape_function_gradient(unit, v);
+                for (unsigned i = 0; i < 3; ++i)
+                    for (unsigned j = 0; j < 3; ++j)
+                        jacobian[i][j] += cell->vertex(v)[i] * slope[j];
+            }
+        } else {
             for (unsigned i = 0; i < 3; ++i)
                 for (unsigned j = 0; j < 3; ++j)
-                    jacobian[i][j] += cell->vertex(v)[i] * slope[j];
+                    jacobian[i][j] = cell->vertex(j + 1)[i] - cell->vertex(0)[i];
         }
         inverse = dealii::transpose(dealii::invert(jacobian));
     }
@@ -202,6 +207,9 @@ void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape
     }
     if (nearest == std::numeric_limits<double>::max())
         throw InputError("no cell of part '" + range.name + "' is near a probe; move the probe onto the part");
+    if (nearest > 0.5 * cells_[found]->diameter())
+        throw InputError("a probe lies " + std::to_string(1000 * nearest) + " mm outside its part '" + range.name +
+                         "'; move it onto the part");
     evaluate_at(found, found_unit, false, shape);
 }
 

@@ -154,7 +154,7 @@ std::vector<double> Model::sample(const std::vector<HeatProbe>& probes, const Fi
 
 std::string Model::write_fields(const std::string& folder, const std::string& name, const Field& temperature,
                                 const Displacement* displacement, const std::vector<RigidMotion>& motion_of_part,
-                                const std::vector<int>& body_of_part)
+                                const std::vector<int>& body_of_part, const std::vector<std::string>& comments)
 {
     const auto& space = implementation_->space;
     const auto& machine = implementation_->machine;
@@ -215,10 +215,10 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
     if (displacement)
         arrays.push_back({"displacement [mm]", VtuArray::Place::point, 3, millimetre});
     if (ranks == 1) {
-        write_vtu(folder + "/" + name + ".vtu", grid, arrays);
+        write_vtu(folder + "/" + name + ".vtu", grid, arrays, {std::nullopt, comments});
         return name + ".vtu";
     }
-    write_vtu(folder + "/" + name + "_" + std::to_string(rank) + ".vtu", grid, arrays);
+    write_vtu(folder + "/" + name + "_" + std::to_string(rank) + ".vtu", grid, arrays, {std::nullopt, comments});
     if (rank == 0) {
         std::vector<std::string> pieces;
         for (int r = 0; r < ranks; ++r)
@@ -226,7 +226,7 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
         std::vector<VtuDeclaration> declarations;
         for (const auto& array : arrays)
             declarations.push_back(declaration(array));
-        write_pvtu(folder + "/" + name + ".pvtu", pieces, declarations);
+        write_pvtu(folder + "/" + name + ".pvtu", pieces, declarations, {std::nullopt, comments});
     }
     return name + ".pvtu";
 }

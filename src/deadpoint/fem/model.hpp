@@ -86,7 +86,7 @@ public:
     /// where one is given, after adding each part's rigid motion. Returns the file name to list in a .pvd.
     std::string write_fields(const std::string& folder, const std::string& name, const Field& temperature,
                              const Displacement* displacement, const std::vector<RigidMotion>& motion_of_part,
-                             const std::vector<int>& body_of_part);
+                             const std::vector<int>& body_of_part, const std::vector<std::string>& comments);
 
 private:
     struct Implementation;

@@ -80,6 +80,10 @@ void pad(Range& range, bool include_zero)
     }
     if (include_zero) {
         range.add(0);
+        // A curve that dips below zero by less than its line's width needs no room there.
+        if (range.low > -0.005 * range.high) {
+            range.low = 0;
+        }
     }
     if (range.high - range.low <= 1e-12 * std::max(std::abs(range.low), std::abs(range.high))) {
         range = {range.low - 0.5, range.high + 0.5};

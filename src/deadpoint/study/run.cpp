@@ -204,7 +204,7 @@ public:
     FieldWriter(const casefile::Case& input, const Machine& machine, fem::Model& model, const Chain* chain,
                 const std::vector<fem::Adjoint>& adjoints, const RunOptions& options)
         : machine_(machine), model_(model), chain_(chain), adjoints_(adjoints), folder_(options.field_folder),
-          reference_(input.machine.initial_temperature), bodies_(bodies_by_part(machine))
+          comments_(options.comments), reference_(input.machine.initial_temperature), bodies_(bodies_by_part(machine))
     {}
 
     void write(double time, const fem::Field& field, RunResult& result)
@@ -230,8 +230,9 @@ public:
         if (folder_.empty())
             return;
         const auto name = fmt::format("fields_{:04d}", result.fields.size());
-        result.fields.emplace_back(
-            time, model_.write_fields(folder_, name, field, displacement ? &*displacement : nullptr, motions, bodies_));
+        result.fields.emplace_back(time,
+                                   model_.write_fields(folder_, name, field, displacement ? &*displacement : nullptr,
+                                                       motions, bodies_, comments_));
         std::vector<PvdEntry> entries;
         for (const auto& [at, file] : result.fields)
             entries.push_back({at, file});
@@ -245,6 +246,7 @@ private:
     const Chain* chain_;
     const std::vector<fem::Adjoint>& adjoints_;
     std::string folder_;
+    std::vector<std::string> comments_;
     double reference_;
     std::vector<int> bodies_;
 };

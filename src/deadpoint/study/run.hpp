@@ -50,7 +50,8 @@ struct RunResult {
 };
 
 struct RunOptions {
-    std::string field_folder;  ///< existing folder for field files; empty: no field files
+    std::string field_folder;                ///< existing folder for field files; empty: no field files
+    std::vector<std::string> comments = {};  ///< for the head of the field files: version, case hash, warnings so far
 };
 
 /// Computes a case on its meshed machine. Collective under MPI: all ranks call it and get the same result.
