@@ -148,7 +148,10 @@ void describe(Visitor& v, Lubricant& l)
     v.from_library(l);
     const Need need = l.library.empty() ? required : optional;
     v.quantity({"density", "mass per volume; 0 if not known"}, l.density, D::density, non_negative);
-    v.curve({"viscosity", "kinematic viscosity; log-linear between the points, constant beyond them", need},
+    v.curve({"viscosity",
+             "kinematic viscosity; log-linear between the points, going on with the end slopes (and warned about) "
+             "beyond them",
+             need},
             l.viscosity, {"temperature", D::temperature, D::kinematic_viscosity, positive});
     v.text({"source", "where the values are from"}, l.source);
 }

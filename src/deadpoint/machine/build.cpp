@@ -279,15 +279,9 @@ void select_surfaces(const MachineDescription& description, Assembly& assembly)
     }
 }
 
+// Overlaps and floating parts are in the result, for whoever shows the plan.
 void warn_about(const Machine& machine, Observer& observer)
 {
-    for (const Overlap& overlap : machine.overlaps) {
-        observer.warn(fmt::format("parts '{}' and '{}' overlap by {:.2f} mm at {}", overlap.part_a, overlap.part_b,
-                                  1e3 * overlap.depth, place(overlap.where)));
-    }
-    for (const std::string& part : machine.floating_parts) {
-        observer.warn(fmt::format("part '{}' floats: it is tied to nothing by a bond or an interface", part));
-    }
     for (const MeshSurface& surface : machine.surfaces) {
         if (surface.faces.empty()) {
             observer.warn(fmt::format("surface '{}' is empty: nothing there is exposed", surface.name));
