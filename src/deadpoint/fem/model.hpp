@@ -39,10 +39,10 @@ struct ModelSize {
 /// Finite elements on the whole machine: transient heat conduction with joint films, and the thermo-elastic
 /// deformation of each body by itself.
 ///
-/// Every part has its own mesh and shares no unknown with another: interfaces couple by their films, bonds by
-/// Nitsche's method (symmetric, consistent: a linear field passes a bond exactly whatever the two meshes). Bodies are
-/// free but for the symmetry plane and the feet; what rigid motion is left is held without force and taken out of all
-/// results.
+/// Every part has its own mesh and shares no unknown with another: interfaces couple by their films. Bonds conduct by
+/// Nitsche's method (symmetric, consistent: a linear field passes exactly whatever the two meshes) and hold by ties:
+/// the finer side's nodes follow the coarser side's cells. Bodies are free but for the symmetry plane and the feet;
+/// what rigid motion is left is held without force and taken out of all results.
 ///
 /// Every member function is collective: all ranks call it with the same arguments.
 class Model {

@@ -40,8 +40,6 @@ public:
         reset();
         return &handle_;
     }
-    /// For calls that replace the object.
-    Handle* in_place() { return &handle_; }
     explicit operator bool() const { return handle_ != nullptr; }
 
 private:

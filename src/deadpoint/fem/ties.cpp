@@ -33,7 +33,6 @@ Ties::Ties(const Discretisation& space)
 
     // Per part: nodes that may be tied, and the cells they may be tied to.
     std::vector<std::map<PetscInt, std::set<std::uint32_t>>> candidates(machine.parts.size());
-    std::map<PetscInt, Vec3> position;
     PointShape shape;
     std::vector<std::size_t> unknowns;
     std::vector<Vec3> all_positions(static_cast<std::size_t>(space.total));
