@@ -59,7 +59,8 @@ std::vector<double> with_fixed_step(const Case& input, const deadpoint::Machine&
     auto problem = deadpoint::study::describe_heat(input, machine, silent);
     problem.fixed_step = step;
     problem.solver_tolerance = 1e-13;
-    const auto history = model.heat(problem, {}, input.machine.initial_temperature, -1, silent, {}, {});
+    model.assemble_heat(problem);
+    const auto history = model.heat({}, input.machine.initial_temperature, -1, silent, {}, {});
     CHECK(history.energy.mismatch() < 1e-6);
     std::vector<double> values;
     for (const auto* group : {&history.probes, &history.interface_a, &history.interface_b})

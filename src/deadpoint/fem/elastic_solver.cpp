@@ -46,10 +46,26 @@ ElasticSolver::ElasticSolver(const Discretisation& space, const std::vector<Mate
     DEADPOINT_PETSC(MatZeroRowsColumns(matrix_, static_cast<PetscInt>(fixed_.size()), fixed_.data(), trace / size,
                                        nullptr, nullptr));
     choose_solver(size);
+    DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "deformation_"));
+    DEADPOINT_PETSC(KSPSetFromOptions(solver_));
 
     solution_ = create_vector(space_, 3);
     rhs_ = create_vector(space_, 3);
     DEADPOINT_PETSC(MatCreateVecs(matrix_, free_solution_.out(), free_rhs_.out()));
+}
+
+// Half the entries suffice, and on one rank the factorisation reads them in place; on several, PETSc converts entry by
+// entry, which takes minutes.
+void ElasticSolver::keep_upper_half()
+{
+    int ranks = 1;
+    MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
+    if (ranks > 1)
+        return;
+    OwnedMat upper;
+    DEADPOINT_PETSC(MatConvert(matrix_, MATSBAIJ, MAT_INITIAL_MATRIX, upper.out()));
+    matrix_ = std::move(upper);
+    DEADPOINT_PETSC(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
 }
 
 // A sparse factor serves all adjoints and field times, and thin frames of many plates, which multigrid takes hundreds
@@ -64,15 +80,15 @@ void ElasticSolver::choose_solver(PetscInt size)
     PC preconditioner = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
     if (direct) {
+        keep_upper_half();
         DEADPOINT_PETSC(PCSetType(preconditioner, PCCHOLESKY));
         DEADPOINT_PETSC(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
     } else {
+        DEADPOINT_PETSC(MatSetBlockSize(matrix_, 3));
         set_near_null_space();
         DEADPOINT_PETSC(PCSetType(preconditioner, PCGAMG));
     }
     DEADPOINT_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
-    DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "deformation_"));
-    DEADPOINT_PETSC(KSPSetFromOptions(solver_));
 }
 
 // Solves for rhs_; the result stands in solution_. A previous solution in free_solution_ is the first guess.
@@ -164,7 +180,6 @@ void ElasticSolver::assemble()
     expansion_ = ties_.expansion(space_);
     DEADPOINT_PETSC(MatPtAP(all, expansion_, MAT_INITIAL_MATRIX, 2.0, matrix_.out()));
     DEADPOINT_PETSC(MatProductClear(matrix_));  // else it keeps the matrix of all displacements alive
-    DEADPOINT_PETSC(MatSetBlockSize(matrix_, 3));
     DEADPOINT_PETSC(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
     DEADPOINT_PETSC(MatSetOption(matrix_, MAT_USE_INODES, PETSC_FALSE));
 }

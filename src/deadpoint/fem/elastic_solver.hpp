@@ -22,6 +22,7 @@ public:
 private:
     [[nodiscard]] std::vector<PetscInt> supported(int feet_surface) const;
     void assemble();
+    void keep_upper_half();
     void choose_solver(PetscInt size);
     void set_near_null_space();
     void solve_free(const char* what);

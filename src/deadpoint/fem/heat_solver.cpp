@@ -20,6 +20,8 @@ const std::array<double, 3> error_weights{(1 - outer_weight) / 3 - outer_weight,
                                           (3 * outer_weight + 1) / 3 - outer_weight, diagonal / 3 - diagonal};
 
 constexpr int max_newton = 20;
+const double ladder = 2;  // between two step sizes
+constexpr double largest_reuse = 2.5;
 // Joint heat may differ from its tangent within a stage by this share; the stage is computed with the tangent's, so
 // that its heat balance is exact.
 constexpr double largest_curvature = 1e-5;
@@ -29,6 +31,15 @@ OwnedVec duplicate(Vec vector)
     OwnedVec copy;
     DEADPOINT_PETSC(VecDuplicate(vector, copy.out()));
     return copy;
+}
+
+// Options that the user gave to PETSC win.
+void default_option(const char* name, const char* value)
+{
+    PetscBool given = PETSC_FALSE;
+    DEADPOINT_PETSC(PetscOptionsHasName(nullptr, nullptr, name, &given));
+    if (!given)
+        DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, name, value));
 }
 
 void require_finite(Vec vector, double time)
@@ -69,7 +80,8 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
         variable_ = create_matrix(space_, cells, 1);
 
     now_ = create_vector(space_, 1);
-    for (OwnedVec* v : {&middle_, &next_, &slope_now_, &slope_before_, &slope_next_, &work_, &work2_, &error_})
+    for (OwnedVec* v : {&before_, &middle_, &next_, &slope_middle_, &slope_now_, &slope_before_, &slope_next_, &work_,
+                        &work2_, &error_})
         *v = duplicate(now_);
     if (variable_films_)
         everywhere_ = std::make_unique<Everywhere>(now_);
@@ -85,10 +97,12 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
     PC preconditioner = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
     DEADPOINT_PETSC(PCSetType(preconditioner, PCML));
-    // One symmetric Gauss-Seidel sweep costs less per accuracy here than ML's default.
-    DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, "-heat_mg_levels_ksp_type", "richardson"));
-    DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, "-heat_mg_levels_ksp_max_it", "1"));
-    DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, "-heat_mg_levels_pc_type", "sor"));
+    // Weak couplings across films only blur the aggregates.
+    default_option("-heat_pc_ml_Threshold", "0.01");
+    // Runs at the memory's speed, which Gauss-Seidel sweeps do not, and alike on any number of ranks.
+    default_option("-heat_mg_levels_ksp_type", "chebyshev");
+    default_option("-heat_mg_levels_ksp_max_it", "2");
+    default_option("-heat_mg_levels_pc_type", "jacobi");
     DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "heat_"));
     DEADPOINT_PETSC(KSPSetFromOptions(solver_));
     DEADPOINT_PETSC(KSPSetOperators(solver_, shell_, system_));
@@ -122,8 +136,12 @@ void HeatSolver::build_system(double factor, Vec temperature)
 {
     if (factor == system_factor_ && !variable_films_)
         return;
-    // Films that follow the temperature change the matrix little within a step size: the old multigrid still serves.
-    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, factor == system_factor_ ? PETSC_TRUE : PETSC_FALSE));
+    // The old multigrid still serves a matrix that changed little: with films that follow the temperature, or the next
+    // step size.
+    const bool reuse = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
+    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, reuse ? PETSC_TRUE : PETSC_FALSE));
+    if (!reuse)
+        multigrid_factor_ = factor;
     DEADPOINT_PETSC(MatCopy(stiffness_, system_, SAME_NONZERO_PATTERN));
     if (variable_films_) {
         const double* values = everywhere_->gather(temperature);
@@ -366,19 +384,28 @@ double HeatSolver::source_change(std::size_t r, const HeatRate& before, const He
            (before.source_temperature[r] - source_self_[r] * before.source_heat[r]);
 }
 
+// The cubic through values and slopes at both ends of an interval of length h, at the place s (0 and 1 are its ends).
+void HeatSolver::hermite(Vec start, Vec start_slope, Vec end, Vec end_slope, double h, double s, Vec result)
+{
+    const std::array<double, 4> weights{(1 + 2 * s) * (1 - s) * (1 - s), h * s * (1 - s) * (1 - s), s * s * (3 - 2 * s),
+                                        h * s * s * (s - 1)};
+    std::array<Vec, 4> vectors{start, start_slope, end, end_slope};
+    DEADPOINT_PETSC(VecSet(result, 0));
+    DEADPOINT_PETSC(VecMAXPY(result, 4, weights.data(), vectors.data()));
+}
+
 HeatSolver::Step HeatSolver::step(double time, double dt)
 {
     const double factor = diagonal * dt;
 
-    // Predict both stages by parabolas: through the last two slopes, then through the first stage.
+    // Predict the first stage from the last step, the second through the first stage.
     const double to_middle = gamma_stage * dt;
-    DEADPOINT_PETSC(VecCopy(now_, middle_));
-    if (have_previous_)
-        DEADPOINT_PETSC(VecAXPY(middle_, to_middle, slope_now_));
-    if (previous_dt_ > 0) {
-        const double bend = 0.5 * to_middle * to_middle / previous_dt_;
-        DEADPOINT_PETSC(VecAXPY(middle_, bend, slope_now_));
-        DEADPOINT_PETSC(VecAXPY(middle_, -bend, slope_before_));
+    if (previous_dt_ > 0)
+        hermite(before_, slope_before_, now_, slope_now_, previous_dt_, 1 + to_middle / previous_dt_, middle_);
+    else {
+        DEADPOINT_PETSC(VecCopy(now_, middle_));
+        if (have_previous_)
+            DEADPOINT_PETSC(VecAXPY(middle_, to_middle, slope_now_));
     }
     OwnedVec known = duplicate(now_);
     DEADPOINT_PETSC(MatMult(mass_, now_, known));
@@ -388,12 +415,16 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
     DEADPOINT_PETSC(VecCopy(middle_, error_));
     DEADPOINT_PETSC(VecAXPBY(error_, -bdf_now, bdf_middle, now_));
     DEADPOINT_PETSC(MatMult(mass_, error_, known));
-    const double reach = have_previous_ ? 1 / (gamma_stage * gamma_stage) : 1 / gamma_stage;
-    DEADPOINT_PETSC(VecCopy(now_, next_));
-    DEADPOINT_PETSC(VecAXPY(next_, reach, middle_));
-    DEADPOINT_PETSC(VecAXPY(next_, -reach, now_));
-    if (have_previous_)
-        DEADPOINT_PETSC(VecAXPY(next_, dt - reach * to_middle, slope_now_));
+    DEADPOINT_PETSC(VecWAXPY(slope_middle_, -1, now_, middle_));
+    DEADPOINT_PETSC(VecScale(slope_middle_, 1 / factor));
+    if (have_previous_) {
+        DEADPOINT_PETSC(VecAXPY(slope_middle_, -1, slope_now_));
+        hermite(now_, slope_now_, middle_, slope_middle_, to_middle, 1 / gamma_stage, next_);
+    } else {
+        DEADPOINT_PETSC(VecCopy(now_, next_));
+        DEADPOINT_PETSC(VecAXPY(next_, 1 / gamma_stage, middle_));
+        DEADPOINT_PETSC(VecAXPY(next_, -1 / gamma_stage, now_));
+    }
     rate_next_ = solve_stage(time + dt, factor, known, next_);
 
     // slope at the end, from the second stage's own formula
@@ -404,6 +435,26 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
     Step result;
     result.from_prescribed = prescribed_heat(dt);
 
+    if (problem_.fixed_step > 0)
+        return result;
+    estimate_error(dt);
+    for (const double e : evaluate(watched_, error_))
+        result.error = std::max(result.error, std::abs(e));
+    return result;
+}
+
+// Of the step, into error_: the difference to the companion method. The slopes of both stages come from their own
+// formulas. Where the first slope is not known, as at the start of a segment, the difference of the rates is filtered
+// by the step's matrix, which takes out stiff transients; the second stage damps them in every later step.
+void HeatSolver::estimate_error(double dt)
+{
+    if (have_previous_) {
+        DEADPOINT_PETSC(VecSet(error_, 0));
+        DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[0], slope_now_));
+        DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[1], slope_middle_));
+        DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[2], slope_next_));
+        return;
+    }
     DEADPOINT_PETSC(VecCopy(rate_now_.vector, work_));
     DEADPOINT_PETSC(VecScale(work_, dt * error_weights[0]));
     DEADPOINT_PETSC(VecAXPY(work_, dt * error_weights[1], rate_middle_.vector));
@@ -413,14 +464,9 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
     for (const PetscInt row : prescribed_)
         residual[row - space_.first] = 0;
     DEADPOINT_PETSC(VecRestoreArray(work_, &residual));
-    if (problem_.fixed_step > 0)
-        return result;
     // sharp enough that all numbers of ranks take the same steps
     set_tolerance(1e-4, 1e-4 * problem_.time_tolerance);
     iterations_ += solve(solver_, work_, error_, "the error of a time step");
-    for (const double e : evaluate(watched_, error_))
-        result.error = std::max(result.error, std::abs(e));
-    return result;
 }
 
 // What entered through nodes of prescribed temperature during the step: their stored heat less their other gains.
@@ -448,12 +494,7 @@ void HeatSolver::write_fields_until(double from, double dt, const FieldCallback&
     const auto& times = problem_.field_times;
     while (next_field_ < times.size() && times[next_field_] <= from + dt * (1 + 1e-12)) {
         const double s = std::clamp((times[next_field_] - from) / dt, 0.0, 1.0);
-        // cubic Hermite between both ends of the step
-        DEADPOINT_PETSC(VecSet(work_, 0));
-        const std::array<double, 4> weights{(1 + 2 * s) * (1 - s) * (1 - s), dt * s * (1 - s) * (1 - s),
-                                            s * s * (3 - 2 * s), dt * s * s * (s - 1)};
-        std::array<Vec, 4> vectors{now_, slope_now_, next_, slope_next_};
-        DEADPOINT_PETSC(VecMAXPY(work_, 4, weights.data(), vectors.data()));
+        hermite(now_, slope_now_, next_, slope_next_, dt, s, work_);
         Field field;
         const double* values = nullptr;
         DEADPOINT_PETSC(VecGetArrayRead(work_, &values));
@@ -584,8 +625,7 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
             const Step outcome = step(time, dt);
             if (problem_.fixed_step <= 0 && outcome.error > problem_.time_tolerance) {
                 ++history.rejected_steps;
-                wanted =
-                    dt * std::pow(2.0, std::floor(std::log2(0.9 * std::cbrt(problem_.time_tolerance / outcome.error))));
+                wanted = dt * rungs(outcome.error, -20, -1);
                 if (dt < 1e-6)
                     throw ConvergenceError("the time step collapsed below 1 us at t = " + std::to_string(time) +
                                            " s; loosen numerics.time_tolerance or look for a law that jumps");
@@ -597,6 +637,7 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
             }
             write_fields_until(time, dt, on_field);
             add_energy(history.energy, dt, outcome.from_prescribed);
+            std::swap(before_, now_);
             std::swap(now_, next_);
             previous_dt_ = have_previous_ ? dt : 0;
             DEADPOINT_PETSC(VecCopy(slope_now_, slope_before_));
@@ -609,9 +650,8 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
                 fill_first_rates(history, start);
             if (on_step)
                 on_step(time);
-            if (problem_.fixed_step <= 0 &&
-                0.9 * std::cbrt(problem_.time_tolerance / std::max(outcome.error, 1e-30)) >= 2 && dt >= 0.99 * wanted)
-                wanted = std::min(2 * wanted, problem_.max_step);
+            if (problem_.fixed_step <= 0 && dt >= 0.99 * wanted)
+                wanted = std::min(wanted * rungs(outcome.error, 0, 1), problem_.max_step);
             if (any_rank(observer.cancelled())) {
                 history.interrupted = true;
                 break;
@@ -623,6 +663,13 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
     history.linear_iterations = iterations_;
     history.linear_solves = solves_;
     return history;
+}
+
+// The factor by which a step may grow or must shrink, in whole rungs of the ladder of step sizes.
+double HeatSolver::rungs(double error, int least, int most) const
+{
+    const double allowed = 0.9 * std::cbrt(problem_.time_tolerance / std::max(error, 1e-30));
+    return std::pow(ladder, std::clamp(std::floor(std::log(allowed) / std::log(ladder)), 1.0 * least, 1.0 * most));
 }
 
 void HeatSolver::add_energy(EnergyBalance& energy, double dt, double from_prescribed)

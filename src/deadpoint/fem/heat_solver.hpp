@@ -76,6 +76,8 @@ private:
     void impose(double time, Vec temperature) const;
     HeatRate solve_stage(double time, double factor, Vec known, Vec temperature);
     Step step(double time, double dt);
+    static void hermite(Vec start, Vec start_slope, Vec end, Vec end_slope, double h, double s, Vec result);
+    void estimate_error(double dt);
     void set_tolerance(double relative, double absolute);
     [[nodiscard]] double ambient(const SurfaceCondition& condition, double time) const;
     void record(ThermalHistory& history, double time, const HeatRate& rate);
@@ -85,6 +87,7 @@ private:
     void correct_heat(HeatRate& rate, const std::vector<double>& corrections) const;
     [[nodiscard]] double source_change(std::size_t source, const HeatRate& before, const HeatRate& after) const;
     double prescribed_heat(double dt);
+    [[nodiscard]] double rungs(double error, int least, int most) const;
     void add_energy(EnergyBalance& energy, double dt, double from_prescribed);
     static bool depends_on_temperature(const SurfaceCondition& condition)
     {
@@ -114,9 +117,11 @@ private:
     OwnedKsp solver_;
     mutable std::unique_ptr<Everywhere> everywhere_;
     double system_factor_ = -1;
+    double multigrid_factor_ = -1;  ///< for which the multigrid hierarchy was built
     std::vector<double> shell_slopes_;
 
-    OwnedVec now_, middle_, next_, slope_now_, slope_before_, slope_next_, work_, work2_, error_;
+    OwnedVec before_, now_, middle_, next_, slope_before_, slope_now_, slope_middle_, slope_next_, work_, work2_,
+        error_;
     HeatRate rate_now_, rate_middle_, rate_next_;
     bool have_previous_ = false;  ///< the slope at the start of the step is known
     double previous_dt_ = 0;      ///< between slope_before_ and slope_now_; 0: unknown [s]

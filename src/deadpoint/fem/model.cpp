@@ -23,6 +23,7 @@ struct Model::Implementation {
     std::vector<Material> materials;
     Discretisation space;
     std::unique_ptr<ElasticSolver> elastic;
+    std::unique_ptr<HeatSolver> heat;
     int feet = -1;
     int elastic_iterations = 0;
 };
@@ -72,13 +73,19 @@ ModelSize Model::size() const
     return {static_cast<long long>(implementation_->machine.cells.size()), implementation_->space.total};
 }
 
-ThermalHistory Model::heat(const HeatProblem& problem, const std::vector<Adjoint>& adjoints,
-                           double reference_temperature, int attribution, Observer& observer,
-                           const StepCallback& on_step, const FieldCallback& on_field)
+void Model::assemble_heat(const HeatProblem& problem)
 {
-    HeatSolver solver(implementation_->space, implementation_->materials, problem);
-    solver.start_from(interpolate_field(problem.initial_temperature));
-    return solver.run(adjoints, reference_temperature, attribution, observer, on_step, on_field);
+    implementation_->heat = std::make_unique<HeatSolver>(implementation_->space, implementation_->materials, problem);
+    implementation_->heat->start_from(interpolate_field(problem.initial_temperature));
+}
+
+ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
+                           Observer& observer, const StepCallback& on_step, const FieldCallback& on_field)
+{
+    const auto solver = std::move(implementation_->heat);
+    if (!solver)
+        throw std::logic_error("Model::heat() needs assemble_heat() before it");
+    return solver->run(adjoints, reference_temperature, attribution, observer, on_step, on_field);
 }
 
 void Model::support(int feet_surface)

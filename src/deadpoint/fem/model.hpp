@@ -56,14 +56,15 @@ public:
 
     [[nodiscard]] ModelSize size() const;
 
-    /// Temperature field over the operation's segments: TR-BDF2 (second order, L-stable, error estimate of third
-    /// order; Hosea and Shampine 1996), each stage by Newton with the joint heat's dependence on the joint
-    /// temperature included. The fluxes of the stages close the energy balance exactly.
+    /// Builds the matrices of a heat problem, which must outlive the next heat().
+    void assemble_heat(const HeatProblem& problem);
+    /// Temperature field of the assembled problem over the operation's segments: TR-BDF2 (second order, L-stable, error
+    /// estimate of third order; Hosea and Shampine 1996), each stage by Newton with the joint heat's dependence on the
+    /// joint temperature included. The fluxes of the stages close the energy balance exactly.
     /// @param attribution  index of the adjoint whose value is split by part, or -1
     /// @throws ConvergenceError, DomainError for a non-finite temperature
-    ThermalHistory heat(const HeatProblem& problem, const std::vector<Adjoint>& adjoints, double reference_temperature,
-                        int attribution, Observer& observer, const StepCallback& on_step,
-                        const FieldCallback& on_field);
+    ThermalHistory heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
+                        Observer& observer, const StepCallback& on_step, const FieldCallback& on_field);
 
     /// Feet: faces of this surface keep their height (u_y = 0). To be called before the functions below.
     void support(int feet_surface);

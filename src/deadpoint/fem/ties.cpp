@@ -110,7 +110,6 @@ OwnedMat Ties::expansion(const Discretisation& space) const
     DEADPOINT_PETSC(MatCreate(PETSC_COMM_WORLD, matrix.out()));
     DEADPOINT_PETSC(MatSetSizes(matrix, 3 * rows, 3 * mine, 3 * space.total, 3 * count));
     DEADPOINT_PETSC(MatSetType(matrix, MATAIJ));
-    DEADPOINT_PETSC(MatSetBlockSizes(matrix, 3, 3));
     std::vector<PetscInt> entries(static_cast<std::size_t>(3 * rows), 1);
     for (const auto& [node, masters] : tied_)
         if (space.owns(node))
