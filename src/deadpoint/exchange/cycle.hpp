@@ -25,25 +25,26 @@ struct BodyCycle {
 
 /// What a joint carries and how it rubs over the turn; one entry per crank position.
 struct JointCycle {
-    std::vector<Vec2> centre;     ///< [m]
-    std::vector<Vec2> force;      ///< on body_a by body_b, at the centre, in machine coordinates [N]
-    std::vector<double> moment;   ///< on body_a by body_b, about the centre [N m]; not zero only where it guides rotation
+    std::vector<Vec2> centre;  ///< as carried by body_a [m]
+    std::vector<Vec2> force;   ///< net, on body_a by body_b, at the centre, in machine coordinates [N]
+    std::vector<double>
+        moment;  ///< on body_a by body_b, about the centre [N m]; not zero only where it guides rotation
     std::vector<double> sliding;  ///< revolute: speed of a relative to b [rad/s]; slide: along its direction [m/s]
 };
 
 /// One turn of the crank at steady state, at crank positions evenly spaced from bottom dead point on.
 struct CycleHistory {
-    std::vector<double> angle;          ///< of the driver, from the assembled position, ascending over one turn [rad]
-    std::vector<double> time;           ///< from the first position [s]
-    std::vector<double> speed;          ///< of the driver [rad/s]
-    double period = 0;                  ///< [s]
-    std::vector<BodyCycle> bodies;      ///< as in Linkage::bodies
-    std::vector<JointCycle> joints;     ///< as in Linkage::joints
-    std::vector<double> height;         ///< of the slide above bottom dead point, along the stroke [m]
-    std::vector<double> slide_speed;    ///< along the stroke [m/s]
+    std::vector<double> angle;        ///< of the driver, from the assembled position, ascending over one turn [rad]
+    std::vector<double> time;         ///< from the first position [s]
+    std::vector<double> speed;        ///< of the driver [rad/s]
+    double period = 0;                ///< [s]
+    std::vector<BodyCycle> bodies;    ///< as in Linkage::bodies
+    std::vector<JointCycle> joints;   ///< as in Linkage::joints
+    std::vector<double> height;       ///< of the slide above bottom dead point, along the stroke [m]
+    std::vector<double> slide_speed;  ///< along the stroke [m/s]
     std::vector<double> slide_acceleration;  ///< [m/s2]
-    std::vector<double> process_force;  ///< on the slide, along the stroke (up) [N]
-    std::vector<double> drive_torque;   ///< on the driven body, counter-clockwise [N m]
+    std::vector<double> process_force;       ///< on the slide, along the stroke (up) [N]
+    std::vector<double> drive_torque;        ///< on the driven body, counter-clockwise [N m]
 };
 
 /// Loads of the crankshaft's bearings over the turn, one series per bearing, at the times of a uniform grid.
@@ -51,13 +52,13 @@ struct CycleHistory {
 /// x and y are machine coordinates (y up). The force is that on the bearing by the shaft.
 struct BearingCycle {
     std::string name;
-    std::vector<Vec2> force;  ///< [N]
-    double peak = 0;          ///< of the magnitude [N]
-    Vec2 peak_x_y{};          ///< largest magnitude of each component [N]
-    Vec2 mean{};              ///< of the force [N]
-    double mean_magnitude = 0;
-    double rms = 0;                ///< of the magnitude [N]
-    double mean_power_4_3 = 0;     ///< mean of F^1.33 [N^1.33], what the load part of rolling friction follows
+    std::vector<Vec2> force;    ///< [N]
+    double peak = 0;            ///< of the magnitude [N]
+    Vec2 peak_x_y{};            ///< largest magnitude of each component [N]
+    Vec2 mean{};                ///< of the force [N]
+    double mean_magnitude = 0;  ///< [N]
+    double rms = 0;             ///< of the magnitude [N]
+    double mean_power_4_3 = 0;  ///< mean of F^1.33 [N^1.33], what the load part of rolling friction follows
 };
 
 }  // namespace deadpoint

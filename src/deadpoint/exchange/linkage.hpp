@@ -46,4 +46,13 @@ struct BottomDeadPointSensitivity {
     std::vector<Vec2> weight;         ///< per joint [-]
 };
 
+/// How the slide moves at bottom dead point, crank held, when a body grows between two of its joint centres.
+struct LengthSensitivity {
+    std::string body;
+    std::string from;             ///< joint whose centre stays in the body
+    std::string to;               ///< joint whose centre moves away from it
+    double length = 0;            ///< distance of the two centres [m]
+    double height_by_length = 0;  ///< of the slide along the stroke [-]
+};
+
 }  // namespace deadpoint

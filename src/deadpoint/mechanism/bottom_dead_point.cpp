@@ -1,12 +1,13 @@
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/mechanism/planar_system.hpp"
+#include "deadpoint/mechanism/slide_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace deadpoint::mechanism {
@@ -14,117 +15,103 @@ namespace {
 
 constexpr int steps = 180;
 constexpr double turn = 2 * std::numbers::pi;
+constexpr double same_height = 1e-12;  // [m]
 
-struct Position {
-    double angle = 0;  ///< of the driver [rad]
-    std::vector<PlanarPose> poses;
-    double height = 0;  ///< of the slide along the stroke [m]
-    double slope = 0;   ///< of the height by the angle [m/rad]
-};
-
-class Slide {
-public:
-    explicit Slide(const Linkage& linkage)
-        : system_(linkage), point_(system_.slide_point()),
-          stroke_((1.0 / norm(linkage.stroke_direction)) * linkage.stroke_direction)
-    {}
-
-    [[nodiscard]] const PlanarSystem& system() const { return system_; }
-    [[nodiscard]] Position start() const { return measured(0, system_.assembled()); }
-    [[nodiscard]] Position moved(const Position& from, double angle) const
-    {
-        return measured(angle, system_.follow(from.poses, from.angle, angle));
-    }
-
-private:
-    [[nodiscard]] Position measured(double angle, std::vector<PlanarPose> poses) const
-    {
-        const PlanarMotion motion = system_.motion(poses, 1.0);
-        const int body = system_.linkage().slide_body;
-        Position result;
-        result.angle = angle;
-        result.height = dot(stroke_, place(poses[body], point_));
-        result.slope = dot(stroke_, velocity_of(poses[body], motion.velocities[body], point_));
-        result.poses = std::move(poses);
-        return result;
-    }
-
-    PlanarSystem system_;
-    Vec2 point_;
-    Vec2 stroke_;
-};
-
-std::vector<Position> scan(const Slide& slide)
+std::vector<PlanarPosition> scan(const PlanarSystem& system)
 {
-    std::vector<Position> positions{slide.start()};
+    std::vector<PlanarPosition> positions{system.position(system.assembled())};
     for (int i = 1; i <= steps; ++i)
-        positions.push_back(slide.moved(positions.back(), i * turn / steps));
+        positions.push_back(system.moved(positions.back(), i * turn / steps));
 
-    const Linkage& linkage = slide.system().linkage();
+    const Linkage& linkage = system.linkage();
     for (std::size_t body = 0; body < linkage.bodies.size(); ++body) {
         const PlanarPose& end = positions.back().poses[body];
         if (norm(end.translation) > 1e-6 || std::abs(std::remainder(end.angle, turn)) > 1e-6)
             throw InputError(
                 fmt::format("after one turn of the driver '{}' is not where it was: the linkage changed its way "
-                            "of closing; check its lengths",
+                            "of closing\n  help: check its lengths",
                             linkage.bodies[body]));
     }
     return positions;
 }
 
-/// Zero of the slope between two positions of opposite sign (false position, Illinois variant: an end that stays twice
-/// counts half).
-Position refined(const Slide& slide, Position last, Position other)
+double from_assembled(const PlanarPosition& position) { return std::abs(std::remainder(position.angle, turn)); }
+
+PlanarPosition lowest(const SlideMotion& slide, const std::vector<PlanarPosition>& positions)
 {
-    double other_slope = other.slope;
-    for (int iteration = 0; iteration < 60 && last.slope != 0; ++iteration) {
-        const double angle = last.angle - last.slope * (other.angle - last.angle) / (other_slope - last.slope);
-        Position next = slide.moved(last, angle);
-        const bool converged = std::abs(next.angle - last.angle) < 1e-12;
-        if (next.slope * last.slope > 0) {
-            other_slope /= 2;
-        } else {
-            other = std::move(last);
-            other_slope = other.slope;
-        }
-        last = std::move(next);
-        if (converged)
-            break;
+    std::vector<double> heights;
+    for (const PlanarPosition& position : positions)
+        heights.push_back(slide.height(position));
+    heights.back() = heights.front();  // the same position: no difference by rounding
+    const auto [bottom, top] = std::minmax_element(heights.begin(), heights.end());
+    const Linkage& linkage = slide.system().linkage();
+    if (!(*top - *bottom > 1e-9))
+        throw InputError(fmt::format("the slide '{}' does not move along the stroke when '{}' turns\n  help: check "
+                                     "which body is the slide, and the direction of the stroke",
+                                     linkage.bodies[linkage.slide_body], linkage.joints[linkage.driver].name));
+    std::optional<PlanarPosition> best;
+    for (int i = 0; i < steps; ++i) {
+        if (heights[i] > heights[i == 0 ? steps - 1 : i - 1] || heights[i] >= heights[i + 1])
+            continue;
+        PlanarPosition low = slide.extremum(SlideMotion::Extremum::lowest, positions[i], turn / steps);
+        const double above = best ? slide.height(low) - slide.height(*best) : -1.0;
+        const bool same = std::abs(above) < same_height;
+        if (same ? from_assembled(low) < from_assembled(*best) : above < 0)
+            best = std::move(low);
     }
-    return last;
+    return *best;  // the slide moves, so that there is one
 }
 
-Position lowest(const Slide& slide, const std::vector<Position>& positions)
+/// The same position, reached by turning the driver the shorter way.
+void turn_back(PlanarPosition& position, const PlanarPosition& whole_turn)
 {
-    const auto by_height = [](const Position& a, const Position& b) { return a.height < b.height; };
-    const auto [bottom, top] = std::minmax_element(positions.begin(), positions.end(), by_height);
-    const Linkage& linkage = slide.system().linkage();
-    if (!(top->height - bottom->height > 1e-9))
-        throw InputError(fmt::format("the slide '{}' does not move along the stroke when '{}' turns",
-                                     linkage.bodies[linkage.slide_body], linkage.joints[linkage.driver].name));
-    // At an end of the scan the neighbour lies beyond it; one step further is the same as one step back.
-    const Position& middle = bottom == positions.end() - 1 ? positions.front() : *bottom;
-    const Position before = slide.moved(middle, middle.angle - turn / steps);
-    const Position after = slide.moved(middle, middle.angle + turn / steps);
-    if (middle.slope == 0)
-        return middle;
-    return middle.slope > 0 ? refined(slide, before, middle) : refined(slide, middle, after);
+    if (position.angle <= turn / 2)
+        return;
+    position.angle -= turn;
+    for (std::size_t body = 0; body < position.poses.size(); ++body)
+        position.poses[body].angle -= turn * std::round(whole_turn.poses[body].angle / turn);
 }
 
 }  // namespace
 
 BottomDeadPointSensitivity bottom_dead_point(const Linkage& linkage)
 {
-    const Slide slide(linkage);
-    const Position bottom = lowest(slide, scan(slide));
-    const PlanarSystem& system = slide.system();
+    const PlanarSystem system(linkage);
+    const std::vector<PlanarPosition> positions = scan(system);
+    PlanarPosition bottom = lowest(SlideMotion(system), positions);
+    turn_back(bottom, positions.back());
 
     BottomDeadPointSensitivity result;
-    result.crank_angle = std::remainder(bottom.angle, turn);
-    result.poses = bottom.poses;
+    result.crank_angle = bottom.angle;
     for (int joint = 0; joint < static_cast<int>(linkage.joints.size()); ++joint)
         result.joint_centres.push_back(system.joint_centre(joint, bottom.poses));
     result.weight = system.slide_weights(bottom.poses);
+    result.poses = std::move(bottom.poses);
+    return result;
+}
+
+std::vector<LengthSensitivity> length_sensitivities(const Linkage& linkage, const BottomDeadPointSensitivity& bottom)
+{
+    const int joints = static_cast<int>(linkage.joints.size());
+    std::vector<LengthSensitivity> result;
+    for (int body = 0; body < static_cast<int>(linkage.bodies.size()); ++body) {
+        std::vector<int> touching;
+        for (int j = 0; j < joints; ++j)
+            if (linkage.joints[j].body_a == body || linkage.joints[j].body_b == body)
+                touching.push_back(j);
+        const bool order_matters = body == linkage.ground || touching.size() > 2;
+        for (const int from : touching) {
+            for (const int to : touching) {
+                const Vec2 line = bottom.joint_centres[to] - bottom.joint_centres[from];
+                const double length = norm(line);
+                if (from == to || (to < from && !order_matters) || !(length > 1e-9))
+                    continue;
+                const double along = dot(bottom.weight[to], (1 / length) * line);
+                result.push_back({linkage.bodies[body], linkage.joints[from].name, linkage.joints[to].name, length,
+                                  linkage.joints[to].body_b == body ? along : -along});
+            }
+        }
+    }
     return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include "deadpoint/exchange/linkage.hpp"
 
+#include <vector>
+
 namespace deadpoint::mechanism {
 
 /// Finds bottom dead point and how the slide moves there when joint centres shift.
@@ -10,9 +12,21 @@ namespace deadpoint::mechanism {
 /// along the stroke direction is then refined to a zero of the slide's velocity (to 1e-12 rad). The weights follow from
 /// one solve with the transposed Jacobian of the constraints; their signs are those of BottomDeadPointSensitivity.
 /// Where the slide touches the same lowest position twice in a turn, the one nearer to the assembled position counts.
+/// The angle is within half a turn of the assembled position, and the poses are those reached by turning that way.
 ///
 /// @throws InputError if the linkage is over- or under-constrained, does not close somewhere in the turn, is singular,
 ///         does not return to where it started, or its slide does not move
 BottomDeadPointSensitivity bottom_dead_point(const Linkage& linkage);
+
+/// What a longer or shorter distance between two joint centres of one body does to the slide at bottom dead point,
+/// driver held: d(height)/d(length) = +-dot(weight of `to`, direction from `from` to `to`), where the centre `to` moves
+/// away from `from` in the body while the body's other centres stay.
+///
+/// A body with two joints gives one entry; one with more, and the ground, gives one for each order of the two, since
+/// it then matters which of them stays. Pairs whose centres coincide are left out. For a slide joint only the shift
+/// across its travel counts.
+///
+/// @param bottom  of the same linkage
+std::vector<LengthSensitivity> length_sensitivities(const Linkage& linkage, const BottomDeadPointSensitivity& bottom);
 
 }  // namespace deadpoint::mechanism

@@ -2,11 +2,12 @@
 
 #include "deadpoint/exchange/linkage.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
 /// The planar linkage as a system of constraint equations: positions, velocities and accelerations of all bodies for a
-/// prescribed angle of the driver.
+/// prescribed angle of the driver, and the forces in its joints.
 namespace deadpoint::mechanism {
 
 /// Shift of a joint's centre as it lies in each of its two bodies, in the coordinates of the assembled position [m].
@@ -22,6 +23,36 @@ struct PlanarMotion {
     std::vector<PlanarPose> accelerations;  ///< [m/s2], [rad/s2]
 };
 
+/// A closed position: where the bodies are and how their poses change with the driver's angle.
+struct PlanarPosition {
+    struct Factors;                          ///< of the Jacobian here; internal
+    double angle = 0;                        ///< of the driver [rad]
+    std::vector<PlanarPose> poses;           ///< per body
+    std::vector<PlanarPose> slopes;          ///< first derivative of the poses by that angle [m], [-]
+    std::vector<PlanarPose> curvatures;      ///< second derivative [m], [-]
+    std::shared_ptr<const Factors> factors;  ///< shared by copies, since it never changes
+};
+
+/// What acts on a body besides its joints; an inertia force (-m a) counts as one of these.
+struct PlanarLoad {
+    Vec2 force{};       ///< [N]
+    double moment = 0;  ///< about the body's own origin, which lies at the translation of its pose [N m]
+
+    PlanarLoad& operator+=(const PlanarLoad& other)
+    {
+        force = force + other.force;
+        moment += other.moment;
+        return *this;
+    }
+};
+
+/// What the joints and the drive carry.
+struct PlanarReactions {
+    std::vector<Vec2> force;     ///< on body_a by body_b at the joint's centre, in machine coordinates, per joint [N]
+    std::vector<double> moment;  ///< on body_a by body_b; not zero only where a slide guides rotation [N m]
+    double drive_torque = 0;     ///< on the driven body, counter-clockwise [N m]
+};
+
 /// Where a point of a body lies that has coordinates `point` in the assembled position [m].
 Vec2 place(const PlanarPose& pose, const Vec2& point);
 /// Velocity of that point [m/s].
@@ -29,6 +60,12 @@ Vec2 velocity_of(const PlanarPose& pose, const PlanarPose& velocity, const Vec2&
 /// Acceleration of that point [m/s2].
 Vec2 acceleration_of(const PlanarPose& pose, const PlanarPose& velocity, const PlanarPose& acceleration,
                      const Vec2& point);
+/// The load on a body of a force through a point of the machine [N], [m].
+PlanarLoad load_of(const PlanarPose& pose, const Vec2& force, const Vec2& point);
+
+/// Velocities and accelerations for a driver that turns with `speed` [rad/s] and `acceleration` [rad/s2]:
+/// v = q' w and a = q'' w^2 + q' alpha, with q' and q'' the slopes and curvatures.
+PlanarMotion motion_at(const PlanarPosition& position, double speed, double acceleration = 0);
 
 /// Bodies with three coordinates each (translation x, y and angle), held together by constraint equations:
 ///
@@ -37,25 +74,35 @@ Vec2 acceleration_of(const PlanarPose& pose, const PlanarPose& velocity, const P
 ///              angle_a - angle_b = 0              1 more if it guides the rotation
 ///   driver     angle of the driven body = theta   1 equation
 ///
-/// Positions follow by Newton's method, velocities and accelerations from the same Jacobian (Haug, Computer Aided
-/// Kinematics and Dynamics of Mechanical Systems, chapter 3). Left out: play, friction, compliance.
+/// Positions follow by Newton's method, their derivatives and the reactions from the same Jacobian, which is factored
+/// once per position (Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, chapters 3 and 6).
+/// Left out: play, friction, compliance.
 class PlanarSystem {
 public:
-    /// @throws InputError if an index is wrong, the driver is not a revolute joint on the ground, a body is held by no
-    ///         joint, or the linkage is over- or under-constrained in the assembled position; the message names the
-    ///         joints and bodies concerned
+    /// @throws InputError if a number is not finite, an index is wrong, the driver is not a revolute joint on the
+    ///         ground, a body is held by no joint, or the linkage is over- or under-constrained in the assembled
+    ///         position; the message names the joints and bodies concerned, the rank, and what to free
     explicit PlanarSystem(const Linkage& linkage);
 
     [[nodiscard]] const Linkage& linkage() const { return linkage_; }
     /// All bodies where the case file has them.
     [[nodiscard]] std::vector<PlanarPose> assembled() const;
 
-    /// Moves the driver from one angle to another in steps of at most two degrees, each closed by Newton's method.
+    /// The closed position with these poses; the driver's angle is that of its body.
+    /// @throws InputError if it is singular
+    [[nodiscard]] PlanarPosition position(std::vector<PlanarPose> poses) const;
+
+    /// Turns the driver to another angle [rad] in steps of at most two degrees, each predicted to second order and
+    /// closed by Newton's method. The sign of the Jacobian's determinant must not change on the way, so that the
+    /// linkage keeps its way of closing.
+    /// @throws InputError if the linkage cannot close on the way: says from which angle to which, and which joint stays
+    ///         open by how much when all others are closed; or if it passes a singular position
+    [[nodiscard]] PlanarPosition moved(const PlanarPosition& from, double to) const;
+
+    /// As `moved`, for joints whose centres have shifted, from poses that need not be closed.
     ///
-    /// @param poses   closed at angle `from` [rad], counted from the assembled position
+    /// @param poses   closed (without the shifts) at angle `from` [rad], counted from the assembled position
     /// @param shifts  one per joint, or none
-    /// @throws InputError if the linkage cannot reach an angle: says which joint stays open and by how much, or where
-    ///         it becomes singular
     [[nodiscard]] std::vector<PlanarPose> follow(std::vector<PlanarPose> poses, double from, double to,
                                                  std::span<const CentreShift> shifts = {}) const;
 
@@ -66,10 +113,16 @@ public:
     [[nodiscard]] std::vector<PlanarPose> closing_motion(const std::vector<PlanarPose>& poses,
                                                          std::span<const CentreShift> shifts) const;
 
-    /// Velocities and accelerations for a driver that turns with `speed` [rad/s] and `acceleration` [rad/s2].
+    /// `motion_at` of the closed position with these poses.
     /// @throws InputError if the position is singular
     [[nodiscard]] PlanarMotion motion(const std::vector<PlanarPose>& poses, double speed,
                                       double acceleration = 0) const;
+
+    /// Reactions that balance the loads: J^T lambda = Q, where Q holds force and moment of every body's load and
+    /// -lambda is what the joints put on their first bodies. The force of a slide acts across its travel, at the
+    /// centre that body_a carries.
+    /// @param loads  one per body; that on the ground is ignored
+    [[nodiscard]] PlanarReactions reactions(const PlanarPosition& position, std::span<const PlanarLoad> loads) const;
 
     /// Where the joint's centre lies, as carried by its first body [m].
     [[nodiscard]] Vec2 joint_centre(int joint, const std::vector<PlanarPose>& poses) const;
@@ -93,6 +146,7 @@ private:
     double length_ = 1;  ///< size of the linkage [m]
 
     struct Algebra;  // the Jacobian and what is done with it
+    struct Walk;     // positions one after the other
 };
 
 }  // namespace deadpoint::mechanism
