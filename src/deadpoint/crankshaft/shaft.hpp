@@ -17,6 +17,13 @@ struct Section {
     double density = 0;   ///< [kg/m3]; 0 keeps the stiffness without the mass
 };
 
+/// A mass off the axis that turns with the shaft, beside those of the disks: the crank throw and its counterweights.
+struct Unbalance {
+    double position = 0;   ///< along s [m]
+    double magnitude = 0;  ///< mass times distance from the axis [kg m]
+    double angle = 0;      ///< from the crank throw, in the sense from x to y [rad]
+};
+
 struct Disk {
     double position = 0;  ///< along s [m]
     double mass = 0;
@@ -31,10 +38,10 @@ using Matrix2 = std::array<std::array<double, 2>, 2>;
 
 struct Bearing {
     std::string name;
-    double position = 0;  ///< along s [m]
-    Matrix2 stiffness{};  ///< [N/m]
-    Matrix2 damping{};    ///< [N s/m]
-    double housing_mass = 0;  ///< [kg]; used only with a support
+    double position = 0;                       ///< along s [m]
+    Matrix2 stiffness{};                       ///< [N/m]
+    Matrix2 damping{};                         ///< [N s/m]
+    double housing_mass = 0;                   ///< [kg]; used only with a support
     std::optional<Matrix2> support_stiffness;  ///< housing to ground; absent: housing is rigid [N/m]
     Matrix2 support_damping{};
     double hertz_exponent = 1;  ///< n of F = K d^n, linearised at the mean load; 1: stiffness as given
@@ -51,6 +58,7 @@ struct Shaft {
     std::vector<Section> sections;
     std::vector<Disk> disks;
     std::vector<Bearing> bearings;
+    std::vector<Unbalance> unbalances;
 };
 
 }  // namespace deadpoint::crankshaft
