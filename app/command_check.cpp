@@ -1,5 +1,6 @@
 #include "case_options.hpp"
 #include "commands.hpp"
+#include "deadpoint/report/loads_files.hpp"
 #include "deadpoint/report/plan_text.hpp"
 
 #include <fmt/format.h>
@@ -7,18 +8,31 @@
 
 namespace {
 
+void summarise(const CaseOptions& options, const Console& console)
+{
+    const auto count = console.warnings().size();
+    fmt::print("{}: no errors, {} warning{}\n", options.path, count, count == 1 ? "" : "s");
+}
+
 void check(const CaseOptions& options)
 {
     Console console(options.console);
     const auto description = read_case(options, console);
+    if (description.parts.empty()) {
+        fmt::print("{}\n", deadpoint::report::linkage_plan_text(description));
+        std::fflush(stdout);
+        if (const int segment = deadpoint::study::first_running_segment(description); segment >= 0) {
+            deadpoint::study::compute_loads(description, nullptr, segment);  // does the linkage move?
+        }
+        return summarise(options, console);
+    }
     const auto machine = mesh_case(description, options, console);
     fmt::print("{}\n", deadpoint::report::plan_text(description, machine));
     std::fflush(stdout);
     for (const auto& warning : deadpoint::report::plan_warnings(description, machine)) {
         console.warn(warning);
     }
-    const auto count = console.warnings().size();
-    fmt::print("{}: no errors, {} warning{}\n", options.path, count, count == 1 ? "" : "s");
+    summarise(options, console);
 }
 
 }  // namespace

@@ -70,6 +70,7 @@ Outcome interrupted(const std::string& arguments, const std::string& sign)
 
 bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
 
+const std::string crank = std::string(DEADPOINT_TEST_DATA) + "/study/balanced-crank.toml";
 const std::string two_blocks = std::string(DEADPOINT_TEST_DATA) + "/cli/two-blocks.toml";
 
 }  // namespace
@@ -81,7 +82,7 @@ TEST_CASE("--version and --help answer on standard output with exit code 0")
     CHECK(version.out.find("deadpoint 0.") == 0);
     const auto help = deadpoint("--help");
     CHECK(help.code == 0);
-    for (const char* piece : {"init", "check", "mesh", "run", "Examples:", "Exit codes:"}) {
+    for (const char* piece : {"init", "check", "mesh", "loads", "run", "Examples:", "Exit codes:"}) {
         CHECK_MESSAGE(has(help.out, piece), piece);
     }
     CHECK(has(deadpoint("run --help").out, "--force"));
@@ -222,10 +223,86 @@ TEST_CASE("Ctrl-C keeps the results so far, marked as interrupted, with exit cod
     // 100 hours in steps of a second would take minutes.
     const auto result = interrupted("run " + two_blocks + " -o " + target +
                                         " --set 'operation.0.duration=100 h' --set 'numerics.max_step=1 s'",
-                                    "heat\n");
+                                    "time steps\n");
     CHECK(result.code == 130);
     CHECK(has(result.err, "stopping after this step"));
     CHECK(has(content(target + "/summary.json"), "\"interrupted\": true"));
     CHECK(has(content(target + "/history.csv"), "time [s]"));
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
+}
+
+TEST_CASE("loads writes every file of a linkage without parts and prints its figures")
+{
+    const Folder folder;
+    const auto target = folder / "loads";
+    const auto result = deadpoint("loads " + crank + " -o " + target + " --set crankshaft.model=flexible");
+    REQUIRE(result.code == 0);
+    CHECK(has(result.out, "slider-crank: 300.0 rpm, 20.00 kN (elastic)"));
+    CHECK(has(result.out, "stroke 80.000 mm, bottom dead point with the crank at 270.000 deg"));  // twice the throw
+    CHECK(has(result.out, "natural frequencies [Hz]:"));
+    CHECK(has(result.out, "loads are in " + target));
+    for (const char* name : {"loads.json", "joints.csv", "bearings.csv", "campbell.csv", "slide.svg", "joints.svg",
+                             "bearings.svg", "campbell.svg", "linkage.svg"}) {
+        CHECK_MESSAGE(fs::exists(fs::path(target) / name), name);
+        CHECK_MESSAGE(has(content(fs::path(target) / name), "hash"), name);
+    }
+    CHECK(has(content(target + "/joints.csv"), "past bottom dead point [deg],time [s],crank speed [rad/s]"));
+    CHECK(has(content(target + "/loads.json"), "\"stroke_mm\": "));
+    CHECK(has(content(target + "/loads.json"), "\"process_force_kind\": \"elastic\""));
+    CHECK(has(content(target + "/bearings.csv"), "flexible bearing_1 x [N]"));
+    CHECK(deadpoint("loads " + crank + " -o " + target).code == 5);  // exists
+    CHECK(deadpoint("loads -q " + crank + " --force -o " + target).code == 0);
+    CHECK_FALSE(has(content(target + "/bearings.csv"), "flexible"));  // the case itself is rigid
+}
+
+TEST_CASE("loads names a wrong segment, a linkage that does not close and a missing slide")
+{
+    const Folder folder;
+    const auto out = " -o " + (folder / "loads");
+    const auto standing = deadpoint("loads " + crank + out + " --segment 1");
+    CHECK(standing.code == 2);
+    CHECK(has(standing.err, "stands still in segment 1"));
+    CHECK(deadpoint("loads " + crank + out + " --segment 9").code == 2);
+    const auto open = deadpoint("loads " + crank + out + " --set 'joints.wrist.centre=[\"0 mm\", \"-70 mm\"]'");
+    CHECK(open.code == 2);
+    CHECK(has(open.err, "cannot close"));
+    CHECK(has(open.err, "help:"));
+    CHECK(fs::is_empty(folder.path));  // no half results
+}
+
+TEST_CASE("check and run say what to do with a linkage without parts")
+{
+    const Folder folder;
+    const auto plan = deadpoint("check " + crank);
+    CHECK(plan.code == 0);
+    CHECK(has(plan.out, "a linkage without parts"));
+    CHECK(has(plan.out, "revolute, driver"));
+    const auto refused = deadpoint("run " + crank + " -o " + (folder / "results"));
+    CHECK(refused.code == 2);
+    CHECK(has(refused.err, "deadpoint loads"));
+    CHECK(fs::is_empty(folder.path));
+}
+
+TEST_CASE("the shipped simple presses pass their check without warnings")
+{
+    for (const char* name : {"slider-crank", "knuckle-joint", "starter"}) {
+        CAPTURE(name);
+        const auto result = deadpoint("check -q " DEADPOINT_SOURCE_DIR "/cases/" + std::string(name) + "/case.toml");
+        CHECK(result.code == 0);
+        CHECK(has(result.out, "no errors, 0 warnings"));
+        CHECK(result.err.empty());
+    }
+}
+
+TEST_CASE("run computes the loads first and writes them beside its results")
+{
+    const Folder folder;
+    const auto target = folder / "results";
+    const auto result = deadpoint("run -q " DEADPOINT_SOURCE_DIR "/cases/slider-crank/case.toml -o " + target +
+                                  " --size 3 --set 'operation.0.duration=5 min' --set output.fields=false");
+    REQUIRE(result.code == 0);
+    CHECK(has(result.out, "loads: stroke 60.00 mm, largest joint force 375 kN (wrist_pin)"));
+    for (const char* name : {"summary.json", "drift.svg", "loads.json", "joints.csv", "bearings.csv", "linkage.svg"}) {
+        CHECK_MESSAGE(fs::exists(fs::path(target) / name), name);
+    }
 }

@@ -81,7 +81,22 @@ TEST_CASE("values of a case arrive in SI")
     CHECK(joint.interfaces.at(1).stands_still);
     CHECK(c.oil.at("crank_bearings") == 346);
     CHECK(c.joints.at("guide").interfaces.at(0).conductance.side_b == 3e5);
+    CHECK(c.bodies.at("lever").mirror);
+    CHECK(c.joints.at("guide").preload == 2000);
+    CHECK(c.mechanism.slide_body == "slider");
+    CHECK(c.mechanism.speed.x.at(1) == doctest::Approx(3.14159265358979).epsilon(1e-14));
+    CHECK(c.crankshaft->model == "rigid");
     CHECK(c.crankshaft->sections.at(1).length == 0.0254);
+    CHECK(c.crankshaft->sections.at(1).bore == 0.02);
+    CHECK(c.crankshaft->disks.at(0).eccentricity == 1e-4);
+    CHECK(c.crankshaft->bearings.at(0).stiffness == casefile::Matrix2{{{5e8, 0}, {0, 5e8}}});  // one value for both
+    CHECK(c.crankshaft->bearings.at(1).stiffness == casefile::Matrix2{{{5e8, 1e7}, {-1e7, 4e8}}});
+    CHECK(c.crankshaft->bearings.at(1).damping[1][1] == 20);
+    CHECK(c.crankshaft->bearings.at(1).support_stiffness.value()[0][0] == 1e9);
+    CHECK(c.crankshaft->belt->pulley_diameter == 0.6);
+    CHECK_FALSE(c.crankshaft->throw_unbalance);
+    CHECK(c.process_force->over_height.x.at(1) == 0.002);
+    CHECK(c.process_force->both_ways);
     CHECK(c.process_force->to == doctest::Approx(4.97418836818384).epsilon(1e-14));  // 285 deg
     CHECK(c.operation.size() == 2);
     CHECK(c.operation.at(1).ambient->constant == 291.15);
@@ -232,6 +247,19 @@ TEST_CASE("a body that nothing uses is a warning, not an error")
     const auto result = read_case(data / "sound.toml", {"bodies.spare.thermal_only=true"});
     REQUIRE(result.warnings.size() == 1);
     CHECK(holds(result.warnings.at(0), "no part or joint belongs to body 'spare'"));
+}
+
+TEST_CASE("a case for loads needs neither parts nor materials, surfaces or durations")
+{
+    const Scratch scratch;
+    const std::string text =
+        "format = 1\n[machine]\nname = \"linkage\"\n[bodies.frame]\nground = true\n[bodies.crank]\n"
+        "mass = \"1 kg\"\n[joints.main]\nkind = \"revolute\"\nbodies = [\"crank\", \"frame\"]\n"
+        "centre = [\"0 mm\", \"0 mm\"]\ndriver = true\n[[operation]]\nspeed = \"60 rpm\"\n";
+    const auto result = read_case(scratch.file("case.toml", text));
+    CHECK(result.warnings.empty());
+    CHECK(result.value.parts.empty());
+    CHECK(result.value.operation.at(0).duration == 0);
 }
 
 TEST_CASE("patterns")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/casefile/case_loads.hpp"
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
@@ -11,12 +12,6 @@
 /// The case file as plain data, in SI units. One describe() per struct (describe.hpp) names each key, its unit, its
 /// range and its meaning; reading, checking, writing back and docs/case-file.md all come from that one description.
 namespace deadpoint::casefile {
-
-/// A quantity over another one, linear between the points, constant beyond them.
-struct Table {
-    std::vector<double> x;
-    std::vector<double> y;
-};
 
 /// A constant or a table over time.
 struct Course {
@@ -47,6 +42,7 @@ struct Body {
     std::optional<Vec2> centre_of_mass;
     std::optional<double> inertia;
     bool ground = false;
+    bool mirror = false;        ///< exists twice: its image at x = 0 takes part in the loads
     bool thermal_only = false;  ///< bearing rings: part of the heat problem, but of no dimension chain link
 };
 
@@ -96,6 +92,7 @@ struct Joint {
     Vec2 centre{};
     Vec2 direction{0, 1};
     bool guides_rotation = true;
+    double preload = 0;  ///< slide: force that presses each of its two faces together [N]
     bool turns_fully = false;
     bool driver = false;
     std::string friction;
@@ -137,37 +134,6 @@ struct Surface {
     std::string temperature_formula;    ///< prescribed, in x, y, z, t (SI), kelvin
     std::optional<Course> heat_flux;    ///< into the part [W/m2]
     bool insulated = false;             ///< claims its faces against an "exposed" surface
-};
-
-struct Crankshaft {
-    struct Section {
-        double length = 0;
-        double diameter = 0;
-        std::optional<double> density;
-    };
-    struct Disk {
-        double position = 0;
-        double mass = 0;
-        double polar_inertia = 0;
-        double diametral_inertia = 0;
-    };
-    struct Bearing {
-        double position = 0;
-        double stiffness = 0;
-        double damping = 0;
-    };
-    std::string material;
-    std::vector<Section> sections;
-    std::vector<Disk> disks;
-    std::vector<Bearing> bearings;
-    double pin_position = 0;
-    double start = 0;  ///< position of the first section's end along the axis [m]
-};
-
-struct ProcessForce {
-    std::string kind;  ///< "none", "rectangular"
-    double from = 0;   ///< crank angle [rad]
-    double to = 0;
 };
 
 struct Segment {
@@ -243,6 +209,7 @@ struct Case {
     std::map<std::string, double> oil;  ///< oil coefficient per area of the joints, by friction row [W/m2/K]
     std::map<std::string, Joint> joints;
     std::map<std::string, Surface> surfaces;
+    Mechanism mechanism;
     std::optional<Crankshaft> crankshaft;
     std::optional<ProcessForce> process_force;
     std::vector<Segment> operation;

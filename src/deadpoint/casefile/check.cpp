@@ -57,6 +57,9 @@ public:
         if (c_.chain) {
             check_chain(*c_.chain);
         }
+        refer("mechanism.slide_body", "body", c_.mechanism.slide_body, c_.bodies);
+        check_mirrors();
+        check_operation();
         if (c_.reference) {
             for (const auto& [probe, rise] : c_.reference->rises) {
                 refer("reference.rises." + probe, "probe", probe, c_.probes);
@@ -216,6 +219,44 @@ private:
         report("inconsistent", path,
                fmt::format("part '{}' belongs to body '{}', which is not of this joint", name, body->first),
                "name a part of the joint's bodies, or mark the body as thermal_only if it is a bearing ring");
+    }
+
+    void check_mirrors()
+    {
+        for (const auto& [name, body] : c_.bodies) {
+            if (body.mirror && !c_.parts.empty() && !c_.machine.half_model) {
+                report("mirror", "bodies." + name + ".mirror",
+                       fmt::format("'{}' has a mirror image, but the machine is modelled as a whole", name),
+                       "describe both bodies, or add half_model = true to [machine] and keep one half");
+            }
+            for (const auto& [joint_name, joint] : c_.joints) {
+                if (body.mirror && joint.driver && std::ranges::find(joint.bodies, name) != joint.bodies.end()) {
+                    report(
+                        "mirror", "bodies." + name + ".mirror",
+                        fmt::format("'{}' has a mirror image, but joint '{}' drives it, and there is one driver only",
+                                    name, joint_name),
+                        "let a body that exists once be driven");
+                }
+            }
+        }
+    }
+
+    void check_operation()
+    {
+        for (std::size_t i = 0; i < c_.operation.size(); ++i) {
+            if (!c_.parts.empty() && c_.operation[i].duration == 0) {
+                report("missing-key", fmt::format("operation.{}", i), "'duration' is missing",
+                       "add it: how long the segment lasts");
+            }
+        }
+        std::set<std::string> names;
+        for (std::size_t i = 0; c_.crankshaft && i < c_.crankshaft->bearings.size(); ++i) {
+            const auto& name = c_.crankshaft->bearings[i].name;
+            if (!name.empty() && !names.insert(name).second) {
+                report("duplicate-name", fmt::format("crankshaft.bearings.{}.name", i),
+                       fmt::format("two bearings are called '{}'", name), "give each a name of its own");
+            }
+        }
     }
 
     void check_drivers()

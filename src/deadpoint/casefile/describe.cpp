@@ -94,14 +94,15 @@ void describe(Visitor& v, Case& c)
     v.named({"materials", "solids"}, c.materials, "name");
     v.named({"lubricants", "oils and greases"}, c.lubricants, "name");
     v.named({"bodies", "what moves as one", required}, c.bodies, "name");
-    v.named({"parts", "solids of one material, each meshed on its own", required}, c.parts, "name");
+    v.named({"parts", "solids of one material, each meshed on its own; `loads` does without"}, c.parts, "name");
     v.named({"friction", "laws of friction heat"}, c.friction, "name");
     v.quantities({"oil", "coefficient to the circulating oil per area of the joints, by friction law"}, c.oil,
                  D::heat_transfer_coefficient);
     v.named({"joints", "connections of two bodies"}, c.joints, "name");
     v.named({"surfaces", "named sets of faces, with what happens there"}, c.surfaces, "name");
+    v.table({"mechanism", "the linkage as a whole, for its loads"}, c.mechanism);
     v.table({"crankshaft", "the crankshaft as a beam"}, c.crankshaft);
-    v.table({"process_force", "the force of the process over a turn"}, c.process_force);
+    v.table({"process_force", "the force of the process over a turn; without it as its defaults say"}, c.process_force);
     v.list({"operation", "what the press does, one segment after the other", required}, c.operation);
     v.named({"probes", "points whose temperature is recorded"}, c.probes, "name");
     v.table({"chain", "the dimension chain from slide to table"}, c.chain);
@@ -158,14 +159,20 @@ void describe(Visitor& v, Lubricant& l)
 
 void describe(Visitor& v, Body& b)
 {
-    v.about("A body of the linkage: the parts that move as one. Exactly one body is the ground.");
-    v.quantity({"mass", "stated mass of the whole body, compared with the modelled one"}, b.mass, D::mass, positive);
-    v.vector({"centre_of_mass", "x and y"}, b.centre_of_mass, D::length);
+    v.about("A body of the linkage: the parts that move as one. Exactly one body is the ground. What is not stated of "
+            "mass, centre and inertia follows from the parts; a body without parts states mass and centre, and counts "
+            "as a slender rod between its joints where it states no inertia.");
+    v.quantity({"mass", "of the whole body (of one of the two, with `mirror`); compared with that of its parts"},
+               b.mass, D::mass, positive);
+    v.vector({"centre_of_mass", "x and y at bottom dead point"}, b.centre_of_mass, D::length);
     v.quantity({"inertia", "about the centre of mass, about z"}, b.inertia, D::inertia, positive);
     v.flag({"ground", "stands still"}, b.ground);
+    v.flag({"mirror", "the body exists twice; its image at x = 0 and the images of its joints take part in the loads"},
+           b.mirror);
     v.flag({"thermal_only", "conducts heat but is no link of the dimension chain (bearing rings)"}, b.thermal_only);
     v.expect(!(b.ground && b.thermal_only), "thermal_only", "the ground is a link of the dimension chain",
              "remove one of `ground` and `thermal_only`");
+    v.expect(!(b.ground && b.mirror), "mirror", "the ground exists once only", "remove one of `ground` and `mirror`");
 }
 
 void describe(Visitor& v, Part& p)
@@ -250,6 +257,8 @@ void describe(Visitor& v, Joint& j)
     v.vector({"centre", "x and y at bottom dead point", required}, j.centre, D::length);
     v.vector({"direction", "of travel, for a slide"}, j.direction, D::none);
     v.flag({"guides_rotation", "false for a slide that leaves its body free to turn"}, j.guides_rotation);
+    v.quantity({"preload", "of a slide: force by which the gib presses on each of the two faces"}, j.preload, D::force,
+               non_negative);
     v.flag({"turns_fully", "turns all the way around, so that each side sees the other's mean around the turn"},
            j.turns_fully);
     v.flag({"driver", "its angle is the crank angle"}, j.driver);
@@ -261,6 +270,8 @@ void describe(Visitor& v, Joint& j)
     v.expect(j.bodies.size() == 2, "bodies", "a joint connects two bodies",
              "write it like bodies = [\"crank\", \"frame\"]");
     v.expect(norm(j.direction) > 0, "direction", "the direction of travel has no length", "write it like [0, 1]");
+    v.expect(j.preload == 0 || j.kind == "slide", "preload", "only a slide has a gib to press on it",
+             "remove `preload`");
     v.expect(!j.driver || j.kind != "slide", "driver", "a slide cannot drive the crank",
              "name a revolute joint as driver");
 }
@@ -366,58 +377,13 @@ void describe(Visitor& v, Film& f)
              absolute_temperature);
 }
 
-void describe(Visitor& v, Crankshaft& c)
-{
-    v.about("The crankshaft as a beam along z, for bearing reactions.");
-    v.text({"material", "its material", required}, c.material);
-    v.quantity({"start", "z where the first section begins"}, c.start, D::length, any_value);
-    v.quantity({"pin_position", "z of the crank pin's middle"}, c.pin_position, D::length, any_value);
-    v.list({"sections", "one after the other along z", required}, c.sections);
-    v.list({"disks", "flywheel, gears, counterweights"}, c.disks);
-    v.list({"bearings", "supports"}, c.bearings);
-}
-
-void describe(Visitor& v, Crankshaft::Section& s)
-{
-    v.quantity({"length", "along z", required}, s.length, D::length, positive);
-    v.quantity({"diameter", "of this section", required}, s.diameter, D::length, positive);
-    v.quantity({"density", "in place of the material's"}, s.density, D::density, non_negative);
-}
-
-void describe(Visitor& v, Crankshaft::Disk& d)
-{
-    v.quantity({"position", "along z", required}, d.position, D::length, any_value);
-    v.quantity({"mass", "of the disk", required}, d.mass, D::mass, non_negative);
-    v.quantity({"polar_inertia", "about z", required}, d.polar_inertia, D::inertia, non_negative);
-    v.quantity({"diametral_inertia", "about a diameter", required}, d.diametral_inertia, D::inertia, non_negative);
-}
-
-void describe(Visitor& v, Crankshaft::Bearing& b)
-{
-    v.quantity({"position", "along z", required}, b.position, D::length, any_value);
-    v.quantity({"stiffness", "radial", required}, b.stiffness, D::stiffness, positive);
-    v.quantity({"damping", "radial"}, b.damping, D::damping, non_negative);
-}
-
-void describe(Visitor& v, ProcessForce& p)
-{
-    v.about("The force of the process over a turn of the crank. The angle is counted as usual from the x axis, so that "
-            "the throw points down at 270 deg.");
-    choose(v, {"kind", "course of the force; its height is that of the operation", required}, p.kind,
-           {"none", "rectangular"});
-    v.quantity({"from", "crank angle where the force begins"}, p.from, D::angle, any_value);
-    v.quantity({"to", "crank angle where it ends"}, p.to, D::angle, any_value);
-    v.expect(p.kind != "rectangular" || p.from < p.to, "to", "the force must end after it begins",
-             "write it like from = \"255 deg\", to = \"285 deg\"");
-}
-
 void describe(Visitor& v, Segment& s)
 {
     v.about("A segment of the operation: run, pause or cool-down.");
     v.text({"name", "name in reports"}, s.name);
-    v.quantity({"duration", "how long it lasts", required}, s.duration, D::time, positive);
+    v.quantity({"duration", "how long it lasts; needed by `run`"}, s.duration, D::time, non_negative);
     v.quantity({"speed", "of the crank; 0 rpm is a pause", required}, s.speed, D::angular_velocity, non_negative);
-    v.quantity({"force", "of the process"}, s.force, D::force, non_negative);
+    v.quantity({"force", "of the process, at its peak"}, s.force, D::force, non_negative);
     v.course({"ambient", "of the air, in place of the machine's; time counts from the start of the segment"}, s.ambient,
              D::temperature, absolute_temperature);
 }

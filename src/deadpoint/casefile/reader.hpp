@@ -34,6 +34,8 @@ public:
     void quantity(const Key& key, std::optional<double>& value, Dimension dimension, const Range& range) override;
     void vector(const Key& key, std::span<double> value, Dimension dimension) override;
     void vector(const Key& key, std::optional<Vec2>& value, Dimension dimension) override;
+    void matrix(const Key& key, Matrix2& value, Dimension dimension) override;
+    void matrix(const Key& key, std::optional<Matrix2>& value, Dimension dimension) override;
     void extent(const Key& key, double& from, double& to) override;
     void quantities(const Key& key, std::vector<double>& value, Dimension dimension, const Range& range) override;
     void quantities(const Key& key, std::map<std::string, double>& value, Dimension dimension) override;
@@ -83,6 +85,7 @@ private:
     bool read_list(const Node& node, const std::string& path, Dimension dimension, const Range& range,
                    std::vector<double>& values);
     void read_vector(const Node& node, const std::string& path, Dimension dimension, std::span<double> value);
+    void read_matrix(const Node& node, const std::string& path, Dimension dimension, Matrix2& value);
     void read_points(const Node& node, const std::string& path, std::vector<Vec2>& value);
     void read_curve(const Node& node, const std::string& path, const CurveKeys& keys, Table& value);
     void report_library(std::string_view kind, const std::string& name, const std::vector<std::string>& names);

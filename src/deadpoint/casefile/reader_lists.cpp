@@ -10,7 +10,10 @@ namespace deadpoint::casefile {
 
 void Reader::read_vector(const Node& node, const std::string& path, Dimension dimension, std::span<double> value)
 {
-    const std::string item = dimension == Dimension::none ? "0" : "\"0 mm\"";
+    const std::string item = dimension == Dimension::none ? "0"
+                             : dimension == Dimension::length
+                                 ? "\"0 mm\""
+                                 : fmt::format("\"{}\"", dimension_info(dimension).example);
     const std::string example = value.size() == 2 ? fmt::format("write it like [{0}, {0}]", item)
                                                   : fmt::format("write it like [{0}, {0}, {0}]", item);
     if (!is_a(node, Node::Kind::array, path, example)) {
@@ -41,6 +44,40 @@ void Reader::vector(const Key& key, std::optional<Vec2>& value, Dimension dimens
     }
     value = Vec2{};
     read_vector(*node, path_of(key.name), dimension, *value);
+}
+
+void Reader::read_matrix(const Node& node, const std::string& path, Dimension dimension, Matrix2& value)
+{
+    if (node.kind != Node::Kind::array) {
+        double both = 0;
+        read_quantity(node, path, dimension, any_value, both);
+        value = {{{both, 0}, {0, both}}};
+        return;
+    }
+    if (node.children.size() != 2) {
+        const auto example = dimension_info(dimension).example;
+        report(node, "wrong-length", path, fmt::format("a list of {}, but a matrix has 2 rows", node.children.size()),
+               fmt::format("write it like [[\"{0}\", \"{0}\"], [\"{0}\", \"{0}\"]]", example));
+        return;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        read_vector(node.children[i], fmt::format("{}.{}", path, i), dimension, value.at(i));
+    }
+}
+
+void Reader::matrix(const Key& key, Matrix2& value, Dimension dimension)
+{
+    if (const Node* node = take(key)) {
+        read_matrix(*node, path_of(key.name), dimension, value);
+    }
+}
+
+void Reader::matrix(const Key& key, std::optional<Matrix2>& value, Dimension dimension)
+{
+    if (const Node* node = take(key)) {
+        value = Matrix2{};
+        read_matrix(*node, path_of(key.name), dimension, *value);
+    }
 }
 
 void Reader::extent(const Key& key, double& from, double& to)

@@ -101,6 +101,14 @@ public:
     {
         row(key, fmt::format("[2 times {}]", dimension_info(dimension).name), "");
     }
+    void matrix(const Key& key, Matrix2&, Dimension dimension) override
+    {
+        row(key, example_of(dimension) + ", or [[xx, xy], [yx, yy]]", key.need == Need::required ? "" : "`0`");
+    }
+    void matrix(const Key& key, std::optional<Matrix2>&, Dimension dimension) override
+    {
+        row(key, example_of(dimension) + ", or [[xx, xy], [yx, yy]]", "");
+    }
     void extent(const Key& key, double&, double&) override { row(key, "[from, to], two lengths", ""); }
     void quantities(const Key& key, std::vector<double>&, Dimension dimension, const Range& range) override
     {

@@ -60,10 +60,12 @@ void describe(Visitor& v, Conductance& c);
 void describe(Visitor& v, Surface& s);
 void describe(Visitor& v, BoxShape& b);  ///< of the key `within`
 void describe(Visitor& v, Film& f);
+void describe(Visitor& v, Mechanism& m);
 void describe(Visitor& v, Crankshaft& c);
 void describe(Visitor& v, Crankshaft::Section& s);
 void describe(Visitor& v, Crankshaft::Disk& d);
 void describe(Visitor& v, Crankshaft::Bearing& b);
+void describe(Visitor& v, Crankshaft::Belt& b);
 void describe(Visitor& v, ProcessForce& p);
 void describe(Visitor& v, Segment& s);
 void describe(Visitor& v, Probe& p);
@@ -101,6 +103,9 @@ public:
     /// A list of known length; Dimension::none takes bare numbers.
     virtual void vector(const Key& key, std::span<double> value, Dimension dimension) = 0;
     virtual void vector(const Key& key, std::optional<Vec2>& value, Dimension dimension) = 0;
+    /// One quantity for both directions, or [[xx, xy], [yx, yy]].
+    virtual void matrix(const Key& key, Matrix2& value, Dimension dimension) = 0;
+    virtual void matrix(const Key& key, std::optional<Matrix2>& value, Dimension dimension) = 0;
     /// [from, to] with from < to.
     virtual void extent(const Key& key, double& from, double& to) = 0;
     virtual void quantities(const Key& key, std::vector<double>& value, Dimension dimension, const Range& range) = 0;

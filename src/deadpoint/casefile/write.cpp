@@ -57,6 +57,15 @@ std::string values_text(std::span<const double> values, Dimension dimension)
     return list_text(values, [&](double v) { return value_text(v, dimension); });
 }
 
+/// One value where both directions are alike and apart.
+std::string matrix_text(const Matrix2& m, Dimension dimension)
+{
+    if (m[0][0] == m[1][1] && m[0][1] == 0 && m[1][0] == 0) {
+        return value_text(m[0][0], dimension);
+    }
+    return list_text(m, [&](const auto& row) { return values_text(row, dimension); });
+}
+
 std::string points_text(const std::vector<Vec2>& points)
 {
     return list_text(points, [](const Vec2& p) { return values_text(p, Dimension::length); });
@@ -105,6 +114,16 @@ public:
     {
         if (value) {
             emit(key, values_text(*value, dimension));
+        }
+    }
+    void matrix(const Key& key, Matrix2& value, Dimension dimension) override
+    {
+        emit(key, matrix_text(value, dimension));
+    }
+    void matrix(const Key& key, std::optional<Matrix2>& value, Dimension dimension) override
+    {
+        if (value) {
+            emit(key, matrix_text(*value, dimension));
         }
     }
     void extent(const Key& key, double& from, double& to) override

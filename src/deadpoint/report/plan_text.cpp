@@ -48,7 +48,9 @@ std::string bodies_section(const Case& description, const Machine& machine)
         const auto deviation = mass.deviation();
         table.add_row({mass.body, std::to_string(mass.parts), significant(mass.computed, 4),
                        mass.stated ? significant(*mass.stated, 4) : "",
-                       deviation ? fmt::format("{:+.1f} %", 100 * *deviation) : ""});
+                       deviation      ? fmt::format("{:+.1f} %", 100 * *deviation)
+                       : mass.partial ? "cut"
+                                      : ""});
     }
     return section(machine.half_model ? "Bodies (masses of the whole machine)" : "Bodies", table);
 }
@@ -153,22 +155,26 @@ std::string size_section(const Case& description, const Machine& machine)
 
 std::optional<double> BodyMass::deviation() const
 {
-    return stated && *stated > 0 ? std::optional(computed / *stated - 1) : std::nullopt;
+    return stated && *stated > 0 && !partial ? std::optional(computed / *stated - 1) : std::nullopt;
 }
 
 std::vector<BodyMass> body_masses(const Case& description, const Machine& machine)
 {
     std::vector<BodyMass> result;
     for (const auto& name : body_names(machine)) {
-        BodyMass mass{name, 0, 0, {}};
+        BodyMass mass{name, 0, 0, {}, false};
         for (const auto& part : machine.parts) {
             if (part.body == name) {
                 ++mass.parts;
                 mass.computed += part.mass;
             }
         }
-        mass.computed *= straddles_plane(description, machine, name) ? 2 : 1;
-        if (const auto body = description.bodies.find(name); body != description.bodies.end()) {
+        const bool straddles = straddles_plane(description, machine, name);
+        const auto body = description.bodies.find(name);
+        const bool twice = body != description.bodies.end() && body->second.mirror;
+        mass.computed *= straddles && !twice ? 2 : 1;
+        mass.partial = straddles && twice;
+        if (body != description.bodies.end()) {
             mass.stated = body->second.mass;
         }
         result.push_back(std::move(mass));

@@ -19,7 +19,8 @@ struct BodyMass {
     int parts = 0;                 ///< modelled
     double computed = 0;           ///< [kg]
     std::optional<double> stated;  ///< in the case file [kg]
-    /// Computed over stated, less one; nothing where none is stated.
+    bool partial = false;          ///< exists twice and is cut by the plane of symmetry: less than the body is modelled
+    /// Computed over stated, less one; nothing where none is stated or the body is modelled in part only.
     [[nodiscard]] std::optional<double> deviation() const;
 };
 std::vector<BodyMass> body_masses(const casefile::Case& description, const Machine& machine);

@@ -5,6 +5,7 @@
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/csv.hpp"
 #include "deadpoint/report/json_file.hpp"
+#include "deadpoint/report/loads_files.hpp"
 #include "deadpoint/report/mesh_files.hpp"
 #include "deadpoint/report/svg_chart.hpp"
 #include "deadpoint/report/table.hpp"
@@ -364,6 +365,8 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
     resolved += casefile::write_case(input);
     write_file(folder / "case.toml", [&](std::ostream& out) { out << resolved; });
     write_history(folder / "history.csv", input, result, comments);
+    if (result.loads)
+        write_loads_files(folder, input, *result.loads, warnings);
     write_json(folder / "summary.json", summary_json(input, machine, result, warnings));
     write_svg_chart(folder / "temperatures.svg", temperature_chart(input, result), comments);
     if (result.drift) {
@@ -390,6 +393,8 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
         row.push_back(duration_text(summary.time_to_95[i]));
         table.add_row(row);
     }
+    if (result.loads)
+        text += "  " + loads_line(*result.loads) + "\n\n";
     text += table.text();
     if (compared)
         text += fmt::format("  residual {:.2f} K rms; predicting no rise would give {:.2f} K ({})\n",

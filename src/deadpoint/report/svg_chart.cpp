@@ -39,6 +39,7 @@ struct Range {
 struct Frame {
     double left = 0, right = 0, top = 0, bottom = 0;
     Range x, y;
+    double y_step = 1;  ///< between the ticks of the vertical axis
     [[nodiscard]] double at_x(double value) const { return left + (value - x.low) / (x.high - x.low) * (right - left); }
     [[nodiscard]] double at_y(double value) const
     {
@@ -93,7 +94,7 @@ void pad(Range& range, bool include_zero)
 Frame make_frame(const Chart& chart)
 {
     Frame frame;
-    std::size_t longest = 4;
+    std::size_t longest = static_cast<std::size_t>(std::max(4, chart.name_letters));
     for (const auto& series : chart.series) {
         for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
             if (std::isfinite(series.y[i])) {
@@ -111,18 +112,31 @@ Frame make_frame(const Chart& chart)
     pad(frame.y, chart.include_zero);
     const auto ticks = nice_ticks(frame.y.low, frame.y.high, 6);
     frame.y = {ticks.front(), ticks.back()};
+    frame.y_step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
     frame.left = 62;
     frame.right = chart.width - 46 - letter * static_cast<double>(longest);
-    frame.top = chart.subtitle.empty() ? 74 : 92;
+    frame.top = chart.subtitle.empty() ? (chart.title.empty() ? 34 : 74) : 92;
     frame.bottom = chart.height - 56;
     return frame;
+}
+
+/// Multiples of `step` that cover low..high.
+std::vector<double> steps_of(double low, double high, double step)
+{
+    std::vector<double> ticks;
+    const double first = std::floor(low / step + 1e-9);
+    const double last = std::ceil(high / step - 1e-9);
+    for (double i = first; i <= last; ++i) {
+        ticks.push_back(i * step);
+    }
+    return ticks;
 }
 
 std::string axes(const Chart& chart, const Frame& frame)
 {
     std::string svg;
-    const auto y_ticks = nice_ticks(frame.y.low, frame.y.high, 6);
-    const double y_step = y_ticks.size() > 1 ? y_ticks[1] - y_ticks[0] : 1;
+    const double y_step = frame.y_step;
+    const auto y_ticks = steps_of(frame.y.low, frame.y.high, y_step);
     for (const double tick : y_ticks) {
         const double y = frame.at_y(tick);
         const bool zero = std::abs(tick) < 1e-9 * y_step;
@@ -130,7 +144,8 @@ std::string axes(const Chart& chart, const Frame& frame)
                            frame.left, y, frame.right, y, zero ? "#8a8a8a" : grid);
         svg += text_at(frame.left - 8, y + 4, "end", "class=\"tick\"", tick_text(tick, y_step));
     }
-    const auto x_ticks = nice_ticks(frame.x.low, frame.x.high, 6);
+    const auto x_ticks =
+        chart.x_step > 0 ? steps_of(frame.x.low, frame.x.high, chart.x_step) : nice_ticks(frame.x.low, frame.x.high, 6);
     const double x_step = x_ticks.size() > 1 ? x_ticks[1] - x_ticks[0] : 1;
     for (const double tick : x_ticks) {
         const double margin = 1e-9 * x_step;
@@ -211,7 +226,8 @@ std::string lines(const Chart& chart, const Frame& frame)
     const auto label_y = spread(wanted, frame.top, frame.bottom);
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
         const auto& series = chart.series[i];
-        const char* colour = palette[i % palette.size()];
+        const std::size_t place = series.colour < 0 ? i : static_cast<std::size_t>(series.colour);
+        const char* colour = palette[place % palette.size()];
         const bool dashed = series.dashed || i / palette.size() % 2 == 1;
         svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" "
                            "stroke-linecap=\"round\"{}/>\n",
@@ -245,13 +261,7 @@ std::vector<double> nice_ticks(double low, double high, int wanted)
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
     const double lead = raw / power;
     const double step = power * (lead <= 1.001 ? 1 : lead <= 2.001 ? 2 : lead <= 5.001 ? 5 : 10);
-    std::vector<double> ticks;
-    const double first = std::floor(low / step + 1e-9);
-    const double last = std::ceil(high / step - 1e-9);
-    for (double i = first; i <= last; ++i) {
-        ticks.push_back(i * step);
-    }
-    return ticks;
+    return steps_of(low, high, step);
 }
 
 std::string svg_chart(const Chart& chart)
@@ -280,7 +290,7 @@ std::string svg_chart(const Chart& chart)
     return svg + "</svg>\n";
 }
 
-void write_svg_chart(const std::filesystem::path& path, const Chart& chart, const std::vector<std::string>& comments)
+std::string svg_comments(const std::vector<std::string>& comments)
 {
     std::string head;
     for (std::string text : comments) {
@@ -289,7 +299,12 @@ void write_svg_chart(const std::filesystem::path& path, const Chart& chart, cons
         }
         head += "<!-- " + text + " -->\n";
     }
-    write_file(path, head + svg_chart(chart));
+    return head;
+}
+
+void write_svg_chart(const std::filesystem::path& path, const Chart& chart, const std::vector<std::string>& comments)
+{
+    write_file(path, svg_comments(comments) + svg_chart(chart));
 }
 
 }  // namespace deadpoint::report

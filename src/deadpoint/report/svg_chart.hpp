@@ -20,6 +20,7 @@ struct ChartSeries {
     std::vector<ChartPoint> markers;  ///< hollow circles in the line's colour, e.g. measured values
     bool dashed = false;
     bool emphasised = false;  ///< drawn thicker
+    int colour = -1;          ///< index into the palette; -1: by the place in the list
 };
 
 struct Chart {
@@ -30,12 +31,17 @@ struct Chart {
     std::vector<ChartSeries> series;
     std::string marker_note;   ///< what the hollow circles are; may be empty
     bool include_zero = true;  ///< the vertical axis reaches 0
+    double x_step = 0;         ///< between the ticks of the horizontal axis; 0: chosen
+    int name_letters = 0;      ///< room for the names of the lines, to align charts; 0: as the longest needs
     double width = 860;        ///< [px]
     double height = 480;
 };
 
 /// The chart as an SVG document.
 std::string svg_chart(const Chart& chart);
+
+/// Lines as XML comments for the head of an SVG document.
+std::string svg_comments(const std::vector<std::string>& comments);
 
 /// Writes svg_chart(chart), with `comments` (version, case hash) as XML comments; complete or absent.
 /// @throws IoError if the file cannot be written

@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/machine/build.hpp"
+#include "deadpoint/study/check_machine.hpp"
 #include "deadpoint/study/translate_machine.hpp"
 
 #include <algorithm>
@@ -62,8 +63,15 @@ void settle_claims(const casefile::Case& input, Machine& machine)
 
 Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer)
 {
+    if (input.parts.empty())
+        throw InputError(
+            "the case has no [parts]: there is nothing to mesh\n  help: add the solids of its bodies; motion "
+            "and forces of the linkage alone are computed by 'deadpoint loads'");
     auto machine = machine::build_machine(describe_machine(input, size_scale), observer);
     settle_claims(input, machine);
+    require_probes_on_parts(input, machine);
+    for (const auto& warning : loose_bodies(machine))
+        observer.warn(warning);
     return machine;
 }
 

@@ -262,6 +262,13 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
     Stopwatch watch(observer);
     const double reference = input.machine.initial_temperature;
 
+    if (const int segment = first_running_segment(input); segment >= 0 && has_loads(input)) {
+        watch.start("loads");
+        result.loads = compute_loads(input, &machine, segment);
+        for (const auto& warning : result.loads->warnings)
+            observer.warn(warning);
+    }
+
     watch.start("unknowns");
     fem::Model model(machine, describe_materials(input, machine), input.numerics.order, observer);
     const auto problem = describe_heat(input, machine, observer);
@@ -282,14 +289,17 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
         adjoints = model.adjoints(chain->dimensions);
     }
 
-    watch.start("heat");
+    watch.start("heat matrices");
+    model.assemble_heat(problem);
+
+    watch.start("time steps");
     double end = 0;
     for (const auto& segment : problem.segments)
         end += segment.duration;
     FieldWriter writer(input, machine, model, chain ? &*chain : nullptr, adjoints, options);
     double field_seconds = 0;
     result.thermal = model.heat(
-        problem, adjoints, reference, chain ? static_cast<int>(drift::gap) : -1, observer,
+        adjoints, reference, chain ? static_cast<int>(drift::gap) : -1, observer,
         [&](double time) { observer.progress(time / end, fmt::format("t = {:.2f} h", time / 3600)); },
         [&](double time, const fem::Field& field) {
             const double before = watch.seconds();

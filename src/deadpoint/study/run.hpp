@@ -6,13 +6,14 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/loads.hpp"
 
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-/// The pipeline of one case: machine -> linkage -> deformation functionals -> heat -> drift.
+/// The pipeline of one case: machine -> loads -> linkage -> deformation functionals -> heat -> drift.
 namespace deadpoint::study {
 
 /// The adjoint's gap against the gap of the deformation solved directly at the last field time.
@@ -37,6 +38,7 @@ struct RunResult {
     std::vector<std::string> parts;
     std::vector<std::string> sources;
     std::vector<JointHistory> joints;
+    std::optional<LoadsResult> loads;  ///< of the first segment in which the press runs, where the case has a linkage
     std::optional<BottomDeadPointSensitivity> sensitivity;
     std::optional<DriftSeries> drift;
     std::optional<AdjointCheck> adjoint_check;

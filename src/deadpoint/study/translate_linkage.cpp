@@ -56,8 +56,10 @@ void require_sides(const std::vector<drift::ContactSide>& sides, const std::stri
 
 Linkage describe_linkage(const casefile::Case& input)
 {
-    if (!input.chain)
-        throw InputError("the case has no [chain]: the dimension chain that defines the drift");
+    const auto& stated = input.mechanism.slide_body;
+    if (stated.empty() && !input.chain)
+        throw InputError(
+            "the case does not say which body carries the tool; add slide_body to [mechanism], or a [chain]");
     Linkage linkage;
     for (const auto& [name, body] : input.bodies) {
         const bool used =
@@ -87,7 +89,10 @@ Linkage describe_linkage(const casefile::Case& input)
     }
     if (linkage.driver < 0)
         throw InputError("no joint has driver = true; mark the joint of the crank in the frame");
-    linkage.slide_body = body_index(linkage, input.chain->slide_body);
+    const auto& slide = stated.empty() ? input.chain->slide_body : stated;
+    linkage.slide_body = body_index(linkage, slide);
+    if (linkage.slide_body < 0)
+        throw InputError(fmt::format("body '{}' carries the tool, but no joint holds it; add its guide", slide));
     return linkage;
 }
 

@@ -9,7 +9,8 @@ namespace deadpoint::study {
 
 /// The planar linkage of a case: bodies that take part in a joint of kind revolute or slide, joints in the order of
 /// `Case::joints`.
-/// @throws InputError if there is no driver or no dimension chain
+/// The slide is that of [mechanism], else that of [chain].
+/// @throws InputError if there is no driver, or no slide is named
 Linkage describe_linkage(const casefile::Case& input);
 
 /// The dimension chain of a case on its meshed machine.

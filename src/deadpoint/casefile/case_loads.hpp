@@ -1,0 +1,89 @@
+#pragma once
+
+#include "deadpoint/core/vec.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The part of a case that loads are computed from, besides bodies and joints.
+namespace deadpoint::casefile {
+
+/// A quantity over another one, linear between the points, constant beyond them.
+struct Table {
+    std::vector<double> x;
+    std::vector<double> y;
+};
+
+/// Stiffness or damping between two places of the plane across the shaft, {{xx, xy}, {yx, yy}}.
+using Matrix2 = std::array<std::array<double, 2>, 2>;
+
+struct Mechanism {
+    std::string slide_body;  ///< that carries the tool; empty: that of the dimension chain
+    int positions = 720;
+    Table speed;  ///< over that of the operation, over the angle past bottom dead point [- over rad]; empty: steady
+};
+
+struct Crankshaft {
+    struct Section {
+        double length = 0;
+        double diameter = 0;
+        double bore = 0;
+        std::optional<double> density;
+    };
+    struct Disk {
+        double position = 0;
+        double mass = 0;
+        double polar_inertia = 0;
+        double diametral_inertia = 0;
+        double eccentricity = 0;  ///< of its centre of mass [m]
+        double eccentricity_angle = 0;
+    };
+    struct Bearing {
+        std::string name;
+        std::string seat;
+        double position = 0;
+        Matrix2 stiffness{};
+        Matrix2 damping{};
+        double housing_mass = 0;
+        std::optional<Matrix2> support_stiffness;
+        Matrix2 support_damping{};
+        double hertz_exponent = 1;
+        double reference_load = 0;
+    };
+    /// Pull of the belt that drives the shaft.
+    struct Belt {
+        double position = 0;
+        double angle = 0;             ///< direction of the pull on the shaft [rad]
+        std::optional<double> force;  ///< [N]; else power over belt speed
+        double power = 0;
+        double pulley_diameter = 0;
+    };
+    std::string model = "flexible";  ///< or "rigid"
+    std::string material;
+    std::vector<Section> sections;
+    std::vector<Disk> disks;
+    std::vector<Bearing> bearings;
+    double start = 0;         ///< position of the first section's end along the axis [m]
+    double pin_position = 0;  ///< of the crank pin's middle [m]
+    double pin_width = 0;     ///< over which the pin's load is spread [m]
+    std::optional<Belt> belt;
+    bool throw_unbalance = true;
+    double modal_damping = 0.02;
+    double shear_factor = 0.9;
+    double axial_load = 0;
+};
+
+struct ProcessForce {
+    std::string kind;                 ///< empty: "elastic" with a flexible crankshaft, else "rectangular"
+    double from = 4.450589592585541;  ///< crank angle, 255 deg [rad]
+    double to = 4.974188368183839;    ///< 285 deg
+    double stiffness = 1e9;           ///< of press and die [N/m]
+    Table over_angle;                 ///< share of the operation's force [- over rad]
+    Table over_height;                ///< [- over m]
+    bool both_ways = false;           ///< over_height holds on the way up as well
+    double offset = 0;                ///< of the line of action from the slide's guided point [m]
+};
+
+}  // namespace deadpoint::casefile

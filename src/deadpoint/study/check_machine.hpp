@@ -1,0 +1,18 @@
+#pragma once
+
+#include "deadpoint/casefile/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+#include <string>
+#include <vector>
+
+namespace deadpoint::study {
+
+/// Checks a case against its meshed machine where only the mesh can tell.
+/// @throws InputError if probes lie more than half a cell diameter off their parts; all of them are named
+void require_probes_on_parts(const casefile::Case& input, const Machine& machine);
+
+/// Bodies that fall into pieces which no bond holds together: each piece would expand by itself.
+std::vector<std::string> loose_bodies(const Machine& machine);
+
+}  // namespace deadpoint::study
