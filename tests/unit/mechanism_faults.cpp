@@ -72,6 +72,13 @@ TEST_CASE("a rod that is too short: the range that does not close, and by how mu
     CHECK(message.find("help: check the lengths") != std::string::npos);
 }
 
+TEST_CASE("a rod shorter than the throw: the widest miss is told, though the other half of the turn closes again")
+{
+    // In line, crank 50 mm and rod 40 mm: closed while |50 sin| <= 40, so 10 mm are missing at 90 and at 270 degrees.
+    const std::string message = message_of(linkages::slider_crank(0.05, 0.04, 0));
+    CHECK(number_after(message, "misses by ") == Approx(10).epsilon(1e-3));
+}
+
 TEST_CASE("the range is the same from the other side")
 {
     const Linkage linkage = linkages::slider_crank(0.025, 0.383, 0.37);

@@ -84,7 +84,11 @@ private:
     /// @param far  the Jacobian at `from` does not serve there
     [[nodiscard]] std::optional<PlanarPosition> stepped(const PlanarPosition& from, double to, bool far) const;
     [[nodiscard]] int jammed_joint(const PlanarPosition& last) const;
-    [[nodiscard]] double miss(const PlanarPosition& last, double to, int joint) const;
+    struct Miss {
+        double angle = 0;    ///< of the driver [rad]
+        double opening = 0;  ///< [m]
+    };
+    [[nodiscard]] Miss miss(const PlanarPosition& last, double to, int joint) const;
 };
 
 }  // namespace deadpoint::mechanism

@@ -119,8 +119,9 @@ int PlanarSystem::Walk::jammed_joint(const PlanarPosition& last) const
     return first == sizes.end() ? -1 : static_cast<int>(first - sizes.begin());
 }
 
-/// How far this joint stays open at least when all others close: damped least squares in which it counts little.
-double PlanarSystem::Walk::miss(const PlanarPosition& last, double to, int joint) const
+/// Where on the way this joint stays open furthest when all others close: damped least squares in which it counts
+/// little.
+PlanarSystem::Walk::Miss PlanarSystem::Walk::miss(const PlanarPosition& last, double to, int joint) const
 {
     Eigen::VectorXd weights = Eigen::VectorXd::Ones(system.equations_);
     weights.segment(system.first_equation_[joint], 2).setConstant(1e-3);
@@ -128,7 +129,8 @@ double PlanarSystem::Walk::miss(const PlanarPosition& last, double to, int joint
     const auto weighted = [&](const std::vector<PlanarPose>& at, double angle) -> Eigen::VectorXd {
         return weights.cwiseProduct(Algebra{system, at, shifts}.residual(angle)) / system.length_;
     };
-    const int steps = static_cast<int>(std::ceil(std::abs(to - last.angle) / longest_step));
+    Miss widest;
+    const int steps = 2 * static_cast<int>(std::ceil(0.5 * std::abs(to - last.angle) / longest_step));
     for (int step = 1; step <= steps; ++step) {
         const double angle = last.angle + (to - last.angle) * step / steps;
         Eigen::VectorXd error = weighted(poses, angle);
@@ -152,8 +154,11 @@ double PlanarSystem::Walk::miss(const PlanarPosition& last, double to, int joint
             if (change.lpNorm<Eigen::Infinity>() < 1e-9)
                 break;
         }
+        const double opening = Algebra{system, poses, shifts}.opening(joint);
+        if (opening > widest.opening)
+            widest = {angle, opening};
     }
-    return Algebra{system, poses, shifts}.opening(joint);
+    return widest;
 }
 
 std::string PlanarSystem::Walk::obstacle(const PlanarPosition& last, double to) const
@@ -170,7 +175,6 @@ std::string PlanarSystem::Walk::obstacle(const PlanarPosition& last, double to) 
     }
     const bool both = end - last.angle != 0;
     const auto [from, until] = std::minmax(last.angle, end);
-    const double middle = both ? 0.5 * (from + until) : to;
     std::string text = both ? fmt::format("the linkage cannot close from {:.2f} to {:.2f} degrees from its assembled "
                                           "position",
                                           from * degrees, until * degrees)
@@ -180,9 +184,10 @@ std::string PlanarSystem::Walk::obstacle(const PlanarPosition& last, double to) 
     if (joint >= 0) {
         const LinkageJoint& jammed = system.linkage_.joints[joint];
         const auto& bodies = system.linkage_.bodies;
+        const Miss widest = miss(last, both ? end : to, joint);
         text += fmt::format(
             ": with all others closed, joint '{}' of '{}' and '{}' misses by {:.4g} mm at {:.2f} degrees", jammed.name,
-            bodies[jammed.body_a], bodies[jammed.body_b], 1e3 * miss(last, middle, joint), middle * degrees);
+            bodies[jammed.body_a], bodies[jammed.body_b], 1e3 * widest.opening, widest.angle * degrees);
     }
     return text + "\n  help: check the lengths of the links and the places of the joints, or how far the driver turns";
 }

@@ -24,8 +24,6 @@ void check_prandtl(double prandtl)
         throw DomainError("convection: the Prandtl number is 0\n  help: that of air is about 0.7");
 }
 
-bool within(double value, double low, double high) { return value >= low && value <= high; }
-
 }  // namespace
 
 Nusselt nusselt_vertical(double rayleigh, double prandtl, VerticalLaw law)
@@ -33,29 +31,29 @@ Nusselt nusselt_vertical(double rayleigh, double prandtl, VerticalLaw law)
     check("Rayleigh number", rayleigh);
     check_prandtl(prandtl);
     if (law == VerticalLaw::pair)
-        return {detail::vertical_pair(rayleigh), within(rayleigh, 1e4, 1e13)};
-    return {detail::vertical_churchill_chu(rayleigh, prandtl), within(rayleigh, 0.1, 1e12)};
+        return {detail::vertical_pair(rayleigh), detail::range_vertical_pair.contains(rayleigh)};
+    return {detail::vertical_churchill_chu(rayleigh, prandtl), detail::range_vertical.contains(rayleigh)};
 }
 
 Nusselt nusselt_facing_up(double rayleigh)
 {
     check("Rayleigh number", rayleigh);
-    return {detail::facing_up(rayleigh), within(rayleigh, 1e4, 1e11)};
+    return {detail::facing_up(rayleigh), detail::range_facing_up.contains(rayleigh)};
 }
 
 Nusselt nusselt_facing_down(double rayleigh, DownLaw law)
 {
     check("Rayleigh number", rayleigh);
     if (law == DownLaw::fifth)
-        return {detail::facing_down_fifth(rayleigh), within(rayleigh, 1e4, 1e9)};
-    return {detail::facing_down_quarter(rayleigh), within(rayleigh, 1e5, 1e10)};
+        return {detail::facing_down_fifth(rayleigh), detail::range_down_fifth.contains(rayleigh)};
+    return {detail::facing_down_quarter(rayleigh), detail::range_down_quarter.contains(rayleigh)};
 }
 
 Nusselt nusselt_horizontal_cylinder(double rayleigh, double prandtl)
 {
     check("Rayleigh number", rayleigh);
     check_prandtl(prandtl);
-    return {detail::horizontal_cylinder(rayleigh, prandtl), within(rayleigh, 1e-5, 1e12)};
+    return {detail::horizontal_cylinder(rayleigh, prandtl), detail::range_horizontal_cylinder.contains(rayleigh)};
 }
 
 Nusselt nusselt_rotating_cylinder(RotatingLaw law, double reynolds, double prandtl, double grashof, double cross_flow)
@@ -66,15 +64,15 @@ Nusselt nusselt_rotating_cylinder(RotatingLaw law, double reynolds, double prand
     check_prandtl(prandtl);
     switch (law) {
     case RotatingLaw::etemad:
-        return {0.076 * std::pow(reynolds, 0.7), within(reynolds, 8e3, 6.54e4)};
+        return {detail::etemad(reynolds), detail::range_etemad.contains(reynolds)};
     case RotatingLaw::dropkin_carmi:
-        return {0.073 * std::pow(reynolds, 0.7), within(reynolds, 1.5e4, 4.33e5)};
+        return {detail::dropkin_carmi(reynolds), detail::range_dropkin_carmi.contains(reynolds)};
     case RotatingLaw::kays_bjorklund:
-        return {detail::kays_bjorklund(reynolds, prandtl, grashof, cross_flow), within(reynolds, 800, 4.3e5)};
+        return {detail::kays_bjorklund(reynolds, prandtl, grashof, cross_flow), detail::range_becker.contains(reynolds)};
     case RotatingLaw::becker:
         break;
     }
-    return {detail::becker(reynolds, prandtl), within(reynolds, 800, 4.3e5)};
+    return {detail::becker(reynolds, prandtl), detail::range_becker.contains(reynolds)};
 }
 
 double rotating_reynolds(double speed, double diameter, double kinematic_viscosity)
@@ -89,16 +87,14 @@ double rotating_reynolds(double speed, double diameter, double kinematic_viscosi
 Nusselt nusselt_rotating_disk(double reynolds)
 {
     check("Reynolds number", reynolds);
-    if (reynolds == 0)
-        return {0, false};
-    return {detail::rotating_disk(reynolds), reynolds <= 4e6};
+    return {detail::rotating_disk(reynolds), detail::range_disk.contains(reynolds)};
 }
 
 Nusselt nusselt_moving_plate(double reynolds, double prandtl)
 {
     check("Reynolds number", reynolds);
     check_prandtl(prandtl);
-    return {detail::moving_plate(reynolds, prandtl), reynolds <= 1e8};
+    return {detail::moving_plate(reynolds, prandtl), detail::range_moving_plate.contains(reynolds)};
 }
 
 double mixed_convection(double forced, double natural, double n, bool assisting)

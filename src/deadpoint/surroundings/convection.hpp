@@ -43,7 +43,7 @@ enum class RotatingLaw {
     becker,         ///< 0.133 Re^(2/3) Pr^(1/3), Re 800..4.3e5 (Becker 1963; the paper's Eq. 29)
     etemad,         ///< 0.076 Re^0.7, Re 8e3..6.54e4, air (Etemad 1955)
     dropkin_carmi,  ///< 0.073 Re^0.7, Re 1.5e4..4.33e5, air (Dropkin and Carmi 1957)
-    kays_bjorklund  ///< 0.135 ((Re^2/2 + Re_c^2 + Gr) Pr)^(1/3), tested as Becker's here (Kays and Bjorklund 1958)
+    kays_bjorklund  ///< 0.135 ((Re^2/2 + Re_c^2 + Gr) Pr)^(1/3); flagged as Becker's (Kays and Bjorklund 1958)
 };
 
 /// A horizontal cylinder turning in air at rest; L is the diameter d, Re = omega d^2 / (2 nu).

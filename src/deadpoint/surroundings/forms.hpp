@@ -31,6 +31,23 @@ AirForm<S> air_form(S T)
     return air;
 }
 
+/// Tested range of a law, in its Rayleigh or Reynolds number.
+struct Range {
+    double low, high;
+    [[nodiscard]] bool contains(double x) const { return x >= low && x <= high; }
+};
+inline constexpr Range range_vertical{0.1, 1e12};
+inline constexpr Range range_vertical_pair{1e4, 1e13};
+inline constexpr Range range_facing_up{1e4, 1e11};
+inline constexpr Range range_down_quarter{1e5, 1e10};
+inline constexpr Range range_down_fifth{1e4, 1e9};
+inline constexpr Range range_horizontal_cylinder{1e-5, 1e12};
+inline constexpr Range range_becker{800, 4.3e5};
+inline constexpr Range range_etemad{8e3, 6.54e4};
+inline constexpr Range range_dropkin_carmi{1.5e4, 4.33e5};
+inline constexpr Range range_disk{0, 4e6};
+inline constexpr Range range_moving_plate{0, 1e8};
+
 /// From `before` to `after` while x grows from `begin` to `end`, with a continuous slope: the textbook pairs of laws
 /// jump where they meet, which no solver of temperatures should see.
 template <class S>
@@ -93,6 +110,18 @@ template <class S>
 S becker(S Re, S Pr)
 {
     return 0.133 * power(Re, 2.0 / 3) * power(Pr, 1.0 / 3);
+}
+
+template <class S>
+S etemad(S Re)
+{
+    return 0.076 * power(Re, 0.7);
+}
+
+template <class S>
+S dropkin_carmi(S Re)
+{
+    return 0.073 * power(Re, 0.7);
 }
 
 template <class S>
