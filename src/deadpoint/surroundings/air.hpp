@@ -28,7 +28,8 @@ struct AirProperties {
 ///   k  = 0.02414  (T/T0)^1.5 (T0 + 194.4) / (T + 194.4)   [W/m/K],  T0 = 273.15 K
 ///   rho = p / (287.05 T), c_p = 1006 J/kg/K
 ///
-/// Constants as in White, Viscous Fluid Flow. Between 20 and 70 C within 1 % of the standard dry-air table, within 2 %
+/// Form and constants near those of White, Viscous Fluid Flow (1.716e-5, 111; 0.0241, 194; 110.4 K is that of the US
+/// Standard Atmosphere 1976). Between 20 and 70 C within 1 % of the standard dry-air table (k 1.2 %), within 2 %
 /// between 250 and 400 K (c_p is 1014 J/kg/K at 400 K). Left out: humidity (below 1 % on these properties in a
 /// workshop), height above sea level, c_p over temperature.
 ///

@@ -68,7 +68,8 @@ Nusselt nusselt_rotating_cylinder(RotatingLaw law, double reynolds, double prand
     case RotatingLaw::dropkin_carmi:
         return {detail::dropkin_carmi(reynolds), detail::range_dropkin_carmi.contains(reynolds)};
     case RotatingLaw::kays_bjorklund:
-        return {detail::kays_bjorklund(reynolds, prandtl, grashof, cross_flow), detail::range_becker.contains(reynolds)};
+        return {detail::kays_bjorklund(reynolds, prandtl, grashof, cross_flow),
+                detail::range_becker.contains(reynolds)};
     case RotatingLaw::becker:
         break;
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <utility>
 
 namespace deadpoint::surroundings {
 namespace {
@@ -162,7 +163,8 @@ LawValue film_of(const AirSurface& surface, double surface_temperature, double a
         const Part natural = natural_part(surface, air, difference);
         convection = detail::blend(forced.coefficient, natural.coefficient, exponent_of(surface));
         // Where the forced part is the smaller one, a speed below its tested range does no harm.
-        in_range = forced.coefficient.value > natural.coefficient.value ? in_range && natural.in_range : natural.in_range;
+        in_range =
+            forced.coefficient.value > natural.coefficient.value ? in_range && natural.in_range : natural.in_range;
     }
     const LawValue radiation = radiation_coefficient(surface.emissivity, surface_temperature, ambient);
     return {convection.value + radiation.value, convection.slope + radiation.slope, in_range && air_in_range};
@@ -207,9 +209,7 @@ FilmLaw enclosed_film(FilmLaw open, double area, double exchange)
                                       "  help: give a positive area and an exchange not below zero",
                                       area, exchange));
     if (exchange == 0)
-        return [open = std::move(open)](double temperature) {
-            return LawValue{0, 0, open(temperature).in_range};
-        };
+        return [open = std::move(open)](double temperature) { return LawValue{0, 0, open(temperature).in_range}; };
     return [open = std::move(open), ratio = area / exchange](double temperature) {
         const LawValue film = open(temperature);
         const double factor = 1 / (1 + film.value * ratio);

@@ -32,13 +32,13 @@ inline constexpr double smoothed_difference = 0.1;
 ///   h(T_s) = (h_F^n + h_N^n)^(1/n) + h_radiation
 ///
 /// with the correlations of convection.hpp at the film temperature (T_s + T_a) / 2, n = 4 on cylinders, 3.5 on
-/// horizontal plates and 3 elsewhere, and radiation_coefficient() to walls at the ambient temperature. A plate facing up
-/// that is colder than the air takes the law of a warm plate facing down, and the reverse. Kays and Bjorklund's law
+/// horizontal plates and 3 elsewhere, and radiation_coefficient() to walls at the ambient temperature. A plate facing
+/// up that is colder than the air takes the law of a warm plate facing down, and the reverse. Kays and Bjorklund's law
 /// contains natural convection, so none is added to it.
 ///
 /// Natural convection vanishes with an infinite slope at T_s = T_a. So |T_s - T_a| enters exactly where it exceeds
 /// d = 0.1 K, and below as d (3/8 + 3/4 x^2 - x^4/8), x = (T_s - T_a) / d: value, slope and curvature go on without a
-/// jump, and the coefficient at equal temperatures is positive. The heat flux differs by less than 0.06 W/m2.
+/// jump, and the coefficient at equal temperatures is positive. The heat flux differs by less than 0.01 W/m2.
 ///
 /// The slope is exact (differentiated with the formula). Flagged out of range where a correlation or the air is; a
 /// Rayleigh number below the tested range is not flagged within 1 K of the ambient, where no heat depends on it.
@@ -60,7 +60,7 @@ NaturalFlow natural_flow_of_face(double up);
 ///   h = h_open / (1 + h_open A / G)
 ///
 /// the film and the exchange in series, exact for one surface, or all A at one temperature, with h_open taken on the
-/// difference to the ambient (too high by up to a quarter of the share of the drop that falls on G). Give h_open without
+/// difference to the ambient (too high by about a third of the share of the drop that falls on G). Give h_open without
 /// radiation: enclosed surfaces see each other. G to infinity is an open surface, G = 0 an insulated one.
 /// @param area      A > 0, of all surfaces around the volume [m2]
 /// @param exchange  G >= 0, e.g. density times c_p times air flow plus walls [W/K]

@@ -37,10 +37,10 @@ struct JointMap {
 
 /// What the oil does at given film temperatures.
 struct OilState {
-    std::vector<double> inlet;   ///< where the oil reaches the joint [K]
-    std::vector<double> outlet;  ///< where it leaves it [K]
-    std::vector<double> mean;    ///< the oil temperature with heat = h A (T_film - mean) [K]
-    std::vector<double> heat;    ///< taken from the joint, negative where the oil warms it [W]
+    std::vector<double> inlet;      ///< where the oil reaches the joint [K]
+    std::vector<double> outlet;     ///< where it leaves it [K]
+    std::vector<double> mean;       ///< the oil temperature with heat = h A (T_film - mean) [K]
+    std::vector<double> heat;       ///< taken from the joint, negative where the oil warms it [W]
     double inlet_temperature = 0;   ///< of the circuit [K]
     double return_temperature = 0;  ///< after the last joint [K]
     double total_heat = 0;          ///< sum of `heat` = m c (return - inlet) [W]
@@ -78,11 +78,14 @@ public:
     [[nodiscard]] std::size_t joints() const { return circuit_.conductance.size(); }
 
 private:
-    void march(std::size_t source, double inlet, std::vector<double>& response) const;
-    [[nodiscard]] double inlet_at(const std::vector<double>& film_temperatures) const;
-    [[nodiscard]] double return_of(double inlet, const std::vector<double>& film_temperatures) const;
+    /// Oil temperatures before each joint and after the last one.
+    [[nodiscard]] std::vector<double> walk(double inlet, const std::vector<double>& film_temperatures) const;
+    /// Inlet temperature without a cooler, above the ambient, with film temperatures above it too.
+    [[nodiscard]] double relative_inlet(const std::vector<double>& relative_films) const;
+    void build_maps();
 
     OilCircuit circuit_;
+    double capacity_flow_ = 0;           ///< m c [W/K]
     std::vector<double> effectiveness_;  ///< e_i
     std::vector<double> approach_;       ///< e_i / N_i
     JointMap heat_;

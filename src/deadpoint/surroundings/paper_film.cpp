@@ -46,8 +46,9 @@ PaperWall table_6(NaturalFlow flow)
     case NaturalFlow::facing_down:
         return {0.27, 0, 3e5, 3e10, 3e10};
     default:
-        throw DomainError("Table 6 of the paper has no such surface\n  help: compare a vertical wall, or a plate facing "
-                          "up or down");
+        throw DomainError(
+            "Table 6 of the paper has no such surface\n  help: compare a vertical wall, or a plate facing "
+            "up or down");
     }
 }
 

@@ -11,8 +11,9 @@
 ///   diffusivity (25.7, 27.2, 28.6 at 50..70 C, in 1e-6 m2/s): 20, 16, 13, 43, 43 and 43 % above the true values. Its
 ///   unit "mm2/s" beside "x 1e-6" is read here as m2/s.
 /// - Eq. 31 has g alpha dT L^3 / nu^2 with alpha the conductivity column of Table 7 (0.026..0.030) instead of the
-///   expansion 1/T (0.0032..0.0034): the Grashof number comes out 5 to 8 times too large with the printed viscosities,
-///   the coefficient of a warm wall about twice too large.
+///   expansion 1/T (0.0029..0.0034), 7.6 to 10 times too large. With the printed viscosities the Grashof number comes
+///   out 4.5 to 6.7 times too large and the coefficient of a warm surface 1.5 to 2.1 times.
+/// - Eq. 28 and 29 with Table 7 give a rotating cylinder 8 to 11 % too little at 20..40 C, 21 % at 50..70 C.
 /// - The constants 5 and 9.7 W/m2/K do not depend on speed or temperature, and radiation is left out, which on painted
 ///   surfaces is about twice the natural convection. 9.7 on the crankshaft is forced convection and grows as n^(2/3).
 namespace deadpoint::surroundings {

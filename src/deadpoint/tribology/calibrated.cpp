@@ -1,19 +1,25 @@
 #include "deadpoint/tribology/calibrated.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/heat_law.hpp"
+#include "deadpoint/tribology/rolling_bearing.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <optional>
-#include <utility>
+#include <numbers>
 
 namespace deadpoint::tribology {
 namespace {
 
 constexpr double square_millimetre = 1e-6;
+constexpr double rpm = 2 * std::numbers::pi / 60;
+constexpr double low_branch_factor = 160;  // Palmgren, in place of (nu n)^(2/3)
+constexpr double palmgren_exponent = 2.0 / 3.0;
 
-double viscous_speed_exponent(FrictionKind kind) { return kind == FrictionKind::rolling ? 5.0 / 3.0 : 2.0; }
+double load_exponent(FrictionKind kind) { return kind == FrictionKind::rolling ? rolling_load_exponent : 1.0; }
+
+double viscous_speed_exponent(FrictionKind kind) { return kind == FrictionKind::rolling ? rolling_drag_exponent : 2.0; }
 
 void check(const CalibratedFriction& friction, bool has_lubricant)
 {
@@ -30,37 +36,27 @@ void check(const CalibratedFriction& friction, bool has_lubricant)
         throw InputError("friction law: a viscous part needs a lubricant; name one, or set viscous_part to zero");
 }
 
-}  // namespace
-
-ViscosityCurve::ViscosityCurve(std::vector<double> temperature, std::vector<double> viscosity)
-    : temperature_(std::move(temperature)), log_viscosity_(std::move(viscosity))
+/// Viscosity below which Palmgren's law takes its low branch at a speed other than zero [m2/s]; zero where the law is
+/// not Palmgren's.
+double branch_viscosity(const CalibratedFriction& friction, double speed)
 {
-    if (temperature_.size() != log_viscosity_.size() || temperature_.size() < 2)
+    constexpr double rounding = 1e-3;  // of an exponent written as 0.667
+    if (friction.kind != FrictionKind::rolling || std::abs(friction.exponent - palmgren_exponent) > rounding)
+        return 0;
+    return palmgren_branch * square_millimetre * rpm / std::abs(speed);
+}
+
+double ratio_of(double now, double reference, const char* what)
+{
+    if (!(reference > 0))
         throw InputError(
-            fmt::format("viscosity curve: {} temperatures and {} viscosities; give as many of both, two at least",
-                        temperature_.size(), log_viscosity_.size()));
-    for (std::size_t i = 0; i < temperature_.size(); ++i) {
-        if (i > 0 && !(temperature_[i] > temperature_[i - 1]))
-            throw InputError(fmt::format("viscosity curve: temperatures must increase, but {} K follows {} K",
-                                         temperature_[i], temperature_[i - 1]));
-        if (!(log_viscosity_[i] > 0) || !std::isfinite(log_viscosity_[i]))
-            throw InputError(
-                fmt::format("viscosity curve: {} m2/s at {} K is not positive", log_viscosity_[i], temperature_[i]));
-        log_viscosity_[i] = std::log(log_viscosity_[i]);
-    }
+            fmt::format("calibrated friction: at the reference the joint has no {}, so there is nothing to "
+                        "scale from\n  help: take a reference where it has",
+                        what));
+    return now / reference;
 }
 
-LawValue ViscosityCurve::operator()(double temperature) const
-{
-    const auto above = std::upper_bound(temperature_.begin() + 1, temperature_.end() - 1, temperature);
-    const auto i = static_cast<std::size_t>(above - temperature_.begin());
-    const double slope = (log_viscosity_[i] - log_viscosity_[i - 1]) / (temperature_[i] - temperature_[i - 1]);
-    const double value = std::exp(log_viscosity_[i - 1] + slope * (temperature - temperature_[i - 1]));
-    constexpr double rounding = 0.05;  // [K]: a press that starts at the first point is not outside
-    const bool in_range =
-        temperature >= temperature_.front() - rounding && temperature <= temperature_.back() + rounding;
-    return {value, slope * value, in_range};
-}
+}  // namespace
 
 FrictionKind friction_kind(const std::string& name)
 {
@@ -73,20 +69,53 @@ FrictionKind friction_kind(const std::string& name)
     throw InputError(fmt::format("'{}' is no kind of friction; use 'rolling', 'pin' or 'guide'", name));
 }
 
-HeatLaw calibrated_heat(const CalibratedFriction& friction, const ViscosityCurve* viscosity, double speed)
+DutyRatio speed_ratio(const CalibratedFriction& friction, double speed, double load_ratio)
 {
-    check(friction, viscosity != nullptr);
+    check(friction, true);
+    require_not_negative("speed of the crank, its sign dropped [rad/s]", std::abs(speed));
+    require_not_negative("force over that of the reference", load_ratio);
     const double s = std::abs(speed) / friction.reference_speed;
-    const double load = friction.scale * friction.load_part * s;
-    const double viscous = friction.scale * friction.viscous_part * std::pow(s, viscous_speed_exponent(friction.kind));
-    if (viscous == 0)
-        return [load](double) { return LawValue{load, 0, true}; };
+    return {s * std::pow(load_ratio, load_exponent(friction.kind)), std::pow(s, viscous_speed_exponent(friction.kind))};
+}
 
-    return [load, viscous, p = friction.exponent, curve = *viscosity](double temperature) {
-        const LawValue nu = curve(temperature);
+DutyRatio duty_ratio(FrictionKind kind, const Duty& now, const Duty& reference)
+{
+    const double drag = viscous_speed_exponent(kind);
+    const double load = load_exponent(kind);
+    return {ratio_of(duty_mean(now, load, 1), duty_mean(reference, load, 1), "load while it moves"),
+            ratio_of(duty_mean(now, 0, drag), duty_mean(reference, 0, drag), "motion")};
+}
+
+HeatLaw calibrated_heat(const CalibratedFriction& friction, const ViscosityLaw& viscosity, double speed,
+                        const DutyRatio& ratio)
+{
+    check(friction, static_cast<bool>(viscosity));
+    require_not_negative("factor on the load part", ratio.load);
+    require_not_negative("factor on the viscous part", ratio.viscous);
+    require_not_negative("speed of the crank, its sign dropped [rad/s]", std::abs(speed));
+    if (speed == 0)
+        return constant_heat(0);
+    const double load = friction.scale * friction.load_part * ratio.load;
+    const double viscous = friction.scale * friction.viscous_part * ratio.viscous;
+    if (viscous == 0)
+        return constant_heat(load);
+
+    const double branch = branch_viscosity(friction, speed);
+    const double low = viscous * std::pow(branch / square_millimetre, palmgren_exponent) * low_branch_factor /
+                       std::pow(palmgren_branch, palmgren_exponent);
+    return [load, viscous, low, branch, p = friction.exponent, viscosity](double temperature) {
+        const LawValue nu = viscosity(temperature);
+        if (nu.value < branch)
+            return LawValue{load + low, 0, nu.in_range};
         const double part = viscous * std::pow(nu.value / square_millimetre, p);
         return LawValue{load + part, part * p * nu.slope / nu.value, nu.in_range};
     };
+}
+
+HeatLaw calibrated_heat(const CalibratedFriction& friction, const ViscosityCurve* viscosity, double speed)
+{
+    return calibrated_heat(friction, viscosity ? ViscosityLaw(*viscosity) : ViscosityLaw(), speed,
+                           speed_ratio(friction, speed));
 }
 
 }  // namespace deadpoint::tribology

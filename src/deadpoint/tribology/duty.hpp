@@ -1,0 +1,88 @@
+#pragma once
+
+#include "deadpoint/exchange/cycle.hpp"
+
+#include <string>
+#include <vector>
+
+/// What a rubbing joint goes through over one turn of the crank, as friction laws need it.
+///
+/// Friction is not linear in load and speed, so a law is averaged over the turn, never evaluated at averages: mean(F
+/// |w|) is not mean(F) mean(|w|).
+namespace deadpoint::tribology {
+
+/// Load and speed at the samples of a turn, with the share of time that each stands for.
+struct Duty {
+    std::vector<double> weight;  ///< share of the turn, adds up to 1
+    std::vector<double> force;   ///< magnitude [N]
+    std::vector<double> speed;   ///< magnitude [rad/s] or, of a slide, [m/s]
+};
+
+/// Which load a law is given: its own mean over the turn (physics), or the turn's largest load throughout.
+enum class LoadMeasure { mean, peak };
+
+/// @throws InputError if the name is not "mean" or "peak"
+LoadMeasure load_measure(const std::string& name);
+
+/// Share of the turn of each sample: trapezoidal rule over a closed turn, (t[i+1] - t[i-1]) / (2 period).
+///
+/// @param time    strictly increasing, all within one period [s]
+/// @param period  [s]
+/// @throws InputError if there are no times, they do not increase, or they span the period or more
+std::vector<double> turn_weights(const std::vector<double>& time, double period);
+
+/// Constant load and speed, signs dropped [N], [rad/s] or [m/s].
+Duty steady_duty(double force, double speed);
+
+/// Duty of a joint of the linkage: magnitude of its force and of its sliding.
+/// @throws InputError if the series differ in length or hold values that are not finite
+Duty duty_of(const CycleHistory& turn, const JointCycle& joint);
+
+/// Duty of a slide whose guide also carries a moment: over a guide of given length the force N and the moment M rest on
+/// its two ends as N/2 + M/length and N/2 - M/length, so that the pads together are pressed by max(|N|, 2 |M| /
+/// length).
+///
+/// @param length  between the pads' centres [m]
+/// @throws InputError as above, or if the length is not positive
+Duty guide_duty(const CycleHistory& turn, const JointCycle& joint, double length);
+
+/// Duty of a crankshaft bearing at constant speed of the crank, any sign [rad/s]; its samples are even in time.
+/// @throws InputError if there is no sample or one is not finite
+Duty duty_of(const BearingCycle& bearing, double speed);
+
+/// The duty as the load measure sees it: unchanged, or with the largest force at every sample.
+Duty measured(Duty duty, LoadMeasure measure);
+
+/// The duty of one of several bearings that share a joint's force.
+/// @param share  factor on the force, not negative
+/// @throws InputError if the share is negative or not finite
+Duty shared(Duty duty, double share);
+
+/// Time mean of F^load_exponent |w|^speed_exponent; a zero exponent leaves its factor out (also at zero).
+/// @throws InputError if the duty is empty, its series differ in length, or an exponent is negative
+double duty_mean(const Duty& duty, double load_exponent, double speed_exponent);
+
+double peak_force(const Duty& duty);  ///< [N]
+double peak_speed(const Duty& duty);  ///< [rad/s] or [m/s]
+
+/// The means that friction follows, for reports.
+struct DutyFigures {
+    double peak_force = 0;    ///< [N]
+    double mean_force = 0;    ///< [N]
+    double rms_force = 0;     ///< [N]
+    double mean_speed = 0;    ///< of |w| [rad/s]
+    double rms_speed = 0;     ///< [rad/s]
+    double rolling_load = 0;  ///< of F^1.33 |w|
+    double rolling_drag = 0;  ///< of |w|^(5/3)
+    double sliding_load = 0;  ///< of F |w| [N rad/s] or [W]
+};
+
+DutyFigures duty_figures(const Duty& duty);
+
+constexpr double rolling_load_exponent = 1.33;       ///< of the load in Palmgren's load torque with f1 ~ P0^0.33
+constexpr double rolling_drag_exponent = 5.0 / 3.0;  ///< of the speed in the power of Palmgren's viscous torque
+
+/// @throws InputError unless there are samples, as many of each series, all finite, and the weights add up to 1
+void check(const Duty& duty);
+
+}  // namespace deadpoint::tribology
