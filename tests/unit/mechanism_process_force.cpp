@@ -91,10 +91,10 @@ TEST_CASE("laws without meaning are refused")
     CHECK_THROWS_WITH_AS(elastic_contact(1e9, -1e-3), Contains("the interference is -0.001"), InputError);
     CHECK_THROWS_WITH_AS(elastic_contact_of_peak(0, 1), Contains("the stiffness is 0"), InputError);
     CHECK_THROWS_WITH_AS(elastic_contact_of_peak(1e9, -1), Contains("the peak is -1"), InputError);
-    CHECK_THROWS_WITH_AS(half_sine(1, {1, 1}), Contains("the end of the window is 1"), InputError);
-    CHECK_THROWS_WITH_AS(half_sine(1, {0, 7}), Contains("the length of the window is 7"), InputError);
+    CHECK_THROWS_WITH_AS(half_sine(1, {1, 1}), Contains("the end of the window in degrees is 57.2958"), InputError);
+    CHECK_THROWS_WITH_AS(half_sine(1, {0, 7}), Contains("the length of the window in degrees is 401.07"), InputError);
     CHECK_THROWS_WITH_AS(half_sine(inf, {0, 1}), Contains("the peak is inf"), InputError);
-    CHECK_THROWS_WITH_AS(rectangle(1, {inf, 1}), Contains("the start of the window is inf"), InputError);
+    CHECK_THROWS_WITH_AS(rectangle(1, {inf, 1}), Contains("the start of the window in degrees is inf"), InputError);
     CHECK_THROWS_WITH_AS(rectangle(1, {0, 1}, 2), Contains("the share at the edges is 2"), InputError);
     CHECK_THROWS_WITH_AS(force_over_angle({}, {}), Contains("0 angles but 0 forces"), InputError);
     CHECK_THROWS_WITH_AS(force_over_angle({0, 1}, {1}), Contains("2 angles but 1 forces"), InputError);

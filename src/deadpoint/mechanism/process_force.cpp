@@ -17,16 +17,17 @@ constexpr double same_angle = 1e-9;
 void require(bool holds, const char* what, double value, const char* help)
 {
     if (!holds || !std::isfinite(value))
-        throw InputError(fmt::format("process force: {} is {}\n  help: {}", what, value, help));
+        throw InputError(fmt::format("process force: {} is {:.6g}\n  help: {}", what, value, help));
 }
 
 void check_window(const AngleWindow& window)
 {
     const char* help = "give an end after the start, at most one turn later";
-    require(true, "the start of the window", window.start, help);
-    require(window.end > window.start, "the end of the window", window.end, help);
-    require(window.end - window.start <= turn * (1 + 1e-12), "the length of the window", window.end - window.start,
-            help);
+    constexpr double degrees = 180 / std::numbers::pi;
+    require(true, "the start of the window in degrees", degrees * window.start, help);
+    require(window.end > window.start, "the end of the window in degrees", degrees * window.end, help);
+    require(window.end - window.start <= turn * (1 + 1e-12), "the length of the window in degrees",
+            degrees * (window.end - window.start), help);
 }
 
 /// Angle since the start of the window, within 0..2 pi, or slightly negative at the start itself.

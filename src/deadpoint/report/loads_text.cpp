@@ -54,7 +54,8 @@ std::string frequencies(const study::CrankshaftLoads& shaft)
     for (std::size_t m = 0; m < std::min<std::size_t>(4, shaft.modes.size()); ++m)
         text += fmt::format("{}{:.1f} ({})", m ? ", " : "", shaft.modes[m].frequency, whirl_name(shaft.modes[m].whirl));
     if (!shaft.critical_speeds.empty())
-        text += fmt::format("; first critical speed {:.0f} rpm", rpm * shaft.critical_speeds.front().speed);
+        text += fmt::format("; first critical speed {:.0f} rpm ({})", rpm * shaft.critical_speeds.front().speed,
+                            whirl_name(shaft.critical_speeds.front().whirl));
     return text;
 }
 
@@ -77,7 +78,7 @@ std::string loads_text(const casefile::Case& input, const LoadsResult& loads)
                         100 * loads.stroke.dwell_10um, 100 * loads.stroke.dwell_100um);
     text += fmt::format("  drive torque {} N m peak, {} N m rms; mean power {} W\n\n",
                         significant(loads.drive.peak_torque, 4), significant(loads.drive.rms_torque, 4),
-                        std::abs(loads.drive.mean_power) < 1e-4 * loads.drive.peak_torque * loads.speed
+                        std::abs(loads.drive.mean_power) < 1e-9 * loads.drive.peak_torque * loads.speed
                             ? "0"
                             : significant(loads.drive.mean_power, 4));
     text += joints_table(loads);

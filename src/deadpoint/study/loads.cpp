@@ -164,6 +164,7 @@ CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads
     result.belt_force = belt_force(input, loads.speed);
     const auto found = crankshaft::shaft_warnings(result.shaft);
     loads.warnings.insert(loads.warnings.end(), found.begin(), found.end());
+    result.shaft.sections = slender_pieces(result.shaft.sections);
     result.rigid = crankshaft::rigid_cycle(result.shaft, result.loads);
     timer.done("rigid crankshaft");
     if (given.model == "flexible") {
@@ -248,6 +249,8 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
     timer.done("motion and joint forces");
     result.stroke = mechanism::stroke_figures(result.linkage, result.request, result.history);
     result.drive = mechanism::drive_figures(result.history);
+    if (const auto misplaced = misplaced_force(input, result.throw_at_bottom); misplaced && result.force > 0)
+        result.warnings.push_back(*misplaced);
     result.force_ratios = mechanism::force_ratios(result.linkage, result.history);
     result.guides = guide_loads(input, result);
     warn_of_guides(result);

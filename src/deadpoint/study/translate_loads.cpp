@@ -75,6 +75,15 @@ Vec2 pose_point(const PlanarPose& pose, const Vec2& p)
     return {pose.translation[0] + c * p[0] - s * p[1], pose.translation[1] + s * p[0] + c * p[1]};
 }
 
+// Of the crank's angle past bottom dead point. A case that says nothing of its process force has it about there.
+mechanism::AngleWindow force_window(const casefile::Case& input, double throw_at_bottom)
+{
+    const auto& process = process_of(input);
+    const double length = process.to - process.from;
+    const double start = input.process_force ? wrapped(process.from - throw_at_bottom) : -0.5 * length;
+    return {start, start + length};
+}
+
 }  // namespace
 
 std::string process_force_kind(const casefile::Case& input)
@@ -91,8 +100,7 @@ mechanism::ProcessForceLaw describe_process_force(const casefile::Case& input, d
     const auto kind = process_force_kind(input);
     if (peak == 0 || kind == "none")
         return mechanism::no_force();
-    const double start = wrapped(process.from - throw_at_bottom);
-    const mechanism::AngleWindow window{start, start + process.to - process.from};
+    const mechanism::AngleWindow window = force_window(input, throw_at_bottom);
     if (kind == "elastic")
         return mechanism::elastic_contact_of_peak(process.stiffness, peak);
     if (kind == "half_sine")
@@ -106,6 +114,33 @@ mechanism::ProcessForceLaw describe_process_force(const casefile::Case& input, d
         return mechanism::force_over_height(process.over_height.x, scaled(process.over_height.y, peak),
                                             process.both_ways ? mechanism::Strokes::both : mechanism::Strokes::down);
     throw InputError(fmt::format("process_force.kind '{}' is not known", kind));
+}
+
+std::optional<std::string> misplaced_force(const casefile::Case& input, double throw_at_bottom)
+{
+    const auto kind = process_force_kind(input);
+    if (kind != "half_sine" && kind != "rectangular")
+        return std::nullopt;
+    const auto window = force_window(input, throw_at_bottom);
+    if ((window.start <= 0 && window.end >= 0) || window.end >= 2 * pi)
+        return std::nullopt;
+    constexpr double degrees = 180 / pi;
+    return fmt::format(
+        "the process force acts from {:.1f} to {:.1f} deg past bottom dead point, which is at a crank angle "
+        "of {:.1f} deg and outside of that; set process_force.from and to about it",
+        degrees * window.start, degrees * window.end, degrees * throw_at_bottom + (throw_at_bottom < 0 ? 360 : 0));
+}
+
+std::vector<crankshaft::Section> slender_pieces(const std::vector<crankshaft::Section>& sections)
+{
+    std::vector<crankshaft::Section> pieces;
+    for (const auto& section : sections) {
+        const double count = std::ceil(2 * section.length / section.diameter - 1e-9);
+        auto piece = section;
+        piece.length /= count;
+        pieces.insert(pieces.end(), static_cast<std::size_t>(count), piece);
+    }
+    return pieces;
 }
 
 mechanism::CycleRequest describe_cycle(const casefile::Case& input, const casefile::Segment& segment,

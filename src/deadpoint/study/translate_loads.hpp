@@ -5,7 +5,9 @@
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 /// A case in the terms of the mechanism and crankshaft stages.
 namespace deadpoint::study {
@@ -17,6 +19,9 @@ std::string process_force_kind(const casefile::Case& input);
 /// @param peak             of the operation [N]
 /// @param throw_at_bottom  direction of the crank throw at bottom dead point [rad]; the case counts crank angles from x
 mechanism::ProcessForceLaw describe_process_force(const casefile::Case& input, double peak, double throw_at_bottom);
+
+/// A warning where the window of a half-sine or rectangular force does not hold bottom dead point.
+std::optional<std::string> misplaced_force(const casefile::Case& input, double throw_at_bottom);
 
 /// What drives and loads the linkage: speed (steady, or linear between the points of the table over the angle), process
 /// force, positions; without masses.
@@ -32,6 +37,10 @@ int driven_body(const Linkage& linkage);
 /// The shaft of a case with a [crankshaft].
 /// @param crank  mass of the driven body, for the throw's unbalance
 crankshaft::Shaft describe_shaft(const casefile::Case& input, const Linkage& linkage, const BodyMass& crank);
+
+/// The same shaft in pieces of at most half their diameter, short enough that a finer division changes the lower
+/// natural frequencies by less than 0.1 %.
+std::vector<crankshaft::Section> slender_pieces(const std::vector<crankshaft::Section>& sections);
 
 /// What acts on it over the turn: the force of all joints of the driven body but the driver, weight and belt.
 crankshaft::ShaftLoads describe_shaft_loads(const casefile::Case& input, const Linkage& linkage,
