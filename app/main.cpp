@@ -17,6 +17,7 @@ constexpr const char* examples = R"(Examples:
   deadpoint check my-press/case.toml                        what is in it, and is it all right?
   deadpoint mesh my-press/case.toml -o my-press/mesh        look at the geometry in ParaView
   deadpoint loads my-press/case.toml -o my-press/loads      joint forces and bearing loads over a turn
+  deadpoint heat my-press/case.toml -o my-press/heat        joint heat, conductances, film coefficients
   deadpoint run my-press/case.toml -o my-press/results      warm it up and see the gap move
   deadpoint run my-press/case.toml -o fast --size 2 --set "operation.0.speed=300 rpm"
   mpirun -n 2 deadpoint run my-press/case.toml -o results   the same on two processes
@@ -25,14 +26,14 @@ Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 fil
 
 constexpr int other_error = 1;
 
-const std::vector<std::string> subcommands{"init", "check", "mesh", "loads", "run"};
+const std::vector<std::string> subcommands{"init", "check", "mesh", "loads", "heat", "run"};
 
 /// Says that a word is no subcommand, and which one it may have meant.
 int refuse_subcommand(const std::string& word)
 {
     const auto meant = deadpoint::closest_name(word, subcommands);
     fmt::print(stderr, "error: there is no subcommand '{}'\n  help: {}\n", word,
-               meant.empty() ? "give one of init, check, mesh, loads and run"
+               meant.empty() ? "give one of init, check, mesh, loads, heat and run"
                              : fmt::format("did you mean '{}'?", meant));
     return static_cast<int>(deadpoint::ErrorKind::input);
 }
@@ -48,6 +49,7 @@ int run(int argc, char** argv)
     add_check(app, exit_code);
     add_mesh(app, exit_code);
     add_loads(app, exit_code);
+    add_heat(app, exit_code);
     add_run(app, exit_code);
     if (argc > 1 && argv[1][0] != '-' && std::count(subcommands.begin(), subcommands.end(), argv[1]) == 0) {
         return refuse_subcommand(argv[1]);

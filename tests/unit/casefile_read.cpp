@@ -282,6 +282,24 @@ TEST_CASE("the starter case is sound and means the same when written back")
     CHECK(write_case(read_case(scratch.file("resolved.toml", text)).value) == text);
 }
 
+TEST_CASE("laws of conductance and film and a daily course mean the same when written back")
+{
+    const Scratch scratch;
+    const auto c = read_case(DEADPOINT_SOURCE_DIR "/cases/starter-by-laws/case.toml").value;
+    CHECK(*c.joints.at("guide").interfaces.at(0).conductance.roughness == 1.1e-6);
+    CHECK(c.joints.at("guide").interfaces.at(0).conductance.law == "cooper_mikic_yovanovich");
+    CHECK(c.surfaces.at("flywheel_rim").film->law == "rotating_cylinder");
+    CHECK_FALSE(c.surfaces.at("flywheel_rim").film->coefficient);
+    const auto& daily = c.operation.at(0).ambient->daily;
+    REQUIRE(daily);
+    CHECK(daily->mean == 293.15);
+    CHECK(daily->amplitude == 2);
+    CHECK(daily->time_of_maximum == 6 * 3600);
+    CHECK(daily->period == 86400);
+    const std::string text = write_case(c);
+    CHECK(write_case(read_case(scratch.file("resolved.toml", text)).value) == text);
+}
+
 TEST_CASE("docs/case-file.md is the reference page of this program")
 {
     // To renew the page, run this test with DEADPOINT_RENEW_DOCS=1.

@@ -59,7 +59,9 @@ casefile::Case small_case()
     description.bodies["frame"].mass = 140;
     description.bodies["link"].mass = 9.7;  // 10 kg computed: +3.1 %
     description.parts["column_right"].body = "frame";
-    description.surfaces["air"].film = casefile::Film{5, 0.9, {}};
+    auto& film = description.surfaces["air"].film.emplace();
+    film.coefficient = 5;
+    film.emissivity = 0.9;
     description.joints["pin"].kind = "revolute";
     return description;
 }

@@ -32,7 +32,7 @@ Case with_conduction_times(Case input, double factor)
         }
     for (auto& [name, surface] : input.surfaces)
         if (surface.film)
-            surface.film->coefficient *= factor;
+            *surface.film->coefficient *= factor;
     return input;
 }
 

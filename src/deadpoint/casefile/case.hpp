@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/casefile/case_films.hpp"
+#include "deadpoint/casefile/case_friction.hpp"
 #include "deadpoint/casefile/case_loads.hpp"
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/machine.hpp"
@@ -12,12 +14,6 @@
 /// The case file as plain data, in SI units. One describe() per struct (describe.hpp) names each key, its unit, its
 /// range and its meaning; reading, checking, writing back and docs/case-file.md all come from that one description.
 namespace deadpoint::casefile {
-
-/// A constant or a table over time.
-struct Course {
-    double constant = 0;
-    std::optional<Table> table;
-};
 
 struct Material {
     std::string library;  ///< name in the shipped library; given keys override it
@@ -58,12 +54,6 @@ struct Part {
     bool tetrahedra = false;
 };
 
-struct Conductance {
-    double resistance = 0;  ///< of the whole contact, 0 = none [m2 K/W]; h1 = h2 = 2 / resistance
-    double side_a = 0;      ///< film to side a [W/m2/K]; both given instead of `resistance`
-    double side_b = 0;
-};
-
 /// One of the bearings or bushes that share a joint.
 struct JointElement {
     std::string name;
@@ -99,25 +89,6 @@ struct Joint {
     double oil_temperature = 293.15;
     std::vector<JointElement> elements;
     std::vector<Interface> interfaces;
-};
-
-/// Friction heat H(T) = c0 + c1 (nu(T) / (1 mm2/s))^p, total of the whole press, shared by all joints that name it.
-struct Friction {
-    std::string law;   ///< "calibrated"
-    std::string kind;  ///< "rolling", "pin", "guide": how heat scales with speed
-    std::string lubricant;
-    double load_part = 0;        ///< c0 [W]
-    double viscous_part = 0;     ///< c1 [W]
-    double exponent = 1;         ///< p
-    double reference_speed = 0;  ///< [rad/s]
-    double scale = 1;
-    std::string source;
-};
-
-struct Film {
-    double coefficient = 0;  ///< [W/m2/K]
-    double emissivity = 0;
-    std::optional<Course> ambient;  ///< else the operation's [K]
 };
 
 struct Surface {

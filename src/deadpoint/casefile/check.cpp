@@ -155,6 +155,7 @@ private:
             const std::string here = fmt::format("{}.interfaces.{}", path, i);
             check_side(here + ".a", interface.a, interface.diameter.has_value());
             check_side(here + ".b", interface.b, interface.diameter.has_value());
+            refer(here + ".conductance.material", "material", interface.conductance.material, c_.materials);
             if (!interface.a.empty() && interface.a == interface.b) {
                 report("inconsistent", here + ".b", fmt::format("'{}' cannot touch itself", interface.b),
                        "name the other side");

@@ -228,25 +228,6 @@ void describe(Visitor& v, ShaftSection& s)
     v.vector({"offset", "of this section's centre from the shaft's (crank throw)"}, s.offset, D::length);
 }
 
-void describe(Visitor& v, Friction& f)
-{
-    v.about("A law of friction heat, H(T) = load_part + viscous_part * (viscosity(T) / (1 mm^2/s))^exponent: the total "
-            "of the whole press at the reference speed, shared by all joints that name the law.");
-    choose(v, {"law", "`calibrated`: the coefficients are given", required}, f.law, {"calibrated"});
-    choose(v, {"kind", "how the heat changes with speed", required}, f.kind, {"rolling", "pin", "guide"});
-    v.text({"lubricant", "the oil whose viscosity counts"}, f.lubricant);
-    v.quantity({"load_part", "heat that does not depend on the viscosity"}, f.load_part, D::power, non_negative);
-    v.quantity({"viscous_part", "heat at a viscosity of 1 mm^2/s, less the load part"}, f.viscous_part, D::power,
-               non_negative);
-    v.number({"exponent", "of the viscosity"}, f.exponent, {0, 2, false});
-    v.quantity({"reference_speed", "crank speed at which the heat was found", required}, f.reference_speed,
-               D::angular_velocity, positive);
-    v.number({"scale", "multiplies the heat"}, f.scale, non_negative);
-    v.text({"source", "where the values are from"}, f.source);
-    v.expect(f.viscous_part == 0 || !f.lubricant.empty(), "viscous_part", "a viscous part needs a lubricant",
-             "name one with `lubricant`");
-}
-
 void describe(Visitor& v, Joint& j)
 {
     v.about(
@@ -303,22 +284,6 @@ void describe(Visitor& v, Interface& i)
     v.flag({"journal", "its fitted centre on the moving body is the joint's centre there"}, i.journal);
 }
 
-void describe(Visitor& v, Conductance& c)
-{
-    v.about("Either the resistance of the whole contact, or a film to each side.");
-    v.quantity({"resistance", "of the whole contact, shared evenly by both sides"}, c.resistance, D::thermal_resistance,
-               non_negative);
-    v.quantity({"side_a", "film to side a"}, c.side_a, D::heat_transfer_coefficient, non_negative);
-    v.quantity({"side_b", "film to side b"}, c.side_b, D::heat_transfer_coefficient, non_negative);
-    const bool whole = c.resistance > 0;
-    const bool sides = c.side_a > 0 || c.side_b > 0;
-    v.expect(whole || sides, "", "the conductance is not given", "give `resistance`, or both `side_a` and `side_b`");
-    v.expect(!(whole && sides), "resistance", "the conductance is given twice",
-             "keep either `resistance` or the two films");
-    v.expect(!sides || (c.side_a > 0 && c.side_b > 0), c.side_a > 0 ? "side_a" : "side_b",
-             "a film is given to one side only", "give both `side_a` and `side_b`");
-}
-
 void describe(Visitor& v, Surface& s)
 {
     v.about(
@@ -366,15 +331,6 @@ void describe(Visitor& v, BoxShape& b)
         }
         v.extent({names[i], "from and to"}, b.min[i], b.max[i]);
     }
-}
-
-void describe(Visitor& v, Film& f)
-{
-    v.quantity({"coefficient", "heat transfer coefficient", required}, f.coefficient, D::heat_transfer_coefficient,
-               non_negative);
-    v.number({"emissivity", "for radiation to surroundings at ambient temperature"}, f.emissivity, fraction);
-    v.course({"ambient", "temperature of the air there; else that of the operation"}, f.ambient, D::temperature,
-             absolute_temperature);
 }
 
 void describe(Visitor& v, Segment& s)

@@ -88,6 +88,7 @@ private:
     void read_matrix(const Node& node, const std::string& path, Dimension dimension, Matrix2& value);
     void read_points(const Node& node, const std::string& path, std::vector<Vec2>& value);
     void read_curve(const Node& node, const std::string& path, const CurveKeys& keys, Table& value);
+    void read_daily(const Node& node, const std::string& path, const Range& range, DailyCourse& value);
     void report_library(std::string_view kind, const std::string& name, const std::vector<std::string>& names);
 
     const Document& document_;

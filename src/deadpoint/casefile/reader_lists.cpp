@@ -218,6 +218,21 @@ void Reader::curve(const Key& key, Table& value, const CurveKeys& keys)
     }
 }
 
+void Reader::read_daily(const Node& node, const std::string& path, const Range& range, DailyCourse& value)
+{
+    push(node, path);
+    const auto before = diagnostics_.size();
+    quantity({"mean", "over the period", Need::required}, value.mean, Dimension::temperature, range);
+    quantity({"amplitude", "half the difference of highest and lowest", Need::required}, value.amplitude,
+             Dimension::temperature_difference, non_negative);
+    quantity({"time_of_maximum", "on the clock of the run"}, value.time_of_maximum, Dimension::time, any_value);
+    quantity({"period", "after which it repeats"}, value.period, Dimension::time, positive);
+    if (diagnostics_.size() == before && !(value.mean - value.amplitude > 0)) {
+        report(node, "out-of-range", path, "the course goes below absolute zero", "make the amplitude smaller");
+    }
+    pop();
+}
+
 void Reader::course(const Key& key, std::optional<Course>& value, Dimension dimension, const Range& range)
 {
     const Node* node = take(key);
@@ -225,7 +240,10 @@ void Reader::course(const Key& key, std::optional<Course>& value, Dimension dime
         return;
     }
     value.emplace();
-    if (node->kind == Node::Kind::table) {
+    if (node->kind == Node::Kind::table && dimension == Dimension::temperature && node->find("mean") != nullptr) {
+        read_daily(*node, path_of(key.name), range, value->daily.emplace());
+        value->constant = value->daily->mean;
+    } else if (node->kind == Node::Kind::table) {
         value->table.emplace();
         read_curve(*node, path_of(key.name), {"time", Dimension::time, dimension, range}, *value->table);
         if (!value->table->y.empty()) {

@@ -36,6 +36,9 @@ std::string range_suffix(const Range& range, Dimension dimension)
 std::string example_of(Dimension dimension)
 {
     const auto& info = dimension_info(dimension);
+    if (dimension == Dimension::none) {
+        return std::string(info.name);
+    }
     return fmt::format("{} (`\"{}\"`)", info.name, info.example);
 }
 
@@ -132,7 +135,11 @@ public:
     {
         row(key,
             example_of(dimension) + range_suffix(range, dimension) +
-                ", or a table over time `{ time = [...], value = [...] }`",
+                ", or a table over time `{ time = [...], value = [...] }`" +
+                (dimension == Dimension::temperature ? ", or a daily course `{ mean = \"20 degC\", amplitude = \"3 "
+                                                       "K\", time_of_maximum = \"6 h\" }` on "
+                                                       "the clock of the run"
+                                                     : ""),
             "");
     }
     std::vector<std::size_t> tagged(std::span<const std::string_view> keys, std::size_t& key,

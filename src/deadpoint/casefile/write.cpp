@@ -76,6 +76,14 @@ std::string curve_text(const Table& table, std::string_view x_name, Dimension x,
     return fmt::format("{{ {} = {}, value = {} }}", x_name, values_text(table.x, x), values_text(table.y, y));
 }
 
+std::string daily_text(const DailyCourse& daily)
+{
+    return fmt::format("{{ mean = {}, amplitude = {}, time_of_maximum = {}, period = {} }}",
+                       value_text(daily.mean, Dimension::temperature),
+                       value_text(daily.amplitude, Dimension::temperature_difference),
+                       value_text(daily.time_of_maximum, Dimension::time), value_text(daily.period, Dimension::time));
+}
+
 class Writer final : public Visitor {
 public:
     std::string run(Case& c)
@@ -171,6 +179,9 @@ public:
     {
         if (!value) {
             return;
+        }
+        if (value->daily) {
+            return emit(key, daily_text(*value->daily));
         }
         emit(key, value->table ? curve_text(*value->table, "time", Dimension::time, dimension)
                                : value_text(value->constant, dimension));

@@ -19,7 +19,7 @@ namespace {
 
 using D = Dimension;
 
-constexpr std::array<DimensionInfo, 24> dimensions{{
+constexpr std::array<DimensionInfo, 25> dimensions{{
     {D::none, "a plain number", "", "", "0.3"},
     {D::length, "a length", "m", "mm", "200 mm"},
     {D::area, "an area", "m^2", "m^2", "0.5 m^2"},
@@ -44,6 +44,7 @@ constexpr std::array<DimensionInfo, 24> dimensions{{
     {D::damping, "a damping coefficient", "N s/m", "N s/m", "1e4 N s/m"},
     {D::inertia, "a moment of inertia", "kg m^2", "kg m^2", "2.5 kg m^2"},
     {D::heat_flux, "a heat flux", "W/m^2", "W/m^2", "1 kW/m^2"},
+    {D::thermal_conductance, "a thermal conductance", "W/K", "W/K", "20 W/K"},
 }};
 
 /// value [SI] = factor * number + offset

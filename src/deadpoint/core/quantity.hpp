@@ -35,6 +35,7 @@ enum class Dimension {
     damping,
     inertia,
     heat_flux,
+    thermal_conductance,
 };
 
 /// How a dimension is spoken of and written.

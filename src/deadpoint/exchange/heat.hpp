@@ -39,13 +39,16 @@ struct HeatSource {
     double share = 1;  ///< of the whole press's heat that falls into this model (0.5 in a half model)
 };
 
+/// The film of a surface at an ambient temperature [K].
+using FilmLawAt = std::function<FilmLaw(double ambient)>;
+
 struct SurfaceCondition {
     enum class Kind { film, temperature, flux };
     std::string name;
     int surface = -1;  ///< index into Machine::surfaces
     Kind kind = Kind::film;
-    double coefficient = 0;  ///< film [W/m2/K]
-    FilmLaw law;             ///< film: instead of a constant coefficient, if set
+    double coefficient = 0;       ///< film [W/m2/K]
+    std::vector<FilmLawAt> laws;  ///< film: one per segment, convection only; empty: the constant coefficient
     double emissivity = 0;
     TimeCourse ambient;  ///< film: if empty, the segment's
     std::function<double(const Vec3&, double time)> temperature;
@@ -112,7 +115,8 @@ struct ThermalHistory {
     int rejected_steps = 0;
     int linear_iterations = 0;
     int linear_solves = 0;
-    bool law_out_of_range = false;
+    bool law_out_of_range = false;        ///< of friction heat
+    std::vector<bool> film_out_of_range;  ///< per surface condition: its law left its tested range somewhere
     bool interrupted = false;
 };
 

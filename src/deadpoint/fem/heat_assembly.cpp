@@ -158,6 +158,7 @@ void HeatSolver::prepare_films()
             continue;
         Film film;
         film.condition = &condition;
+        film.index = static_cast<std::size_t>(&condition - problem_.surfaces.data());
         std::vector<std::pair<PetscInt, double>> entries;
         const bool variable = condition.kind == SurfaceCondition::Kind::film && depends_on_temperature(condition);
         variable_films_ = variable_films_ || variable;

@@ -146,18 +146,23 @@ void HeatSolver::build_system(double factor, Vec temperature)
     if (variable_films_) {
         const double* values = everywhere_->gather(temperature);
         DEADPOINT_PETSC(MatZeroEntries(variable_));
-        for (const auto& film : films_)
+        for (const auto& film : films_) {
+            if (film.points.empty())
+                continue;
+            const double surroundings = ambient(*film.condition, time_);
+            const auto law = film_at(*film.condition, surroundings);
             for (const auto& point : film.points) {
                 double at = 0;
                 for (int i = 0; i < point.shape.count; ++i)
                     at += point.shape.value[i] * values[point.shape.dof[i]];
-                const double slope = film_slope(*film.condition, at, ambient(*film.condition, time_));
+                const double slope = film_slope(law(at), film.condition->emissivity, at, surroundings);
                 for (int i = 0; i < point.shape.count; ++i)
                     for (int j = 0; j < point.shape.count; ++j)
                         DEADPOINT_PETSC(MatSetValue(variable_, point.shape.dof[i], point.shape.dof[j],
                                                     slope * point.weight * point.shape.value[i] * point.shape.value[j],
                                                     ADD_VALUES));
             }
+        }
         DEADPOINT_PETSC(MatAssemblyBegin(variable_, MAT_FINAL_ASSEMBLY));
         DEADPOINT_PETSC(MatAssemblyEnd(variable_, MAT_FINAL_ASSEMBLY));
         DEADPOINT_PETSC(MatAXPY(system_, 1, variable_, SUBSET_NONZERO_PATTERN));
@@ -174,43 +179,53 @@ double HeatSolver::ambient(const SurfaceCondition& condition, double time) const
     return condition.ambient ? condition.ambient(time) : segment_->ambient(time);
 }
 
-double HeatSolver::film_flux(const SurfaceCondition& c, double surface, double surroundings)
+FilmLaw HeatSolver::film_at(const SurfaceCondition& c, double surroundings) const
 {
-    const double h = c.law ? c.law(surface).value : c.coefficient;
-    const double s = surface * surface, a = surroundings * surroundings;
-    return (h + c.emissivity * stefan_boltzmann * (s + a) * (surface + surroundings)) * (surface - surroundings);
+    if (!c.laws.empty())
+        return c.laws[static_cast<std::size_t>(segment_ - problem_.segments.data())](surroundings);
+    return [value = c.coefficient](double) { return LawValue{value, 0, true}; };
 }
 
-double HeatSolver::film_slope(const SurfaceCondition& c, double surface, double surroundings)
+double HeatSolver::film_flux(const LawValue& film, double emissivity, double surface, double surroundings)
 {
-    const LawValue law = c.law ? c.law(surface) : LawValue{c.coefficient, 0, true};
+    const double s = surface * surface, a = surroundings * surroundings;
+    return (film.value + emissivity * stefan_boltzmann * (s + a) * (surface + surroundings)) * (surface - surroundings);
+}
+
+double HeatSolver::film_slope(const LawValue& film, double emissivity, double surface, double surroundings)
+{
     // A slope of the wrong sign (a film that weakens as it warms) would cost the matrix its definiteness.
-    const double convection = std::max(law.value + law.slope * (surface - surroundings), 0.25 * law.value);
-    return convection + 4 * c.emissivity * stefan_boltzmann * surface * surface * surface;
+    const double convection = std::max(film.value + film.slope * (surface - surroundings), 0.25 * film.value);
+    return convection + 4 * emissivity * stefan_boltzmann * surface * surface * surface;
 }
 
 void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature) const
 {
     const double* values = everywhere_->gather(temperature);
-    std::vector<double> lost{0};
+    std::vector<double> sums(problem_.surfaces.size() + 1, 0.0);  // untested area per condition, then the heat lost
     for (const auto& film : films_) {
         if (film.points.empty())
             continue;
         const double surroundings = ambient(*film.condition, time);
+        const auto law = film_at(*film.condition, surroundings);
         for (const auto& point : film.points) {
             double at = 0;
             for (int i = 0; i < point.shape.count; ++i)
                 at += point.shape.value[i] * values[point.shape.dof[i]];
-            const double flow = point.weight * film_flux(*film.condition, at, surroundings);
-            lost[0] += flow;
+            const LawValue value = law(at);
+            const double flow = point.weight * film_flux(value, film.condition->emissivity, at, surroundings);
+            sums[film.index] += value.in_range ? 0 : point.weight;
+            sums.back() += flow;
             for (int i = 0; i < point.shape.count; ++i)
                 DEADPOINT_PETSC(VecSetValue(rate.vector, point.shape.dof[i], -flow * point.shape.value[i], ADD_VALUES));
         }
     }
     DEADPOINT_PETSC(VecAssemblyBegin(rate.vector));
     DEADPOINT_PETSC(VecAssemblyEnd(rate.vector));
-    sum_over_ranks(lost);
-    rate.to_air += lost[0];
+    sum_over_ranks(sums);
+    rate.to_air += sums.back();
+    sums.pop_back();
+    rate.films_untested = std::move(sums);
 }
 
 // Heat of each source at the film temperature it makes itself: H = law(tau + self H), tau from the solids and the oil.
@@ -561,6 +576,9 @@ void HeatSolver::record(ThermalHistory& history, double time, const HeatRate& ra
     history.to_air.push_back(rate.to_air);
     history.to_oil.push_back(rate.to_oil);
     history.law_out_of_range = history.law_out_of_range || !rate.in_range;
+    for (std::size_t i = 0; i < rate.films_untested.size(); ++i)
+        if (rate.films_untested[i] > 0)
+            history.film_out_of_range[i] = true;
 }
 
 namespace {
@@ -607,6 +625,7 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
     history.contributions.resize(attribution >= 0 ? part_means_.size() : 0);
     history.source_heat.resize(problem_.sources.size());
     history.source_temperature.resize(problem_.sources.size());
+    history.film_out_of_range.assign(problem_.surfaces.size(), false);
 
     double time = 0;
     for (const auto& segment : problem_.segments) {

@@ -19,6 +19,7 @@ struct HeatRate {
     double to_oil = 0;
     double flux = 0;
     bool in_range = true;
+    std::vector<double> films_untested;  ///< per surface condition: area where its law is out of range [m2]
 };
 
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< [W/m2/K4]
@@ -54,6 +55,7 @@ private:
         SparseFunctional integral;  ///< of T over the surface
         double area = 0;
         std::vector<FilmPoint> points;  ///< only where the coefficient depends on temperature
+        std::size_t index = 0;          ///< into HeatProblem::surfaces
     };
     struct Step {
         double error = 0;
@@ -91,10 +93,12 @@ private:
     void add_energy(EnergyBalance& energy, double dt, double from_prescribed);
     static bool depends_on_temperature(const SurfaceCondition& condition)
     {
-        return condition.law || condition.emissivity > 0;
+        return !condition.laws.empty() || condition.emissivity > 0;
     }
-    static double film_flux(const SurfaceCondition& condition, double surface, double surroundings);
-    static double film_slope(const SurfaceCondition& condition, double surface, double surroundings);
+    /// Convection of a surface in the present segment.
+    [[nodiscard]] FilmLaw film_at(const SurfaceCondition& condition, double surroundings) const;
+    static double film_flux(const LawValue& film, double emissivity, double surface, double surroundings);
+    static double film_slope(const LawValue& film, double emissivity, double surface, double surroundings);
     static PetscErrorCode multiply(Mat shell, Vec in, Vec out);
 
     const Discretisation& space_;

@@ -102,7 +102,9 @@ std::string bonds_section(const Machine& machine)
 std::string condition_text(const casefile::Surface& surface)
 {
     if (surface.film) {
-        std::string text = fmt::format("film {} W/m2/K", significant(surface.film->coefficient));
+        std::string text = surface.film->coefficient
+                               ? fmt::format("film {} W/m2/K", significant(*surface.film->coefficient))
+                               : fmt::format("film by law '{}'", surface.film->law);
         if (surface.film->emissivity > 0) {
             text += fmt::format(", emissivity {}", significant(surface.film->emissivity));
         }

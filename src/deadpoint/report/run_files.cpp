@@ -4,6 +4,7 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/csv.hpp"
+#include "deadpoint/report/friction_text.hpp"
 #include "deadpoint/report/json_file.hpp"
 #include "deadpoint/report/loads_files.hpp"
 #include "deadpoint/report/mesh_files.hpp"
@@ -279,6 +280,8 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
             json["drift_um"]["final_by_part"][result.parts[part]] = micrometre * result.drift->by_part[part].back();
         json["warm_up_s"] = summary.warm_up_time ? nlohmann::ordered_json(*summary.warm_up_time) : nullptr;
     }
+    if (result.friction)
+        json["friction"] = nlohmann::ordered_json::parse(friction_json(*result.friction));
     if (result.adjoint_check)
         json["adjoint_check"] = {{"time_s", result.adjoint_check->time},
                                  {"E_SW_um_by_adjoint", micrometre * result.adjoint_check->by_adjoint},
@@ -417,6 +420,8 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
             text += fmt::format("  not warm yet: the gap still drifts by more than {} um/h\n",
                                 significant(input.chain->drift_rate_limit * 3600 * micrometre));
     }
+    if (result.friction)
+        text += friction_text(*result.friction) + "\n";
     const auto& energy = result.thermal.energy;
     text += fmt::format(
         "  heat: {:.2f} MJ generated, {:.2f} to the air, {:.2f} to the oil, {:.2f} stored (balance closes to {:.0e})\n",

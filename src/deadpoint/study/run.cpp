@@ -271,7 +271,14 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
 
     watch.start("unknowns");
     fem::Model model(machine, describe_materials(input, machine), input.numerics.order, observer);
-    const auto problem = describe_heat(input, machine, observer);
+    const auto* loads = result.loads ? &*result.loads : nullptr;
+    FrictionLaws friction(input, &machine, loads);
+    const auto problem = describe_heat(input, machine, observer, loads, friction);
+    if (const int segment = first_running_segment(input); segment >= 0 && !input.friction.empty()) {
+        result.friction = friction.summary(input.operation[static_cast<std::size_t>(segment)]);
+        for (const auto& warning : friction_warnings(result.friction->rows))
+            observer.warn(warning);
+    }
     for (const auto& probe : problem.probes)
         result.probes.push_back(probe.name);
     for (const auto& source : problem.sources)
@@ -322,6 +329,11 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
         observer.warn("a friction law was used outside the temperatures its lubricant is known for; see the joint "
                       "temperatures in "
                       "history.csv and extend the viscosity table");
+    for (std::size_t i = 0; i < problem.surfaces.size(); ++i)
+        if (result.thermal.film_out_of_range[i])
+            observer.warn(fmt::format("surfaces.{}: its film law was used outside its tested range; 'deadpoint heat' "
+                                      "shows where it is",
+                                      problem.surfaces[i].name));
     if (result.thermal.energy.mismatch() > 1e-6)
         observer.warn(fmt::format("the energy balance closes to {:.1e} only; lower numerics.solver_tolerance",
                                   result.thermal.energy.mismatch()));

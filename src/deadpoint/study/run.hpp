@@ -7,6 +7,7 @@
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/loads.hpp"
+#include "deadpoint/study/translate_friction.hpp"
 
 #include <optional>
 #include <string>
@@ -38,6 +39,7 @@ struct RunResult {
     std::vector<std::string> parts;
     std::vector<std::string> sources;
     std::vector<JointHistory> joints;
+    std::optional<FrictionSummary> friction;  ///< in the first segment in which the press runs
     std::optional<LoadsResult> loads;  ///< of the first segment in which the press runs, where the case has a linkage
     std::optional<BottomDeadPointSensitivity> sensitivity;
     std::optional<DriftSeries> drift;

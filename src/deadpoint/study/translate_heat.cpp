@@ -3,7 +3,9 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
 #include "deadpoint/core/table.hpp"
-#include "deadpoint/tribology/calibrated.hpp"
+#include "deadpoint/study/translate_conductance.hpp"
+#include "deadpoint/study/translate_film.hpp"
+#include "deadpoint/surroundings/ambient.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -11,16 +13,27 @@
 #include <set>
 
 namespace deadpoint::study {
-namespace {
 
 TimeCourse time_course(const casefile::Course& course, double start)
 {
+    if (course.daily) {
+        const surroundings::DailyCourse daily{course.daily->mean, course.daily->amplitude,
+                                              course.daily->time_of_maximum, course.daily->period};
+        return [daily](double time) { return surroundings::daily_temperature(daily, time); };
+    }
     if (!course.table)
         return [value = course.constant](double) { return value; };
     return [table = *course.table, start](double time) {
         return interpolate_linear(table.x, table.y, time - start).value;
     };
 }
+
+TimeCourse segment_ambient(const casefile::Case& input, const casefile::Segment& segment, double start)
+{
+    return time_course(segment.ambient.value_or(casefile::Course{input.machine.ambient, {}, {}}), start);
+}
+
+namespace {
 
 int index_of(const std::map<std::string, casefile::Friction>& friction, const std::string& name)
 {
@@ -29,12 +42,11 @@ int index_of(const std::map<std::string, casefile::Friction>& friction, const st
 }
 
 InterfaceLaw interface_law(const casefile::Case& input, const casefile::Joint& joint,
-                           const casefile::Interface& interface)
+                           const casefile::Interface& interface, const InterfaceConductance& conductance)
 {
     InterfaceLaw law;
-    const auto& conductance = interface.conductance;
-    law.film_a = conductance.resistance > 0 ? 2 / conductance.resistance : conductance.side_a;
-    law.film_b = conductance.resistance > 0 ? 2 / conductance.resistance : conductance.side_b;
+    law.film_a = conductance.film_a;
+    law.film_b = conductance.film_b;
     const auto by_row = input.oil.find(joint.friction);
     law.oil = interface.oil > 0 ? interface.oil : by_row != input.oil.end() ? by_row->second : 0;
     law.oil_temperature = joint.oil_temperature;
@@ -44,60 +56,66 @@ InterfaceLaw interface_law(const casefile::Case& input, const casefile::Joint& j
     return law;
 }
 
-std::vector<InterfaceLaw> interface_laws(const casefile::Case& input)
+std::vector<InterfaceLaw> interface_laws(const casefile::Case& input, const Machine& machine, const LoadsResult* loads,
+                                         Observer& observer)
 {
+    const auto conductances = interface_conductances(input, machine, loads, conductance_speed(input));
     std::vector<InterfaceLaw> laws;
     for (const auto& [name, joint] : input.joints)
-        for (const auto& interface : joint.interfaces)
-            laws.push_back(interface_law(input, joint, interface));
+        for (const auto& interface : joint.interfaces) {
+            const auto& conductance = conductances[laws.size()];
+            laws.push_back(interface_law(input, joint, interface, conductance));
+            if (!conductance.in_range)
+                observer.warn(out_of_range_text(conductance));
+        }
     return laws;
 }
 
-HeatLaw heat_law(const casefile::Case& input, const casefile::Friction& friction, double speed)
-{
-    tribology::CalibratedFriction law;
-    law.kind = tribology::friction_kind(friction.kind);
-    law.load_part = friction.load_part;
-    law.viscous_part = friction.viscous_part;
-    law.exponent = friction.exponent;
-    law.reference_speed = friction.reference_speed;
-    law.scale = friction.scale;
-    if (friction.lubricant.empty())
-        return tribology::calibrated_heat(law, nullptr, speed);
-    const auto& viscosity = input.lubricants.at(friction.lubricant).viscosity;
-    const tribology::ViscosityCurve curve(viscosity.x, viscosity.y);
-    return tribology::calibrated_heat(law, &curve, speed);
-}
+}  // namespace
 
-std::vector<HeatSegment> heat_segments(const casefile::Case& input)
+namespace {
+
+std::vector<HeatSegment> heat_segments(const casefile::Case& input, FrictionLaws& laws)
 {
     std::vector<HeatSegment> segments;
     double start = 0;
     for (const auto& operation : input.operation) {
         HeatSegment segment;
         segment.duration = operation.duration;
-        segment.ambient = time_course(operation.ambient.value_or(casefile::Course{input.machine.ambient, {}}), start);
+        segment.ambient = segment_ambient(input, operation, start);
         for (const auto& [name, friction] : input.friction)
-            segment.heat.push_back(heat_law(input, friction, operation.speed));
+            segment.heat.push_back(laws.heat(name, operation).heat);
         segments.push_back(std::move(segment));
         start += operation.duration;
     }
     return segments;
 }
 
-std::vector<SurfaceCondition> surface_conditions(const casefile::Case& input, const Machine& machine)
+SurfaceCondition film_condition(const casefile::Case& input, const Machine& machine, const std::string& name,
+                                const LoadsResult* loads)
+{
+    SurfaceCondition condition;
+    condition.kind = SurfaceCondition::Kind::film;
+    const auto& given = *input.surfaces.at(name).film;
+    const auto film = surface_film(given, machine, name, loads);
+    condition.coefficient = film.constant.value_or(0);
+    if (!film.constant)
+        for (const auto& operation : input.operation)
+            condition.laws.push_back(film.law_at(operation.speed));
+    condition.emissivity = given.emissivity;
+    if (given.ambient)
+        condition.ambient = time_course(*given.ambient, 0);
+    return condition;
+}
+
+std::vector<SurfaceCondition> surface_conditions(const casefile::Case& input, const Machine& machine,
+                                                 const LoadsResult* loads)
 {
     std::vector<SurfaceCondition> conditions;
     for (const auto& [name, surface] : input.surfaces) {
         SurfaceCondition condition;
-        condition.name = name;
-        condition.surface = surface_index(machine, name);
         if (surface.film) {
-            condition.kind = SurfaceCondition::Kind::film;
-            condition.coefficient = surface.film->coefficient;
-            condition.emissivity = surface.film->emissivity;
-            if (surface.film->ambient)
-                condition.ambient = time_course(*surface.film->ambient, 0);
+            condition = film_condition(input, machine, name, loads);
         } else if (surface.temperature) {
             condition.kind = SurfaceCondition::Kind::temperature;
             condition.temperature = [course = time_course(*surface.temperature, 0)](const Vec3&, double time) {
@@ -113,6 +131,8 @@ std::vector<SurfaceCondition> surface_conditions(const casefile::Case& input, co
         } else {
             continue;
         }
+        condition.name = name;
+        condition.surface = surface_index(machine, name);
         conditions.push_back(std::move(condition));
     }
     return conditions;
@@ -145,10 +165,13 @@ void warn_about(const casefile::Case& input, Observer& observer)
     const bool forces_differ = std::any_of(operation.begin(), operation.end(), [&](const casefile::Segment& s) {
         return s.force != operation.front().force;
     });
-    if (forces_differ && !input.friction.empty())
+    const bool some_ignore_it = std::any_of(input.friction.begin(), input.friction.end(), [](const auto& row) {
+        return row.second.law == "calibrated" && !row.second.reference_force;
+    });
+    if (forces_differ && some_ignore_it)
         observer.warn(
-            "the process force changes between segments, but calibrated friction heat follows the speed only: its "
-            "load part stays as given");
+            "the process force changes between segments, but calibrated friction heat without `reference_force` "
+            "follows the speed only: its load part stays as given");
 }
 
 }  // namespace
@@ -178,15 +201,23 @@ std::vector<Material> describe_materials(const casefile::Case& input, const Mach
     return materials;
 }
 
-HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer)
+HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer,
+                          const LoadsResult* loads)
+{
+    FrictionLaws friction(input, &machine, loads);
+    return describe_heat(input, machine, observer, loads, friction);
+}
+
+HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer,
+                          const LoadsResult* loads, FrictionLaws& friction)
 {
     warn_about(input, observer);
     HeatProblem problem;
-    problem.interfaces = interface_laws(input);
-    for (const auto& [name, friction] : input.friction)
+    problem.interfaces = interface_laws(input, machine, loads, observer);
+    for (const auto& [name, row] : input.friction)
         problem.sources.push_back({name, machine.half_model ? 0.5 : 1.0});
-    problem.surfaces = surface_conditions(input, machine);
-    problem.segments = heat_segments(input);
+    problem.surfaces = surface_conditions(input, machine, loads);
+    problem.segments = heat_segments(input, friction);
     problem.probes = heat_probes(input, machine);
     problem.initial_temperature = [value = input.machine.initial_temperature](const Vec3&) { return value; };
     problem.time_tolerance = input.numerics.time_tolerance;

@@ -4,6 +4,8 @@
 #include "deadpoint/core/observer.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/loads.hpp"
+#include "deadpoint/study/translate_friction.hpp"
 
 #include <vector>
 
@@ -15,8 +17,20 @@ std::vector<Material> describe_materials(const casefile::Case& input, const Mach
 /// The heat problem of a case: interfaces in the order of the machine's, sources in the order of `Case::friction`.
 ///
 /// A probe beyond the symmetry plane of a half model stands for its mirror image. Warns about friction that no joint
-/// uses and about process forces, which calibrated heat does not follow.
-HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer);
+/// uses, about process forces, where calibrated heat does not follow them, and about conductances outside their law's
+/// tested range. Conductances hold for the whole run, at the speed of the first segment in which the press runs.
+///
+/// @param loads  for contact pressures and speeds of bodies that the case leaves out; may be null
+HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer,
+                          const LoadsResult* loads = nullptr);
+/// The same with friction laws that have computed loads already.
+HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer,
+                          const LoadsResult* loads, FrictionLaws& friction);
+
+/// A course over the time since the run began; a table counts from `start` [s], a daily course from the run's begin.
+TimeCourse time_course(const casefile::Course& course, double start);
+/// Ambient temperature during a segment that begins at `start` [s].
+TimeCourse segment_ambient(const casefile::Case& input, const casefile::Segment& segment, double start);
 
 /// Index of a part by name, or -1.
 int part_index(const Machine& machine, const std::string& name);

@@ -1,0 +1,81 @@
+#include "case_options.hpp"
+#include "commands.hpp"
+#include "deadpoint/report/heat_files.hpp"
+#include "deadpoint/report/result_folder.hpp"
+#include "deadpoint/study/heat_tables.hpp"
+#include "deadpoint/study/loads.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+
+using namespace deadpoint;
+
+namespace {
+
+struct HeatOptions : CaseOptions {
+    std::string folder;
+    int segment = -1;
+    bool force = false;
+};
+
+std::optional<study::LoadsResult> loads_of(const casefile::Case& input, const Machine* machine, Console& console)
+{
+    const int running = study::first_running_segment(input);
+    if (running < 0 || !study::has_loads(input)) {
+        return std::nullopt;
+    }
+    console.stage("loads");
+    auto loads = study::compute_loads(input, machine, running);
+    for (const auto& warning : loads.warnings) {
+        console.warn(warning);
+    }
+    return loads;
+}
+
+void compute(const HeatOptions& options)
+{
+    using report::ResultFolder;
+    Console console(options.console);
+    const auto input = read_case(options, console);
+    const int segment = options.segment >= 0 ? options.segment : std::max(0, study::first_running_segment(input));
+    ResultFolder folder(options.folder,
+                        options.force ? ResultFolder::IfExists::replace : ResultFolder::IfExists::refuse);
+    std::optional<Machine> machine;
+    if (!input.parts.empty()) {
+        machine = mesh_case(input, options, console);
+    }
+    const auto loads = loads_of(input, machine ? &*machine : nullptr, console);
+    const auto tables = study::heat_tables(input, machine ? &*machine : nullptr, loads ? &*loads : nullptr, segment);
+    console.finish();
+    for (const auto& warning : tables.warnings) {
+        console.warn(warning);
+    }
+    report::write_heat_files(folder.path(), input, tables, console.warnings());
+    folder.commit();
+    fmt::print("{}\nheat tables are in {}\n", report::heat_text(input, tables), folder.target().string());
+}
+
+}  // namespace
+
+void add_heat(CLI::App& app, int& exit_code)
+{
+    auto* command =
+        app.add_subcommand("heat", "show friction heat, conductances and film coefficients without solving the field");
+    const auto options = std::make_shared<HeatOptions>();
+    add_case_options(*command, *options);
+    command->add_option("-o,--output", options->folder, "the folder to write into; it must not exist")
+        ->required()
+        ->type_name("DIR");
+    command
+        ->add_option("--segment", options->segment,
+                     "segment of the operation, counted from 0; else the first in which the press runs")
+        ->type_name("N")
+        ->check(CLI::NonNegativeNumber);
+    command->add_flag("--force", options->force, "replace the folder if it exists");
+    command->callback([options, &exit_code] {
+        compute(*options);
+        exit_code = 0;
+    });
+}
