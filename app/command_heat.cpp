@@ -72,7 +72,7 @@ void add_heat(CLI::App& app, int& exit_code)
         ->add_option("--segment", options->segment,
                      "segment of the operation, counted from 0; else the first in which the press runs")
         ->type_name("N")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0, 9999));
     command->add_flag("--force", options->force, "replace the folder if it exists");
     command->callback([options, &exit_code] {
         compute(*options);

@@ -340,7 +340,11 @@ TEST_CASE("natural frequencies do not hang on how many sections a shaft is writt
     crankshaft::Shaft shaft;
     shaft.youngs_modulus = 210e9;
     shaft.poissons_ratio = 0.3;
-    shaft.bearings = {{"a", 0.05, {{{1e9, 0}, {0, 1e9}}}}, {"b", 0.55, {{{1e9, 0}, {0, 1e9}}}}};
+    for (const double position : {0.05, 0.55}) {
+        auto& bearing = shaft.bearings.emplace_back();
+        bearing.position = position;
+        bearing.stiffness = {{{1e9, 0}, {0, 1e9}}};
+    }
     const auto lowest = [&](int sections) {
         shaft.sections.assign(static_cast<std::size_t>(sections), {0.6 / sections, 0.12, 0, 7850});
         shaft.sections = study::slender_pieces(shaft.sections);
@@ -366,4 +370,14 @@ TEST_CASE("a force whose window misses bottom dead point is warned about; one th
     const auto warning = study::misplaced_force(input, 0);
     REQUIRE(warning);
     CHECK(has(*warning, "from -105.0 to -75.0 deg past bottom dead point"));
+}
+
+TEST_CASE("a crank pin that is not on the shaft is named by its keys")
+{
+    auto input = read(cases / "jl75g-60" / "l5a-230.toml");
+    input.crankshaft->pin_position = 1.3;
+    CHECK(has(error_of(input), "crankshaft.pin_position, pin_width: the crank pin"));
+    input.crankshaft->pin_position = 0;
+    input.crankshaft->pin_width = 6;
+    CHECK(has(error_of(input), "crankshaft.pin_position, pin_width: the crank pin"));
 }

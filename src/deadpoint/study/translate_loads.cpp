@@ -84,6 +84,21 @@ mechanism::AngleWindow force_window(const casefile::Case& input, double throw_at
     return {start, start + length};
 }
 
+// The pin's load must lie on the shaft; where it does not, its keys are named, not what follows from them.
+void require_pin_on_shaft(const casefile::Crankshaft& given)
+{
+    double end = given.start;
+    for (const auto& section : given.sections)
+        end += section.length;
+    const double half = 0.5 * given.pin_width;
+    if (given.pin_position - half < given.start - 1e-9 || given.pin_position + half > end + 1e-9)
+        throw InputError(fmt::format(
+            "crankshaft.pin_position, pin_width: the crank pin, {:.6g} mm wide at {:.6g} mm, is not on the shaft, "
+            "which runs "
+            "from {:.6g} to {:.6g} mm\n  help: state pin_position (0 mm without it) on the axis of crankshaft.start",
+            1e3 * given.pin_width, 1e3 * given.pin_position, 1e3 * given.start, 1e3 * end));
+}
+
 }  // namespace
 
 std::string process_force_kind(const casefile::Case& input)
@@ -193,6 +208,7 @@ int crank_pin_joint(const Linkage& linkage)
 crankshaft::Shaft describe_shaft(const casefile::Case& input, const Linkage& linkage, const BodyMass& crank)
 {
     const auto& given = *input.crankshaft;
+    require_pin_on_shaft(given);
     const auto& material = input.materials.at(given.material);
     crankshaft::Shaft shaft;
     shaft.youngs_modulus = material.youngs_modulus;
