@@ -3,6 +3,7 @@
 #include "deadpoint/report/table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -49,9 +50,10 @@ std::string friction_text(const study::FrictionSummary& summary)
         text += bearings_line(summary);
     if (summary.balance) {
         const auto& b = *summary.balance;
+        const auto shown = [](double watts) { return std::abs(watts) < 0.05 ? 0.0 : watts; };
         text += fmt::format("  power: drive less process {:+.1f} W ({:.1f} - {:.1f}; the linkage is computed without "
                             "friction), friction of all joints {:.1f} W at {:.0f} degC\n",
-                            b.drive - b.process + 0.0, b.drive + 0.0, b.process + 0.0, b.friction,
+                            shown(b.drive - b.process), shown(b.drive), shown(b.process), b.friction,
                             b.temperature - zero_celsius);
     }
     return text;
