@@ -22,6 +22,7 @@ namespace {
 struct RunOptions : CaseOptions {
     std::string folder;
     bool force = false;
+    std::string from;  ///< result folder whose final temperatures are the start
 };
 
 /// Makes the result folder on the first rank. All ranks get its path, or the same error.
@@ -57,8 +58,11 @@ int run_case(const RunOptions& options, Console& console, bool first, bool& rank
     }
 
     ranks_agree = false;
+    const auto state_in = [](const std::string& place) { return place.empty() ? place : place + "/state.bin"; };
     auto result = study::run_case(input, machine,
-                                  {input.output.fields ? path : std::string{}, file_comments(input, console)}, console);
+                                  {state_in(options.from), state_in(path), input.output.fields ? path : std::string{},
+                                   file_comments(input, console)},
+                                  console);
     result.timings.insert(result.timings.begin(), {"mesh", mesh_seconds});
     console.finish();
     if (folder) {
@@ -106,6 +110,8 @@ void add_run(CLI::App& app, int& exit_code)
     add_case_options(*command, *options);
     command->add_option("-o,--output", options->folder, "the folder for the results; it must not exist")
         ->required()
+        ->type_name("DIR");
+    command->add_option("--from", options->from, "a result folder to go on from: its final temperatures are the start")
         ->type_name("DIR");
     command->add_flag("--force", options->force, "replace the folder if it exists, once the results are complete");
     command->callback([options, &exit_code] { exit_code = start_run(*options); });

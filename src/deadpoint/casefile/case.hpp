@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/case_films.hpp"
 #include "deadpoint/casefile/case_friction.hpp"
+#include "deadpoint/casefile/case_heat.hpp"
 #include "deadpoint/casefile/case_loads.hpp"
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/machine.hpp"
@@ -71,6 +72,8 @@ struct Interface {
     Conductance conductance;
     double oil = 0;             ///< oil coefficient per area of the joint [W/m2/K]
     double heat_share = 1;      ///< relative share per area of the friction heat of its row
+    std::string heat_into;      ///< part whose volume takes that heat; empty: the film between the sides
+    bool load_zone = false;     ///< the load part of that heat falls where the joint is pressed
     bool stands_still = false;  ///< does not turn, although the joint turns fully (outer rings)
     bool seat = false;          ///< its fitted centre on the ground body is the joint's centre there (bearing seats)
     bool journal = false;       ///< its fitted centre on the moving body is the joint's centre there
@@ -178,8 +181,10 @@ struct Case {
     std::map<std::string, Part> parts;
     std::map<std::string, Friction> friction;
     std::map<std::string, double> oil;  ///< oil coefficient per area of the joints, by friction row [W/m2/K]
+    std::map<std::string, OilCircuit> oil_circuits;
     std::map<std::string, Joint> joints;
     std::map<std::string, Surface> surfaces;
+    std::map<std::string, HeatInput> heat_sources;
     Mechanism mechanism;
     std::optional<Crankshaft> crankshaft;
     std::optional<ProcessForce> process_force;

@@ -36,6 +36,9 @@ struct Friction {
     std::optional<double> ball_diameter;       ///< for spin [m]
     double osculation = 0.52;                  ///< groove radius over ball diameter
     double spin_friction = 0.06;
+    std::optional<double> ring_expansion;      ///< given: a ring temperature difference changes the preload [1/K]
+    std::string arrangement = "back_to_back";  ///< of a pair, or "face_to_face"
+    double row_distance = 0;                   ///< of a pair [m]
 
     // pins and guides
     std::optional<double> coefficient;     ///< of Coulomb friction

@@ -42,6 +42,10 @@ public:
         for (const auto& [law, coefficient] : c_.oil) {
             refer("oil." + law, "friction law", law, c_.friction);
         }
+        check_oil_circuits();
+        for (const auto& [name, source] : c_.heat_sources) {
+            check_heat_source("heat_sources." + name, source);
+        }
         for (const auto& [name, surface] : c_.surfaces) {
             check_surface("surfaces." + name, surface);
         }
@@ -155,6 +159,7 @@ private:
             const std::string here = fmt::format("{}.interfaces.{}", path, i);
             check_side(here + ".a", interface.a, interface.diameter.has_value());
             check_side(here + ".b", interface.b, interface.diameter.has_value());
+            check_heat_place(here, joint, interface);
             refer(here + ".conductance.material", "material", interface.conductance.material, c_.materials);
             if (!interface.a.empty() && interface.a == interface.b) {
                 report("inconsistent", here + ".b", fmt::format("'{}' cannot touch itself", interface.b),
@@ -180,6 +185,73 @@ private:
                    "the joint has friction, but no interface where its heat could go",
                    "add interfaces, or remove `friction`");
         }
+    }
+
+    void check_heat_place(const std::string& path, const Joint& joint, const Interface& interface)
+    {
+        refer(path + ".heat_into", "part", interface.heat_into, c_.parts);
+        if (!interface.load_zone) {
+            return;
+        }
+        const bool grounded = std::ranges::any_of(joint.bodies, [&](const std::string& body) {
+            const auto found = c_.bodies.find(body);
+            return found != c_.bodies.end() && found->second.ground;
+        });
+        if (joint.kind != "revolute" || !grounded || (joint.turns_fully && !interface.stands_still)) {
+            report(
+                "inconsistent", path + ".load_zone",
+                "a load zone stands still only in a revolute joint with the ground, on an interface that does not turn",
+                "remove `load_zone`, or add stands_still = true to the outer ring's interface");
+        }
+    }
+
+    void check_oil_circuits()
+    {
+        std::map<std::string, std::string> served;
+        for (const auto& [name, circuit] : c_.oil_circuits) {
+            const std::string path = "oil_circuits." + name;
+            refer(path + ".lubricant", "lubricant", circuit.lubricant, c_.lubricants);
+            const auto oil = c_.lubricants.find(circuit.lubricant);
+            if (oil != c_.lubricants.end() && !(oil->second.density > 0)) {
+                report("missing-key", path + ".lubricant",
+                       fmt::format("the density of '{}' is missing", circuit.lubricant),
+                       fmt::format("add density = \"870 kg/m^3\" to [lubricants.{}]", circuit.lubricant));
+            }
+            for (std::size_t i = 0; i < circuit.joints.size(); ++i) {
+                const auto& joint = circuit.joints[i];
+                const std::string here = fmt::format("{}.joints.{}", path, i);
+                refer(here, "joint", joint, c_.joints);
+                const auto [other, fresh] = served.emplace(joint, name);
+                if (!fresh) {
+                    report("duplicate-name", here, fmt::format("joint '{}' is served twice", joint),
+                           fmt::format("name it once; circuit '{}' has it already", other->second));
+                }
+                check_reached_by_oil(here, joint);
+            }
+        }
+    }
+
+    void check_reached_by_oil(const std::string& path, const std::string& name)
+    {
+        const auto joint = c_.joints.find(name);
+        if (joint == c_.joints.end()) {
+            return;
+        }
+        const auto by_row = c_.oil.find(joint->second.friction);
+        const bool reached = (by_row != c_.oil.end() && by_row->second > 0) ||
+                             std::ranges::any_of(joint->second.interfaces, [](const auto& i) { return i.oil > 0; });
+        if (!reached) {
+            report("inconsistent", path, fmt::format("joint '{}' gives no heat to oil", name),
+                   "add a coefficient to [oil] for its friction law, or `oil` to its interfaces");
+        }
+    }
+
+    void check_heat_source(const std::string& path, const HeatInput& source)
+    {
+        for (std::size_t i = 0; i < source.parts.size(); ++i) {
+            check_pattern(fmt::format("{}.parts.{}", path, i), source.parts[i]);
+        }
+        refer(path + ".surface", "surface", source.surface, c_.surfaces);
     }
 
     void check_side(const std::string& path, const std::string& name, bool is_cylinder)

@@ -98,8 +98,10 @@ void describe(Visitor& v, Case& c)
     v.named({"friction", "laws of friction heat"}, c.friction, "name");
     v.quantities({"oil", "coefficient to the circulating oil per area of the joints, by friction law"}, c.oil,
                  D::heat_transfer_coefficient);
+    v.named({"oil_circuits", "circulating oil that warms on its way"}, c.oil_circuits, "name");
     v.named({"joints", "connections of two bodies"}, c.joints, "name");
     v.named({"surfaces", "named sets of faces, with what happens there"}, c.surfaces, "name");
+    v.named({"heat_sources", "heat of a motor, a clutch or a belt"}, c.heat_sources, "name");
     v.table({"mechanism", "the linkage as a whole, for its loads"}, c.mechanism);
     v.table({"crankshaft", "the crankshaft as a beam"}, c.crankshaft);
     v.table({"process_force", "the force of the process over a turn; without it as its defaults say"}, c.process_force);
@@ -244,8 +246,8 @@ void describe(Visitor& v, Joint& j)
            j.turns_fully);
     v.flag({"driver", "its angle is the crank angle"}, j.driver);
     v.text({"friction", "law of its friction heat"}, j.friction);
-    v.quantity({"oil_temperature", "of the oil that carries heat away"}, j.oil_temperature, D::temperature,
-               absolute_temperature);
+    v.quantity({"oil_temperature", "of the oil that carries heat away, where no circuit serves the joint"},
+               j.oil_temperature, D::temperature, absolute_temperature);
     v.list({"elements", "the bearings or bushes that share the joint"}, j.elements);
     v.list({"interfaces", "pairs of touching surfaces"}, j.interfaces);
     v.expect(j.bodies.size() == 2, "bodies", "a joint connects two bodies",
@@ -279,6 +281,11 @@ void describe(Visitor& v, Interface& i)
                D::heat_transfer_coefficient, non_negative);
     v.number({"heat_share", "share of the friction heat per area, relative to the other interfaces of the law"},
              i.heat_share, non_negative);
+    v.text({"heat_into", "part whose volume takes this interface's friction heat; else the film between the sides"},
+           i.heat_into);
+    v.flag({"load_zone", "the load part of that heat falls where the joint is pressed over the turn, not evenly; where "
+                         "neither side turns away"},
+           i.load_zone);
     v.flag({"stands_still", "does not turn, although the joint turns fully (outer rings)"}, i.stands_still);
     v.flag({"seat", "its fitted centre on the ground body is the joint's centre there"}, i.seat);
     v.flag({"journal", "its fitted centre on the moving body is the joint's centre there"}, i.journal);

@@ -80,6 +80,14 @@ void describe_rolling(Visitor& v, Friction& f)
              {0.5, 1, true});
     v.number({"spin_friction", "`palmgren`: coefficient of sliding between ball and groove"}, f.spin_friction,
              non_negative);
+    v.quantity(
+        {"ring_expansion",
+         "`palmgren`: of rings and balls; with it a temperature difference between the joint's journals and seats "
+         "changes the preload of its angular contact bearings, and so their heat"},
+        f.ring_expansion, D::expansion, positive);
+    choose(v, {"arrangement", "of a pair with `ring_expansion`"}, f.arrangement, {"back_to_back", "face_to_face"});
+    v.quantity({"row_distance", "between the ball centres of the two rows of a pair, for `ring_expansion`"},
+               f.row_distance, D::length, non_negative);
 }
 
 void describe_plain(Visitor& v, Friction& f)
@@ -113,6 +121,11 @@ void check_laws(Visitor& v, Friction& f)
     keys.allowed(f.axial_preload > 0, "axial_preload", {"palmgren", "skf"});
     keys.allowed(f.balls > 0, "balls", {"palmgren"});
     keys.allowed(f.ball_diameter.has_value(), "ball_diameter", {"palmgren"});
+    keys.allowed(f.ring_expansion.has_value(), "ring_expansion", {"palmgren"});
+    const bool angular = f.bearing == "angular_contact_ball" || f.bearing == "angular_contact_ball_pair";
+    v.expect(!f.ring_expansion || (f.balls > 0 && angular && f.contact_angle.value_or(0) > 0), "ring_expansion",
+             "only angular contact ball bearings of known balls change their preload with the rings' temperatures",
+             "give `balls`, `ball_diameter` and `contact_angle`, or remove `ring_expansion`");
     keys.needed(f.bore.has_value(), "bore", {"skf"});
     keys.needed(f.outside_diameter.has_value(), "outside_diameter", {"skf"});
     keys.needed(f.coefficient.has_value(), "coefficient", {"pin", "guide"});

@@ -60,6 +60,8 @@ void describe(Visitor& v, Conductance& c);
 void describe(Visitor& v, Surface& s);
 void describe(Visitor& v, BoxShape& b);  ///< of the key `within`
 void describe(Visitor& v, Film& f);
+void describe(Visitor& v, HeatInput& h);
+void describe(Visitor& v, OilCircuit& c);
 void describe(Visitor& v, Mechanism& m);
 void describe(Visitor& v, Crankshaft& c);
 void describe(Visitor& v, Crankshaft::Section& s);

@@ -19,7 +19,7 @@ namespace {
 
 using D = Dimension;
 
-constexpr std::array<DimensionInfo, 25> dimensions{{
+constexpr std::array<DimensionInfo, 27> dimensions{{
     {D::none, "a plain number", "", "", "0.3"},
     {D::length, "a length", "m", "mm", "200 mm"},
     {D::area, "an area", "m^2", "m^2", "0.5 m^2"},
@@ -45,6 +45,8 @@ constexpr std::array<DimensionInfo, 25> dimensions{{
     {D::inertia, "a moment of inertia", "kg m^2", "kg m^2", "2.5 kg m^2"},
     {D::heat_flux, "a heat flux", "W/m^2", "W/m^2", "1 kW/m^2"},
     {D::thermal_conductance, "a thermal conductance", "W/K", "W/K", "20 W/K"},
+    {D::volume, "a volume", "m^3", "L", "100 L"},
+    {D::volume_flow, "a volume flow", "m^3/s", "L/min", "5 L/min"},
 }};
 
 /// value [SI] = factor * number + offset

@@ -36,6 +36,8 @@ enum class Dimension {
     inertia,
     heat_flux,
     thermal_conductance,
+    volume,
+    volume_flow,
 };
 
 /// How a dimension is spoken of and written.

@@ -31,12 +31,43 @@ struct InterfaceLaw {
     bool turns_fully = false;    ///< each side sees the other's mean around the circumference
     int source = -1;             ///< index into HeatProblem::sources, or none
     double heat_weight = 1;      ///< heat per area, relative to the other interfaces of that source
+    int heat_part = -1;          ///< the friction heat goes into this part's volume, not into the film
+    /// Where the load part of the friction heat falls, relative to its mean; empty: evenly. Not where a joint turns.
+    std::function<double(const Vec3&)> load_zone;
+};
+
+/// One side of an interface.
+struct InterfaceSide {
+    int interface = 0;
+    bool b = false;
 };
 
 /// Friction heat shared by the interfaces that name it, even over their (weighted) area.
 struct HeatSource {
     std::string name;
     double share = 1;  ///< of the whole press's heat that falls into this model (0.5 in a half model)
+    /// Sides whose mean temperatures differ by the ring temperature difference, inner less outer.
+    std::vector<InterfaceSide> inner_rings, outer_rings;
+};
+
+/// Heat of another kind, of a motor or a clutch, even over the volume of parts or over a surface.
+struct BodyHeat {
+    std::string name;
+    std::vector<int> parts;
+    int surface = -1;  ///< index into Machine::surfaces; instead of parts
+};
+
+/// Oil that serves joints one after the other and warms on its way: it reaches the interfaces of a joint at one
+/// temperature and leaves warmer by their heat over `flow`. Their InterfaceLaw::oil is the effective coefficient
+/// against the oil that arrives (its warming within the joint included).
+struct OilCourse {
+    std::string name;
+    std::vector<std::vector<int>> joints;  ///< their interfaces, in the order of the oil
+    bool cooled = true;            ///< a cooler brings the oil to `inlet_temperature`; else it comes from the sump
+    double inlet_temperature = 0;  ///< [K]
+    double sump_capacity = 0;      ///< [J/K], in this model
+    double sump_loss = 0;          ///< to the ambient [W/K], in this model
+    double sump_start = 0;         ///< temperature at the start [K]
 };
 
 /// The film of a surface at an ambient temperature [K].
@@ -58,8 +89,13 @@ struct SurfaceCondition {
 /// A stretch of operation during which the laws hold.
 struct HeatSegment {
     double duration = 0;
-    std::vector<HeatLaw> heat;  ///< per source; empty function: none
-    TimeCourse ambient;         ///< over the time since the run began
+    std::vector<HeatLaw> heat;             ///< per source; empty function: none
+    std::vector<RingHeatLaw> ring_heat;    ///< per source, or none at all; empty function: none
+    std::vector<double> zoned_heat;        ///< per source, or none at all: its load part, of the whole press [W]
+    std::vector<TimeCourse> body_heat;     ///< per HeatProblem::body_heat, in this model [W]; empty function: none
+    std::vector<double> oil_flow;          ///< per circuit: mass flow times heat capacity, in this model [W/K]
+    std::vector<InterfaceLaw> interfaces;  ///< as HeatProblem::interfaces, where they differ from those
+    TimeCourse ambient;                    ///< over the time since the run began
 };
 
 struct HeatProbe {
@@ -71,6 +107,8 @@ struct HeatProbe {
 struct HeatProblem {
     std::vector<InterfaceLaw> interfaces;  ///< as Machine::interfaces
     std::vector<HeatSource> sources;
+    std::vector<BodyHeat> body_heat;
+    std::vector<OilCourse> oil;
     std::vector<SurfaceCondition> surfaces;
     std::vector<HeatSegment> segments;
     std::vector<HeatProbe> probes;
@@ -89,8 +127,17 @@ struct Series {
     std::vector<double> rate;
 };
 
+/// One oil circuit at the accepted steps, in this model.
+struct OilHistory {
+    std::vector<double> inlet;   ///< at the first joint [K]
+    std::vector<double> outlet;  ///< after the last one [K]
+    std::vector<double> sump;    ///< [K]
+    std::vector<double> heat;    ///< taken from the joints [W]
+    std::vector<double> cooler;  ///< taken by the cooler [W]
+};
+
 struct EnergyBalance {
-    double generated = 0;  ///< friction heat [J]
+    double generated = 0;  ///< friction and other heat [J]
     double to_air = 0;
     double to_oil = 0;
     double from_surfaces = 0;  ///< prescribed temperatures and fluxes, into the parts
@@ -110,6 +157,8 @@ struct ThermalHistory {
     std::vector<std::vector<double>> source_temperature;  ///< mean film temperature [K]
     std::vector<double> to_air;                           ///< [W], in this model
     std::vector<double> to_oil;
+    std::vector<std::vector<double>> body_heat;      ///< per HeatProblem::body_heat, in this model [W]
+    std::vector<OilHistory> oil;                     ///< per circuit
     std::vector<std::vector<double>> contributions;  ///< [part][step] of the functional chosen for attribution
     EnergyBalance energy;                            ///< in this model
     int rejected_steps = 0;

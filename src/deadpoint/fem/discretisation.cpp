@@ -425,4 +425,16 @@ Everywhere::~Everywhere()
         VecRestoreArrayRead(all_, &values_);
 }
 
+std::vector<double> gather_all(const Discretisation& space, const std::vector<double>& owned, int block)
+{
+    OwnedVec vector = create_vector(space, block);
+    double* target = nullptr;
+    DEADPOINT_PETSC(VecGetArray(vector, &target));
+    std::copy(owned.begin(), owned.end(), target);
+    DEADPOINT_PETSC(VecRestoreArray(vector, &target));
+    Everywhere everywhere(vector);
+    const double* all = everywhere.gather(vector);
+    return {all, all + block * space.total};
+}
+
 }  // namespace deadpoint::fem

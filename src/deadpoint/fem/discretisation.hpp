@@ -89,6 +89,9 @@ void add_to(Vec vector, const SparseFunctional& functional, double factor);
 OwnedMat create_matrix(const Discretisation& space, const dealii::DynamicSparsityPattern& pattern, int block);
 OwnedVec create_vector(const Discretisation& space, int block);
 
+/// All ranks' entries of a field with `block` values per unknown, on every rank.
+std::vector<double> gather_all(const Discretisation& space, const std::vector<double>& owned, int block);
+
 /// One integration point of a bond between two cells.
 struct BondPoint {
     PointShape a;

@@ -1,5 +1,7 @@
 #include "deadpoint/fem/heat_solver.hpp"
 
+#include "deadpoint/fem/tr_bdf2.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,29 +11,14 @@
 namespace deadpoint::fem {
 namespace {
 
-// TR-BDF2 with gamma = 2 - sqrt(2): both stages solve with the same matrix M + diagonal dt J. The companion of
-// third order gives the error estimate (Hosea and Shampine, Applied Numerical Mathematics 20, 1996).
-const double gamma_stage = 2 - std::sqrt(2.0);
-const double diagonal = 1 - 1 / std::sqrt(2.0);
-const double outer_weight = std::sqrt(2.0) / 4;
-const double bdf_middle = 1 / (gamma_stage * (2 - gamma_stage));
-const double bdf_now = (1 - gamma_stage) * (1 - gamma_stage) / (gamma_stage * (2 - gamma_stage));
-const std::array<double, 3> error_weights{(1 - outer_weight) / 3 - outer_weight,
-                                          (3 * outer_weight + 1) / 3 - outer_weight, diagonal / 3 - diagonal};
-
 constexpr int max_newton = 20;
 const double ladder = 2;  // between two step sizes
 constexpr double largest_reuse = 2.5;
 // Joint heat may differ from its tangent within a stage by this share; the stage is computed with the tangent's, so
 // that its heat balance is exact.
 constexpr double largest_curvature = 1e-5;
-
-OwnedVec duplicate(Vec vector)
-{
-    OwnedVec copy;
-    DEADPOINT_PETSC(VecDuplicate(vector, copy.out()));
-    return copy;
-}
+// The oil's temperatures within a stage agree with the films' to this share of the step's tolerance.
+constexpr double oil_share_of_tolerance = 1e-3;
 
 // Options that the user gave to PETSC win.
 void default_option(const char* name, const char* value)
@@ -53,12 +40,25 @@ void require_finite(Vec vector, double time)
 
 }  // namespace
 
+OwnedVec duplicate(Vec vector)
+{
+    OwnedVec copy;
+    DEADPOINT_PETSC(VecDuplicate(vector, copy.out()));
+    return copy;
+}
+
 HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem)
     : space_(space), materials_(materials), problem_(problem)
 {
-    prepare_interfaces();
-    prepare_films();
+    laws_ = &problem_.interfaces;
+    if (!problem_.segments.empty())
+        choose_laws(problem_.segments.front());
+    prepare_parts();
     prepare_prescribed();
+    prepare_interfaces();
+    prepare_sources();
+    prepare_body_heat();
+    prepare_films();
 
     const auto cells = space_.cell_pattern();
     mass_ = create_matrix(space_, cells, 1);
@@ -66,14 +66,7 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
     space_.add_bond_pattern(coupled);
     add_interface_pattern(coupled);
     stiffness_ = create_matrix(space_, coupled, 1);
-    assemble_cells(mass_, stiffness_);
-    assemble_bonds(stiffness_);
-    assemble_interfaces(stiffness_);
-    assemble_films(stiffness_);
-    for (Mat matrix : {Mat(mass_), Mat(stiffness_)}) {
-        DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
-        DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
-    }
+    assemble();
     DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, system_.out()));
     DEADPOINT_PETSC(MatSetOption(system_, MAT_SYMMETRIC, PETSC_TRUE));
     if (variable_films_)
@@ -174,165 +167,17 @@ void HeatSolver::build_system(double factor, Vec temperature)
     system_factor_ = factor;
 }
 
-double HeatSolver::ambient(const SurfaceCondition& condition, double time) const
-{
-    return condition.ambient ? condition.ambient(time) : segment_->ambient(time);
-}
-
-FilmLaw HeatSolver::film_at(const SurfaceCondition& c, double surroundings) const
-{
-    if (!c.laws.empty())
-        return c.laws[static_cast<std::size_t>(segment_ - problem_.segments.data())](surroundings);
-    return [value = c.coefficient](double) { return LawValue{value, 0, true}; };
-}
-
-double HeatSolver::film_flux(const LawValue& film, double emissivity, double surface, double surroundings)
-{
-    const double s = surface * surface, a = surroundings * surroundings;
-    return (film.value + emissivity * stefan_boltzmann * (s + a) * (surface + surroundings)) * (surface - surroundings);
-}
-
-double HeatSolver::film_slope(const LawValue& film, double emissivity, double surface, double surroundings)
-{
-    // A slope of the wrong sign (a film that weakens as it warms) would cost the matrix its definiteness.
-    const double convection = std::max(film.value + film.slope * (surface - surroundings), 0.25 * film.value);
-    return convection + 4 * emissivity * stefan_boltzmann * surface * surface * surface;
-}
-
-void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature) const
-{
-    const double* values = everywhere_->gather(temperature);
-    std::vector<double> sums(problem_.surfaces.size() + 1, 0.0);  // untested area per condition, then the heat lost
-    for (const auto& film : films_) {
-        if (film.points.empty())
-            continue;
-        const double surroundings = ambient(*film.condition, time);
-        const auto law = film_at(*film.condition, surroundings);
-        for (const auto& point : film.points) {
-            double at = 0;
-            for (int i = 0; i < point.shape.count; ++i)
-                at += point.shape.value[i] * values[point.shape.dof[i]];
-            const LawValue value = law(at);
-            const double flow = point.weight * film_flux(value, film.condition->emissivity, at, surroundings);
-            sums[film.index] += value.in_range ? 0 : point.weight;
-            sums.back() += flow;
-            for (int i = 0; i < point.shape.count; ++i)
-                DEADPOINT_PETSC(VecSetValue(rate.vector, point.shape.dof[i], -flow * point.shape.value[i], ADD_VALUES));
-        }
-    }
-    DEADPOINT_PETSC(VecAssemblyBegin(rate.vector));
-    DEADPOINT_PETSC(VecAssemblyEnd(rate.vector));
-    sum_over_ranks(sums);
-    rate.to_air += sums.back();
-    sums.pop_back();
-    rate.films_untested = std::move(sums);
-}
-
-// Heat of each source at the film temperature it makes itself: H = law(tau + self H), tau from the solids and the oil.
-void HeatSolver::add_sources(HeatRate& rate, Vec temperature) const
-{
-    std::vector<const SparseFunctional*> means;
-    for (const auto& interface : interfaces_) {
-        means.push_back(&interface.mean_a);
-        means.push_back(&interface.mean_b);
-    }
-    const auto mean = evaluate(means, temperature);
-
-    const std::size_t count = problem_.sources.size();
-    std::vector<double> solid(count, 0.0);
-    for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-        const auto& law = problem_.interfaces[i];
-        if (law.source >= 0)
-            solid[law.source] += interfaces_[i].heat_weight_area *
-                                 (law.film_a * mean[2 * i] + law.film_b * mean[2 * i + 1]) / interfaces_[i].sum;
-    }
-    rate.source_heat.assign(count, 0.0);
-    rate.source_slope.assign(count, 0.0);
-    rate.source_temperature.assign(count, 0.0);
-    for (std::size_t r = 0; r < count; ++r) {
-        const double start = solid[r] + source_constant_[r];
-        double film = start;
-        if (const auto& law = segment_->heat[r]) {
-            const double share = problem_.sources[r].share;
-            double heat = 0, slope = 0;
-            for (int i = 0; i < 50; ++i) {
-                const LawValue value = law(film);
-                heat = share * value.value;
-                slope = share * value.slope;
-                rate.in_range = rate.in_range && value.in_range;
-                const double residual = film - start - source_self_[r] * heat;
-                film -= residual / (1 - source_self_[r] * slope);
-                if (std::abs(residual) < 1e-11 * std::abs(film))
-                    break;
-            }
-            rate.source_heat[r] = heat;
-            rate.source_slope[r] = slope / (1 - source_self_[r] * slope);
-            add_to(rate.vector, source_loads_[r], heat);
-        }
-        rate.source_temperature[r] = film;
-        rate.generated += rate.source_heat[r];
-    }
-    for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-        const auto& law = problem_.interfaces[i];
-        const auto& interface = interfaces_[i];
-        const double density =
-            law.source >= 0 ? rate.source_heat[law.source] * interface.heat_weight_area / interface.area : 0;
-        const double film =
-            (density + law.film_a * mean[2 * i] + law.film_b * mean[2 * i + 1] + law.oil * law.oil_temperature) /
-            interface.sum;
-        rate.to_oil += law.oil * interface.area * (film - law.oil_temperature);
-        const double from_oil = law.oil * law.oil_temperature * interface.area / interface.sum;
-        add_to(rate.vector, interface.mean_a, from_oil * law.film_a);
-        add_to(rate.vector, interface.mean_b, from_oil * law.film_b);
-    }
-}
-
-HeatRate HeatSolver::rate(double time, Vec temperature) const
-{
-    HeatRate result;
-    result.vector = duplicate(temperature);
-    DEADPOINT_PETSC(MatMult(stiffness_, temperature, result.vector));
-    DEADPOINT_PETSC(VecScale(result.vector, -1));
-
-    std::vector<const SparseFunctional*> integrals;
-    for (const auto& film : films_)
-        integrals.push_back(&film.integral);
-    const auto integral = evaluate(integrals, temperature);
-    for (std::size_t i = 0; i < films_.size(); ++i) {
-        const auto& film = films_[i];
-        const auto& condition = *film.condition;
-        if (condition.kind == SurfaceCondition::Kind::flux) {
-            const double flux = condition.flux(time);
-            add_to(result.vector, film.integral, flux);
-            result.flux += flux * film.area;
-        } else if (film.points.empty() && film.area > 0 && condition.kind == SurfaceCondition::Kind::film &&
-                   !depends_on_temperature(condition)) {
-            const double surroundings = ambient(condition, time);
-            add_to(result.vector, film.integral, condition.coefficient * surroundings);
-            result.to_air += condition.coefficient * (integral[i] - surroundings * film.area);
-        }
-    }
-    add_sources(result, temperature);
-    if (variable_films_)
-        add_variable_films(result, time, temperature);
-    return result;
-}
-
-void HeatSolver::impose(double time, Vec temperature) const
-{
-    double* values = nullptr;
-    DEADPOINT_PETSC(VecGetArray(temperature, &values));
-    for (std::size_t i = 0; i < prescribed_.size(); ++i)
-        values[prescribed_[i] - space_.first] = prescribed_at_[i].second->temperature(prescribed_at_[i].first, time);
-    DEADPOINT_PETSC(VecRestoreArray(temperature, &values));
-}
-
 // Newton for  M T - factor rate(T) = known,  starting from the guess in `temperature`.
-HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, Vec temperature)
+HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const std::vector<double>& known_sump,
+                                 Vec temperature)
 {
     time_ = time;
     impose(time, temperature);
     HeatRate current = rate(time, temperature);
+    if (!problem_.oil.empty()) {
+        set_oil(follow_oil(current, time, factor, known_sump));
+        current = rate(time, temperature);
+    }
     for (int iteration = 0; iteration < max_newton; ++iteration) {
         build_system(factor, temperature);
         shell_slopes_ = current.source_slope;
@@ -360,43 +205,25 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, Vec temp
         PetscReal change = 0;
         if (variable_films_)
             DEADPOINT_PETSC(VecNorm(work2_, NORM_INFINITY, &change));
+        // The oil as the solve took it is kept where it is good enough, so that the balance stays exact.
+        const auto reaches = follow_oil(updated, time, factor, known_sump);
+        double oil_change = 0;
+        for (std::size_t i = 0; i < reaches.size(); ++i)
+            oil_change = std::max(oil_change, std::abs(reaches[i] - oil_temperature_[i]));
         current = std::move(updated);
-        if (curvature <= largest_curvature * total && change < 1e-7) {
+        if (curvature <= largest_curvature * total && change < 1e-7 &&
+            oil_change <= oil_share_of_tolerance * problem_.time_tolerance) {
             correct_heat(current, corrections);
             return current;
+        }
+        if (oil_change > 0) {
+            set_oil(reaches);
+            current = rate(time, temperature);
         }
     }
     throw ConvergenceError("joint heat and temperatures did not agree within " + std::to_string(max_newton) +
                            " iterations at t = " + std::to_string(time) +
                            " s; a heat law or film coefficient probably jumps, smooth it or shorten max_step");
-}
-
-// What the tangent of the law, with which the solve was made, gives less the law itself, per source.
-std::vector<double> HeatSolver::tangent_less_law(const HeatRate& before, const HeatRate& after) const
-{
-    std::vector<double> result;
-    for (std::size_t r = 0; r < after.source_heat.size(); ++r)
-        result.push_back(before.source_heat[r] + before.source_slope[r] * source_change(r, before, after) -
-                         after.source_heat[r]);
-    return result;
-}
-
-void HeatSolver::correct_heat(HeatRate& rate, const std::vector<double>& corrections) const
-{
-    for (std::size_t r = 0; r < corrections.size(); ++r) {
-        add_to(rate.vector, source_loads_[r], corrections[r]);
-        rate.source_heat[r] += corrections[r];
-        rate.source_temperature[r] += source_self_[r] * corrections[r];
-        rate.generated += corrections[r];
-        rate.to_oil += source_to_oil_[r] * corrections[r];
-    }
-}
-
-double HeatSolver::source_change(std::size_t r, const HeatRate& before, const HeatRate& after) const
-{
-    // The solid part of the film temperature, without the row's own heat.
-    return (after.source_temperature[r] - source_self_[r] * after.source_heat[r]) -
-           (before.source_temperature[r] - source_self_[r] * before.source_heat[r]);
 }
 
 // The cubic through values and slopes at both ends of an interval of length h, at the place s (0 and 1 are its ends).
@@ -407,6 +234,23 @@ void HeatSolver::hermite(Vec start, Vec start_slope, Vec end, Vec end_slope, dou
     std::array<Vec, 4> vectors{start, start_slope, end, end_slope};
     DEADPOINT_PETSC(VecSet(result, 0));
     DEADPOINT_PETSC(VecMAXPY(result, 4, weights.data(), vectors.data()));
+}
+
+// What the sumps' temperatures are known to be before a stage, as the field's.
+std::vector<double> HeatSolver::first_known_sump(double factor) const
+{
+    auto known = sump_;
+    for (std::size_t k = 0; k < known.size(); ++k)
+        known[k] += factor * rate_now_.oil[k].sump_rate;
+    return known;
+}
+
+std::vector<double> HeatSolver::second_known_sump() const
+{
+    auto known = sump_;
+    for (std::size_t k = 0; k < known.size(); ++k)
+        known[k] = bdf_middle * rate_middle_.oil[k].sump - bdf_now * known[k];
+    return known;
 }
 
 HeatSolver::Step HeatSolver::step(double time, double dt)
@@ -425,7 +269,7 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
     OwnedVec known = duplicate(now_);
     DEADPOINT_PETSC(MatMult(mass_, now_, known));
     DEADPOINT_PETSC(VecAXPY(known, factor, rate_now_.vector));
-    rate_middle_ = solve_stage(time + gamma_stage * dt, factor, known, middle_);
+    rate_middle_ = solve_stage(time + gamma_stage * dt, factor, known, first_known_sump(factor), middle_);
 
     DEADPOINT_PETSC(VecCopy(middle_, error_));
     DEADPOINT_PETSC(VecAXPBY(error_, -bdf_now, bdf_middle, now_));
@@ -440,7 +284,7 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
         DEADPOINT_PETSC(VecAXPY(next_, 1 / gamma_stage, middle_));
         DEADPOINT_PETSC(VecAXPY(next_, -1 / gamma_stage, now_));
     }
-    rate_next_ = solve_stage(time + dt, factor, known, next_);
+    rate_next_ = solve_stage(time + dt, factor, known, second_known_sump(), next_);
 
     // slope at the end, from the second stage's own formula
     DEADPOINT_PETSC(VecCopy(next_, slope_next_));
@@ -504,96 +348,7 @@ double HeatSolver::prescribed_heat(double dt)
     return sum[0];
 }
 
-void HeatSolver::write_fields_until(double from, double dt, const FieldCallback& on_field)
-{
-    const auto& times = problem_.field_times;
-    while (next_field_ < times.size() && times[next_field_] <= from + dt * (1 + 1e-12)) {
-        const double s = std::clamp((times[next_field_] - from) / dt, 0.0, 1.0);
-        hermite(now_, slope_now_, next_, slope_next_, dt, s, work_);
-        Field field;
-        const double* values = nullptr;
-        DEADPOINT_PETSC(VecGetArrayRead(work_, &values));
-        field.owned.assign(values, values + (space_.last - space_.first));
-        DEADPOINT_PETSC(VecRestoreArrayRead(work_, &values));
-        if (on_field)
-            on_field(times[next_field_], field);
-        ++next_field_;
-    }
-}
-
-std::vector<double> HeatSolver::observed(Vec vector, bool is_rate) const
-{
-    std::vector<const SparseFunctional*> scalars;
-    for (const auto& probe : probes_)
-        scalars.push_back(&probe);
-    for (const auto& interface : interfaces_)
-        scalars.push_back(&interface.mean_a);
-    for (const auto& interface : interfaces_)
-        scalars.push_back(&interface.mean_b);
-    for (const auto& part : part_means_)
-        scalars.push_back(&part);
-    auto values = evaluate(scalars, vector);
-
-    std::vector<double> sums(adjoints_->size() + space_.machine.parts.size(), 0.0);
-    const double* data = nullptr;
-    DEADPOINT_PETSC(VecGetArrayRead(vector, &data));
-    const double reference = is_rate ? 0 : reference_;
-    for (std::size_t k = 0; k < adjoints_->size(); ++k) {
-        const auto& weights = (*adjoints_)[k].owned;
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            sums[k] += weights[i] * (data[i] - reference);
-    }
-    if (attribution_ >= 0) {
-        const auto& weights = (*adjoints_)[attribution_].owned;
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            sums[adjoints_->size() + part_of_unknown_[i]] += weights[i] * (data[i] - reference);
-    }
-    DEADPOINT_PETSC(VecRestoreArrayRead(vector, &data));
-    sum_over_ranks(sums);
-    values.insert(values.end(), sums.begin(), sums.end());
-    return values;
-}
-
-void HeatSolver::record(ThermalHistory& history, double time, const HeatRate& rate)
-{
-    const auto values = observed(now_, false);
-    const auto rates = have_previous_ ? observed(slope_now_, true) : std::vector<double>(values.size(), 0.0);
-    history.time.push_back(time);
-    std::size_t k = 0;
-    for (auto* group :
-         {&history.probes, &history.interface_a, &history.interface_b, &history.part_means, &history.functionals})
-        for (auto& series : *group) {
-            series.value.push_back(values[k]);
-            series.rate.push_back(rates[k]);
-            ++k;
-        }
-    for (auto& series : history.contributions)
-        series.push_back(values[k++]);
-    for (std::size_t r = 0; r < rate.source_heat.size(); ++r) {
-        history.source_heat[r].push_back(rate.source_heat[r]);
-        history.source_temperature[r].push_back(rate.source_temperature[r]);
-    }
-    history.to_air.push_back(rate.to_air);
-    history.to_oil.push_back(rate.to_oil);
-    history.law_out_of_range = history.law_out_of_range || !rate.in_range;
-    for (std::size_t i = 0; i < rate.films_untested.size(); ++i)
-        if (rate.films_untested[i] > 0)
-            history.film_out_of_range[i] = true;
-}
-
 namespace {
-
-// The slope where a segment starts is not known from a step; the first step's secant stands for it.
-void fill_first_rates(ThermalHistory& history, std::size_t start)
-{
-    if (start + 1 >= history.time.size())
-        return;
-    const double dt = history.time[start + 1] - history.time[start];
-    for (auto* group :
-         {&history.probes, &history.interface_a, &history.interface_b, &history.part_means, &history.functionals})
-        for (auto& series : *group)
-            series.rate[start] = (series.value[start + 1] - series.value[start]) / dt;
-}
 
 // The largest step of the geometric ladder that ends well: no sliver is left for a last step.
 double fit_step(double wanted, double remaining)
@@ -616,27 +371,14 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
                                Observer& observer, const StepCallback& on_step, const FieldCallback& on_field)
 {
     prepare_observers(adjoints, reference_temperature, attribution);
-    ThermalHistory history;
-    history.probes.resize(probes_.size());
-    history.interface_a.resize(interfaces_.size());
-    history.interface_b.resize(interfaces_.size());
-    history.part_means.resize(part_means_.size());
-    history.functionals.resize(adjoints.size());
-    history.contributions.resize(attribution >= 0 ? part_means_.size() : 0);
-    history.source_heat.resize(problem_.sources.size());
-    history.source_temperature.resize(problem_.sources.size());
-    history.film_out_of_range.assign(problem_.surfaces.size(), false);
-
+    ThermalHistory history = empty_history();
     double time = 0;
     for (const auto& segment : problem_.segments) {
-        segment_ = &segment;
+        begin_segment(segment, time);
         const double end = time + segment.duration;
         const std::size_t start = history.time.size();
         have_previous_ = false;
         previous_dt_ = 0;
-        if (history.time.empty())
-            impose(time, now_);
-        rate_now_ = rate(time, now_);
         record(history, time, rate_now_);
         double wanted = problem_.fixed_step > 0 ? problem_.fixed_step : problem_.initial_step;
         while (time < end * (1 - 1e-14)) {
@@ -662,6 +404,8 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
             DEADPOINT_PETSC(VecCopy(slope_now_, slope_before_));
             std::swap(slope_now_, slope_next_);
             rate_now_ = std::move(rate_next_);
+            for (std::size_t k = 0; k < sump_.size(); ++k)
+                sump_[k] = rate_now_.oil[k].sump;
             have_previous_ = true;
             time = end - time <= dt * (1 + 1e-12) ? end : time + dt;
             record(history, time, rate_now_);
@@ -691,28 +435,47 @@ double HeatSolver::rungs(double error, int least, int most) const
     return std::pow(ladder, std::clamp(std::floor(std::log(allowed) / std::log(ladder)), 1.0 * least, 1.0 * most));
 }
 
-void HeatSolver::add_energy(EnergyBalance& energy, double dt, double from_prescribed)
+void HeatSolver::choose_laws(const HeatSegment& segment)
 {
-    const auto over_step = [&](double HeatRate::*part) {
-        return dt * (outer_weight * (rate_now_.*part + rate_middle_.*part) + diagonal * rate_next_.*part);
-    };
-    energy.generated += over_step(&HeatRate::generated);
-    energy.to_air += over_step(&HeatRate::to_air);
-    energy.to_oil += over_step(&HeatRate::to_oil);
-    energy.from_surfaces += over_step(&HeatRate::flux) + from_prescribed;
-    DEADPOINT_PETSC(VecWAXPY(work2_, -1, now_, next_));
-    DEADPOINT_PETSC(MatMult(mass_, work2_, work_));
-    PetscScalar stored = 0;
-    DEADPOINT_PETSC(VecSum(work_, &stored));
-    energy.stored += stored;
+    laws_ = segment.interfaces.empty() ? &problem_.interfaces : &segment.interfaces;
 }
 
-void HeatSolver::start_from(const Field& field)
+void HeatSolver::begin_segment(const HeatSegment& segment, double time)
+{
+    segment_ = &segment;
+    const auto* before = laws_;
+    choose_laws(segment);
+    prepare_sources();
+    const auto same_films = [](const InterfaceLaw& a, const InterfaceLaw& b) {
+        return a.film_a == b.film_a && a.film_b == b.film_b && a.oil == b.oil;
+    };
+    if (!std::equal(before->begin(), before->end(), laws_->begin(), laws_->end(), same_films)) {
+        assemble();
+        system_factor_ = multigrid_factor_ = -1;
+    }
+    if (time == 0)
+        impose(time, now_);
+    settle_oil(time);
+}
+
+void HeatSolver::start_from(const ThermalState& state)
 {
     double* values = nullptr;
     DEADPOINT_PETSC(VecGetArray(now_, &values));
-    std::copy(field.owned.begin(), field.owned.end(), values);
+    std::copy(state.temperature.owned.begin(), state.temperature.owned.end(), values);
     DEADPOINT_PETSC(VecRestoreArray(now_, &values));
+    sump_ = state.sumps;
+}
+
+ThermalState HeatSolver::state() const
+{
+    ThermalState result;
+    const double* values = nullptr;
+    DEADPOINT_PETSC(VecGetArrayRead(now_, &values));
+    result.temperature.owned.assign(values, values + (space_.last - space_.first));
+    DEADPOINT_PETSC(VecRestoreArrayRead(now_, &values));
+    result.sumps = sump_;
+    return result;
 }
 
 }  // namespace deadpoint::fem

@@ -8,12 +8,25 @@
 /// Internal to fem/: transient heat conduction with joint films.
 namespace deadpoint::fem {
 
+/// An oil circuit at one time.
+struct OilFlow {
+    double inlet = 0;   ///< [K]
+    double outlet = 0;  ///< [K]
+    double sump = 0;    ///< [K]
+    double sump_rate = 0;
+    double heat = 0;  ///< from the joints [W]
+    double cooler = 0;
+};
+
 /// Everything that enters the heat balance at one time: the rate vector F(t, T) - K T and its parts.
 struct HeatRate {
     OwnedVec vector;  ///< [W] per unknown
     std::vector<double> source_heat;
     std::vector<double> source_slope;  ///< of the model's heat by the mean film temperature's solid part [W/K]
     std::vector<double> source_temperature;
+    std::vector<double> body_heat;
+    std::vector<double> film;  ///< mean film temperature per interface [K]
+    std::vector<OilFlow> oil;  ///< per circuit
     double generated = 0;
     double to_air = 0;
     double to_oil = 0;
@@ -24,11 +37,16 @@ struct HeatRate {
 
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< [W/m2/K4]
 
+/// A vector of the same layout, its entries not set.
+OwnedVec duplicate(Vec vector);
+
 class HeatSolver {
 public:
     HeatSolver(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem);
 
-    void start_from(const Field& field);
+    void start_from(const ThermalState& state);
+    /// Where the run ended.
+    [[nodiscard]] ThermalState state() const;
     ThermalHistory run(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
                        Observer& observer, const StepCallback& on_step, const FieldCallback& on_field);
 
@@ -39,6 +57,8 @@ private:
         double area = 0;
         double sum = 0;               ///< film_a + film_b + oil
         double heat_weight_area = 0;  ///< its share of its source's heat, 0..1
+        double film_heat = 0;         ///< the same, of what falls into its film
+        SparseFunctional load_zone;   ///< watts by unknown of one watt by load zone less one spread evenly
         /// Turning joints: per axial strip the moments of both sides' unknowns, (dof, zeroth, first).
         struct Strip {
             std::vector<std::pair<PetscInt, std::array<double, 2>>> a, b;
@@ -62,26 +82,48 @@ private:
         double from_prescribed = 0;
     };
 
+    void prepare_parts();
     void prepare_interfaces();
+    void prepare_sources();
+    void prepare_load_zone(std::size_t interface);
+    void leave_prescribed_alone();
+    /// Visits the integration points of a part's cells with their weights [m3].
+    void for_each_point(int part, const std::function<void(const Vec3&, double, const PointShape&)>& visit) const;
+    void prepare_body_heat();
     void prepare_films();
     void prepare_prescribed();
     void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
     void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
+    void assemble();
+    void choose_laws(const HeatSegment& segment);
+    void begin_segment(const HeatSegment& segment, double time);
     void assemble_cells(Mat mass, Mat stiffness) const;
     void assemble_bonds(Mat stiffness) const;
     void assemble_interfaces(Mat stiffness) const;
     void assemble_films(Mat stiffness) const;
     void build_system(double factor, Vec temperature);
     [[nodiscard]] HeatRate rate(double time, Vec temperature) const;
-    void add_sources(HeatRate& rate, Vec temperature) const;
+    void add_sources(HeatRate& rate, const std::vector<double>& mean) const;
+    void add_interfaces(HeatRate& rate, const std::vector<double>& mean) const;
+    void add_body_heat(HeatRate& rate, double time) const;
+    [[nodiscard]] double ring_difference(const HeatSource& source, const std::vector<double>& mean) const;
+    /// Lets the oil flow past the films of a rate; sets its circuits and returns where it reaches each interface [K].
+    std::vector<double> follow_oil(HeatRate& rate, double time, double factor, const std::vector<double>& known) const;
+    double oil_outlet(std::size_t circuit, double inlet, const HeatRate& rate, std::vector<double>& reaches) const;
+    void settle_oil(double time);
+    double set_oil(const std::vector<double>& temperature);
     void add_variable_films(HeatRate& rate, double time, Vec temperature) const;
     void impose(double time, Vec temperature) const;
-    HeatRate solve_stage(double time, double factor, Vec known, Vec temperature);
+    HeatRate solve_stage(double time, double factor, Vec known, const std::vector<double>& known_sump, Vec temperature);
+    [[nodiscard]] std::vector<double> first_known_sump(double factor) const;
+    [[nodiscard]] std::vector<double> second_known_sump() const;
     Step step(double time, double dt);
     static void hermite(Vec start, Vec start_slope, Vec end, Vec end_slope, double h, double s, Vec result);
     void estimate_error(double dt);
     void set_tolerance(double relative, double absolute);
     [[nodiscard]] double ambient(const SurfaceCondition& condition, double time) const;
+    [[nodiscard]] ThermalHistory empty_history() const;
+    static void fill_first_rates(ThermalHistory& history, std::size_t start);
     void record(ThermalHistory& history, double time, const HeatRate& rate);
     [[nodiscard]] std::vector<double> observed(Vec vector, bool is_rate) const;
     void write_fields_until(double from, double dt, const FieldCallback& on_field);
@@ -105,6 +147,7 @@ private:
     const std::vector<Material>& materials_;
     const HeatProblem& problem_;
     const HeatSegment* segment_ = nullptr;
+    const std::vector<InterfaceLaw>* laws_ = nullptr;  ///< of the interfaces in this segment
 
     std::vector<Interface> interfaces_;
     std::vector<SparseFunctional> source_loads_;  ///< b_r: watts of unit heat by unknown
@@ -112,6 +155,9 @@ private:
     std::vector<double> source_constant_;         ///< part of the film temperature from the oil [K]
     std::vector<double> source_self_;             ///< film temperature per watt of the row itself [K/W]
     std::vector<double> source_to_oil_;           ///< share of a row's heat that goes straight to the oil
+    std::vector<SparseFunctional> body_loads_;    ///< watts of unit heat by unknown
+    std::vector<double> oil_temperature_;         ///< per interface [K]
+    std::vector<double> sump_;                    ///< per circuit, at the start of the step [K]
     std::vector<Film> films_;
     bool variable_films_ = false;
     std::vector<PetscInt> prescribed_;  ///< owned unknowns with given temperature, global numbers
@@ -132,6 +178,7 @@ private:
     double time_ = 0;             ///< of the stage being solved
 
     std::vector<SparseFunctional> probes_, part_means_;
+    std::vector<double> part_volume_;  ///< [m3]
     std::vector<const SparseFunctional*> watched_;
     const std::vector<Adjoint>* adjoints_ = nullptr;
     double reference_ = 0;

@@ -3,6 +3,7 @@
 #include "deadpoint/core/vtu.hpp"
 #include "deadpoint/fem/elastic_solver.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
+#include "deadpoint/fem/thermal_state.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -24,6 +25,7 @@ struct Model::Implementation {
     Discretisation space;
     std::unique_ptr<ElasticSolver> elastic;
     std::unique_ptr<HeatSolver> heat;
+    ThermalState last;
     int feet = -1;
     int elastic_iterations = 0;
 };
@@ -76,7 +78,10 @@ ModelSize Model::size() const
 void Model::assemble_heat(const HeatProblem& problem)
 {
     implementation_->heat = std::make_unique<HeatSolver>(implementation_->space, implementation_->materials, problem);
-    implementation_->heat->start_from(interpolate_field(problem.initial_temperature));
+    ThermalState start{interpolate_field(problem.initial_temperature), {}};
+    for (const auto& circuit : problem.oil)
+        start.sumps.push_back(circuit.sump_start);
+    implementation_->heat->start_from(start);
 }
 
 ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
@@ -85,7 +90,22 @@ ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double referenc
     const auto solver = std::move(implementation_->heat);
     if (!solver)
         throw std::logic_error("Model::heat() needs assemble_heat() before it");
-    return solver->run(adjoints, reference_temperature, attribution, observer, on_step, on_field);
+    auto history = solver->run(adjoints, reference_temperature, attribution, observer, on_step, on_field);
+    implementation_->last = solver->state();
+    return history;
+}
+
+void Model::start_from(const std::string& file)
+{
+    if (!implementation_->heat)
+        throw std::logic_error("Model::start_from() needs assemble_heat() before it");
+    implementation_->heat->start_from(
+        read_thermal_state(file, implementation_->space, implementation_->heat->state().sumps.size()));
+}
+
+void Model::write_state(const std::string& file) const
+{
+    write_thermal_state(file, implementation_->space, implementation_->last);
 }
 
 void Model::support(int feet_surface)
@@ -169,18 +189,8 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
 
-    const auto gather = [&](const std::vector<double>& owned, int block) {
-        OwnedVec vector = create_vector(space, block);
-        double* target = nullptr;
-        DEADPOINT_PETSC(VecGetArray(vector, &target));
-        std::copy(owned.begin(), owned.end(), target);
-        DEADPOINT_PETSC(VecRestoreArray(vector, &target));
-        Everywhere everywhere(vector);
-        const double* all = everywhere.gather(vector);
-        return std::vector<double>(all, all + block * space.total);
-    };
-    const auto rise = gather(temperature.owned, 1);
-    const auto moved = displacement ? gather(displacement->owned, 3) : std::vector<double>();
+    const auto rise = gather_all(space, temperature.owned, 1);
+    const auto moved = displacement ? gather_all(space, displacement->owned, 3) : std::vector<double>();
 
     VtuGrid grid;
     std::vector<std::int64_t> local(machine.nodes.size(), -1);

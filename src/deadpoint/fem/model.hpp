@@ -16,6 +16,11 @@ namespace deadpoint::fem {
 struct Field {
     std::vector<double> owned;
 };
+/// All that a later run needs to go on from here.
+struct ThermalState {
+    Field temperature;
+    std::vector<double> sumps;  ///< temperature of each oil circuit's sump [K]
+};
 /// This rank's share of a displacement field [m].
 struct Displacement {
     std::vector<double> owned;
@@ -65,6 +70,12 @@ public:
     /// @throws ConvergenceError, DomainError for a non-finite temperature
     ThermalHistory heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
                         Observer& observer, const StepCallback& on_step, const FieldCallback& on_field);
+
+    /// Starts the assembled problem from a state that write_state() wrote, also on another number of ranks.
+    /// @throws IoError if the file cannot be read or is cut short; InputError if it belongs to another mesh
+    void start_from(const std::string& file);
+    /// Where the last heat() ended, as a file.
+    void write_state(const std::string& file) const;
 
     /// Feet: faces of this surface keep their height (u_y = 0). To be called before the functions below.
     void support(int feet_surface);

@@ -5,6 +5,7 @@
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/csv.hpp"
 #include "deadpoint/report/friction_text.hpp"
+#include "deadpoint/report/heat_flows.hpp"
 #include "deadpoint/report/json_file.hpp"
 #include "deadpoint/report/loads_files.hpp"
 #include "deadpoint/report/mesh_files.hpp"
@@ -102,6 +103,9 @@ void write_history(const std::filesystem::path& path, const casefile::Case& inpu
         columns.push_back({joint.name + " heat", "W", sampled_linear(history.time, joint.heat, times, 1, 0)});
     columns.push_back({"heat to air", "W", sampled_linear(history.time, history.to_air, times, result.whole, 0)});
     columns.push_back({"heat to oil", "W", sampled_linear(history.time, history.to_oil, times, result.whole, 0)});
+    add_heat_flow_columns(columns, result, [&](const std::vector<double>& values, double factor, double offset) {
+        return sampled_linear(history.time, values, times, factor, offset);
+    });
     if (result.drift)
         for (const auto& [name, series] : dimensions(*result.drift))
             columns.push_back({name, "um", sampled(history.time, *series, times, micrometre, 0)});
@@ -267,6 +271,8 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
         {"generated", result.whole * energy.generated}, {"from_surfaces", result.whole * energy.from_surfaces},
         {"to_air", result.whole * energy.to_air},       {"to_oil", result.whole * energy.to_oil},
         {"stored", result.whole * energy.stored},       {"relative_mismatch", energy.mismatch()}};
+    if (const auto flows = heat_flows_json(result); !flows.is_null())
+        json["heat_flows_at_end"] = flows;
     json["probe_rises_K"] = rises_json(input, result);
     for (std::size_t i = 0; i < result.probes.size(); ++i)
         json["time_to_95_percent_s"][result.probes[i]] = summary.time_to_95[i];
@@ -422,6 +428,7 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
     }
     if (result.friction)
         text += friction_text(*result.friction) + "\n";
+    text += heat_flows_text(result);
     const auto& energy = result.thermal.energy;
     text += fmt::format(
         "  heat: {:.2f} MJ generated, {:.2f} to the air, {:.2f} to the oil, {:.2f} stored (balance closes to {:.0e})\n",

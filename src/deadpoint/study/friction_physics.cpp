@@ -1,6 +1,7 @@
 #include "deadpoint/study/friction_physics.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/table.hpp"
 #include "deadpoint/tribology/ball_bearing.hpp"
 #include "deadpoint/tribology/guide.hpp"
 #include "deadpoint/tribology/heat_law.hpp"
@@ -59,23 +60,82 @@ double palmgren_load_heat(const tribology::PalmgrenBearing& bearing, const Duty&
     return sum;
 }
 
-double spin_heat(const Friction& friction, const Duty& duty)
+bool is_pair(const Friction& friction) { return friction.bearing == "angular_contact_ball_pair"; }
+
+tribology::BallBearing ball_bearing(const Friction& friction)
 {
-    const bool pair = friction.bearing == "angular_contact_ball_pair";
     tribology::BallBearing bearing;
     bearing.balls = friction.balls;
-    bearing.rows = pair ? 2 : 1;
+    bearing.rows = is_pair(friction) ? 2 : 1;
     bearing.ball_diameter = *friction.ball_diameter;
     bearing.pitch_diameter = *friction.mean_diameter;
     bearing.contact_angle = friction.contact_angle.value_or(0);
     bearing.inner_osculation = friction.osculation;
     bearing.outer_osculation = friction.osculation;
+    return bearing;
+}
+
+double spin_heat(const Friction& friction, const Duty& duty, double preload)
+{
+    const auto bearing = ball_bearing(friction);
     tribology::BallLoading loading;
-    if (pair)
-        loading.base = tribology::preload_approach(bearing, friction.axial_preload);
+    if (is_pair(friction))
+        loading.base = tribology::preload_approach(bearing, preload);
     else
-        loading.axial = friction.axial_preload;
+        loading.axial = preload;
     return tribology::spin_heat(bearing, friction.spin_friction, loading, duty);
+}
+
+// Heat without the oil of one bearing under its loads and a preload.
+double load_heat(const tribology::PalmgrenBearing& bearing, const Friction& friction, const Duty& duty, double preload)
+{
+    return palmgren_load_heat(bearing, duty, preload) + (friction.balls > 0 ? spin_heat(friction, duty, preload) : 0);
+}
+
+// Preload when the inner ring is warmer than the outer one, the balls in between.
+double warm_preload(const Friction& friction, double difference)
+{
+    const auto bearing = ball_bearing(friction);
+    auto arrangement = tribology::PairArrangement::single;
+    if (is_pair(friction))
+        arrangement = friction.arrangement == "back_to_back" ? tribology::PairArrangement::back_to_back
+                                                             : tribology::PairArrangement::face_to_face;
+    const double approach = tribology::preload_approach(bearing, friction.axial_preload) +
+                            tribology::thermal_approach(bearing, {difference, 0, difference / 2},
+                                                        *friction.ring_expansion, arrangement, friction.row_distance);
+    return tribology::preload_forces(bearing, approach).axial;
+}
+
+// What the rings' temperature difference adds, tabulated because each value is a mean over the turn.
+RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const Friction& friction,
+                      const std::vector<RubbingJoint>& joints)
+{
+    constexpr double range = 60, step = 2.5;  // [K]
+    const auto heat = [&](double difference) {
+        const double preload = warm_preload(friction, difference);
+        double sum = 0;
+        for (const auto& joint : joints)
+            for (const auto& duty : joint.duties)
+                sum += load_heat(bearing, friction, duty, preload);
+        return sum;
+    };
+    const double cold = heat(0);
+    std::vector<double> differences, added;
+    for (double difference = -range; difference <= range; difference += step) {
+        differences.push_back(difference);
+        added.push_back(friction.scale * (heat(difference) - cold));
+    }
+    return [differences, added](double difference) { return interpolate_linear(differences, added, difference).value; };
+}
+
+tribology::PalmgrenBearing palmgren_bearing(const Friction& friction)
+{
+    auto bearing = tribology::palmgren_bearing(
+        bearing_type(friction.bearing), tribology::oil_supply(friction.oil_supply), friction.contact_angle.value_or(0),
+        *friction.mean_diameter, *friction.static_rating);
+    if (friction.lubrication_factor)
+        bearing.lubrication_factor = *friction.lubrication_factor;
+    return bearing;
 }
 
 /// Adds up the heat of the joints' bearings or bushes.
@@ -86,20 +146,13 @@ struct Sum {
 
 void add_palmgren(Sum& sum, const casefile::Case& input, const Friction& friction, const RubbingJoint& joint)
 {
-    auto bearing = tribology::palmgren_bearing(
-        bearing_type(friction.bearing), tribology::oil_supply(friction.oil_supply), friction.contact_angle.value_or(0),
-        *friction.mean_diameter, *friction.static_rating);
-    if (friction.lubrication_factor)
-        bearing.lubrication_factor = *friction.lubrication_factor;
+    const auto bearing = palmgren_bearing(friction);
     for (const auto& duty : joint.duties) {
         sum.laws.push_back(
             tribology::palmgren_heat(bearing, duty, friction.axial_preload, viscosity_of(input, friction)));
-        sum.load_part += palmgren_load_heat(bearing, duty, friction.axial_preload);
-        if (friction.balls > 0) {
-            const double spin = spin_heat(friction, duty);
-            sum.laws.push_back(tribology::constant_heat(spin));
-            sum.load_part += spin;
-        }
+        if (friction.balls > 0)
+            sum.laws.push_back(tribology::constant_heat(spin_heat(friction, duty, friction.axial_preload)));
+        sum.load_part += load_heat(bearing, friction, duty, friction.axial_preload);
     }
 }
 
@@ -185,6 +238,8 @@ PhysicalHeat physical_heat(const casefile::Case& input, const Friction& friction
     result.heat = scaled(tribology::summed_heat(std::move(sum.laws)), friction.scale);
     if (friction.law != "skf")
         result.load_part = friction.scale * sum.load_part;
+    if (friction.ring_expansion)
+        result.ring_heat = ring_heat(palmgren_bearing(friction), friction, joints);
     return result;
 }
 

@@ -21,6 +21,7 @@ struct RubbingJoint {
 struct PhysicalHeat {
     HeatLaw heat;                     ///< of all joints together [W]
     std::optional<double> load_part;  ///< of it without the oil [W]; SKF mixes both
+    RingHeatLaw ring_heat;            ///< added by a ring temperature difference; empty without `ring_expansion` [W]
 };
 
 /// Heat of a row with law "palmgren", "skf", "pin" or "guide".

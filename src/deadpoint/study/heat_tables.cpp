@@ -106,7 +106,8 @@ HeatTables heat_tables(const casefile::Case& input, const Machine* machine, cons
     double start = 0;
     for (int i = 0; i < segment; ++i)
         start += input.operation[static_cast<std::size_t>(i)].duration;
-    tables.conductances = interface_conductances(input, *machine, loads, conductance_speed(input));
+    tables.conductances =
+        interface_conductances(input, *machine, loads, tables.speed > 0 ? tables.speed : conductance_speed(input));
     for (const auto& [name, surface] : input.surfaces)
         if (surface.film)
             tables.films.push_back(film_table(input, *machine, name, loads, segment, start));

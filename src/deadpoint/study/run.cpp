@@ -283,6 +283,10 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
         result.probes.push_back(probe.name);
     for (const auto& source : problem.sources)
         result.sources.push_back(source.name);
+    for (const auto& heat : problem.body_heat)
+        result.body_heat.push_back(heat.name);
+    for (const auto& circuit : problem.oil)
+        result.oil.push_back(circuit.name);
     result.cells = model.size().cells;
     result.heat_unknowns = model.size().heat_unknowns;
 
@@ -298,6 +302,8 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
 
     watch.start("heat matrices");
     model.assemble_heat(problem);
+    if (!options.start_from.empty())
+        model.start_from(options.start_from);
 
     watch.start("time steps");
     double end = 0;
@@ -314,6 +320,8 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
             field_seconds += watch.seconds() - before;
         });
     watch.stop();
+    if (!options.state_file.empty())
+        model.write_state(options.state_file);
 
     result.timings = watch.times();
     result.timings.back().second -= field_seconds;

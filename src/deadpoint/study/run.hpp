@@ -38,6 +38,8 @@ struct RunResult {
     std::vector<std::string> probes;
     std::vector<std::string> parts;
     std::vector<std::string> sources;
+    std::vector<std::string> body_heat;  ///< names, as ThermalHistory::body_heat
+    std::vector<std::string> oil;        ///< circuits, as ThermalHistory::oil
     std::vector<JointHistory> joints;
     std::optional<FrictionSummary> friction;  ///< in the first segment in which the press runs
     std::optional<LoadsResult> loads;  ///< of the first segment in which the press runs, where the case has a linkage
@@ -54,6 +56,8 @@ struct RunResult {
 };
 
 struct RunOptions {
+    std::string start_from;  ///< temperature state to start from instead of the initial temperature; empty: none
+    std::string state_file;  ///< where the state at the end is written; empty: nowhere
     std::string field_folder;                ///< existing folder for field files; empty: no field files
     std::vector<std::string> comments = {};  ///< for the head of the field files: version, case hash, warnings so far
 };

@@ -200,6 +200,7 @@ FrictionHeat FrictionLaws::physical(const std::string& row, const casefile::Segm
     const auto parts = physical_heat(input_, input_.friction.at(row), rubbing_joints(row, loads(segment)));
     result.heat = parts.heat;
     result.load_part = parts.load_part;
+    result.ring_heat = parts.ring_heat;
     return result;
 }
 

@@ -22,6 +22,7 @@ struct FrictionHeat {
     std::vector<std::string> joints;   ///< that name the row
     HeatLaw heat;                      ///< [W] over temperature [K]
     std::optional<double> load_part;   ///< share of the heat that does not depend on temperature [W]; SKF has none
+    RingHeatLaw ring_heat;             ///< added by the ring temperature difference; may be empty
     std::optional<double> load_ratio;  ///< duty of the load part over that at the reference, with a reference force
     bool unloaded = false;             ///< has a reference force, but there its joints carry no load: speed only
 };

@@ -1,10 +1,13 @@
 #include "deadpoint/study/translate_heat.hpp"
 
+#include "deadpoint/casefile/check.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
 #include "deadpoint/core/table.hpp"
+#include "deadpoint/study/load_zone.hpp"
 #include "deadpoint/study/translate_conductance.hpp"
 #include "deadpoint/study/translate_film.hpp"
+#include "deadpoint/study/translate_oil.hpp"
 #include "deadpoint/surroundings/ambient.hpp"
 
 #include <algorithm>
@@ -41,9 +44,11 @@ int index_of(const std::map<std::string, casefile::Friction>& friction, const st
     return found == friction.end() ? -1 : static_cast<int>(std::distance(friction.begin(), found));
 }
 
-InterfaceLaw interface_law(const casefile::Case& input, const casefile::Joint& joint,
-                           const casefile::Interface& interface, const InterfaceConductance& conductance)
+InterfaceLaw interface_law(const casefile::Case& input, const Machine& machine, const LoadsResult* loads,
+                           const std::string& name, const casefile::Interface& interface,
+                           const InterfaceConductance& conductance)
 {
+    const auto& joint = input.joints.at(name);
     InterfaceLaw law;
     law.film_a = conductance.film_a;
     law.film_b = conductance.film_b;
@@ -53,42 +58,171 @@ InterfaceLaw interface_law(const casefile::Case& input, const casefile::Joint& j
     law.turns_fully = joint.turns_fully && !interface.stands_still;
     law.source = index_of(input.friction, joint.friction);
     law.heat_weight = interface.heat_share;
+    law.heat_part = interface.heat_into.empty() ? -1 : part_index(machine, interface.heat_into);
+    if (interface.load_zone && loads)
+        law.load_zone = load_zone(input, name, *loads);
     return law;
 }
 
 std::vector<InterfaceLaw> interface_laws(const casefile::Case& input, const Machine& machine, const LoadsResult* loads,
-                                         Observer& observer)
+                                         const std::vector<InterfaceConductance>& conductances)
 {
-    const auto conductances = interface_conductances(input, machine, loads, conductance_speed(input));
     std::vector<InterfaceLaw> laws;
     for (const auto& [name, joint] : input.joints)
-        for (const auto& interface : joint.interfaces) {
-            const auto& conductance = conductances[laws.size()];
-            laws.push_back(interface_law(input, joint, interface, conductance));
-            if (!conductance.in_range)
-                observer.warn(out_of_range_text(conductance));
-        }
+        for (const auto& interface : joint.interfaces)
+            laws.push_back(interface_law(input, machine, loads, name, interface, conductances[laws.size()]));
     return laws;
 }
 
-}  // namespace
+/// The part of a case that gives each segment its laws.
+class Segments {
+public:
+    Segments(const casefile::Case& input, const Machine& machine, FrictionLaws& friction, const LoadsResult* loads,
+             Observer& observer)
+        : input_(input), machine_(machine), friction_(friction), loads_(loads), observer_(observer)
+    {}
 
-namespace {
-
-std::vector<HeatSegment> heat_segments(const casefile::Case& input, FrictionLaws& laws)
-{
-    std::vector<HeatSegment> segments;
-    double start = 0;
-    for (const auto& operation : input.operation) {
-        HeatSegment segment;
-        segment.duration = operation.duration;
-        segment.ambient = segment_ambient(input, operation, start);
-        for (const auto& [name, friction] : input.friction)
-            segment.heat.push_back(laws.heat(name, operation).heat);
-        segments.push_back(std::move(segment));
-        start += operation.duration;
+    void describe(HeatProblem& problem)
+    {
+        double start = 0;
+        for (std::size_t s = 0; s < input_.operation.size(); ++s) {
+            problem.segments.push_back(segment(s, start, problem));
+            start += input_.operation[s].duration;
+        }
     }
-    return segments;
+
+    /// Interface laws at the operating point of a segment, before the oil warms. While the press stands its joints
+    /// conduct as they did when it last ran.
+    std::vector<InterfaceLaw> interfaces(std::size_t s)
+    {
+        const auto* running = running_segment(s);
+        if (!running)
+            return interface_laws(input_, machine_, nullptr, checked(nullptr, 0));
+        const LoadsResult* loads = loads_ ? &friction_.loads(*running) : nullptr;
+        if (!loads)
+            refuse_zones("", "the case does not describe the linkage and its loads");
+        return interface_laws(input_, machine_, loads, checked(loads, running->speed));
+    }
+
+private:
+    HeatSegment segment(std::size_t s, double start, const HeatProblem& problem)
+    {
+        const auto& operation = input_.operation[s];
+        HeatSegment result;
+        result.duration = operation.duration;
+        result.ambient = segment_ambient(input_, operation, start);
+        for (const auto& [name, row] : input_.friction) {
+            const auto friction = friction_.heat(name, operation);
+            result.heat.push_back(friction.heat);
+            result.ring_heat.push_back(friction.ring_heat);
+            result.zoned_heat.push_back(friction.load_part.value_or(0));
+            if (!friction.load_part)
+                refuse_zones(name, fmt::format("friction.{} has no load part of its own by its law", name));
+        }
+        for (const auto& [name, source] : input_.heat_sources)
+            result.body_heat.push_back(operation.speed > 0 || source.at_rest ? scaled_power(source) : TimeCourse{});
+        result.oil_flow = oil_flows(input_, machine_, operation);
+        result.interfaces = interfaces(s);
+        warm_within_joints(result.interfaces, machine_, problem.oil, result.oil_flow);
+        return result;
+    }
+
+    [[nodiscard]] TimeCourse scaled_power(const casefile::HeatInput& source) const
+    {
+        const double share = machine_.half_model ? 0.5 : 1.0;
+        return [course = time_course(*source.power, 0), share](double time) { return share * course(time); };
+    }
+
+    /// The segment itself if the press runs in it, else the one before in which it ran, else the first that runs.
+    [[nodiscard]] const casefile::Segment* running_segment(std::size_t s) const
+    {
+        for (std::size_t i = s + 1; i-- > 0;)
+            if (input_.operation[i].speed > 0)
+                return &input_.operation[i];
+        const int first = first_running_segment(input_);
+        return first < 0 ? nullptr : &input_.operation[static_cast<std::size_t>(first)];
+    }
+
+    std::vector<InterfaceConductance> checked(const LoadsResult* loads, double speed)
+    {
+        auto conductances = interface_conductances(input_, machine_, loads, speed);
+        for (const auto& conductance : conductances)
+            if (!conductance.in_range && warned_.insert(out_of_range_text(conductance)).second)
+                observer_.warn(out_of_range_text(conductance));
+        return conductances;
+    }
+
+    void refuse_zones(const std::string& row, const std::string& reason) const
+    {
+        for (const auto& [name, joint] : input_.joints)
+            for (const auto& interface : joint.interfaces)
+                if (interface.load_zone && (row.empty() || joint.friction == row))
+                    throw InputError(
+                        fmt::format("joints.{}.interfaces.{}: there is no load zone, since {}\n  help: remove "
+                                    "`load_zone`",
+                                    name, interface.name, reason));
+    }
+
+    const casefile::Case& input_;
+    const Machine& machine_;
+    FrictionLaws& friction_;
+    const LoadsResult* loads_;
+    Observer& observer_;
+    std::set<std::string> warned_;
+};
+
+// Inner rings turn with the journals, outer rings stand in the seats.
+void name_rings(const casefile::Case& input, const Machine& machine, HeatProblem& problem)
+{
+    int contact = 0;
+    for (const auto& [name, joint] : input.joints)
+        for (const auto& interface : joint.interfaces) {
+            const int index = contact++;
+            const int row = index_of(input.friction, joint.friction);
+            if (row < 0 || !input.friction.at(joint.friction).ring_expansion)
+                continue;
+            const auto on_ground = [&](std::uint32_t part) {
+                const auto& body = input.bodies.at(machine.parts[part].body);
+                return body.ground;
+            };
+            const auto& touching = machine.interfaces[static_cast<std::size_t>(index)];
+            auto& source = problem.sources[static_cast<std::size_t>(row)];
+            const auto moves = [&](std::uint32_t part) {
+                return !on_ground(part) && !input.bodies.at(machine.parts[part].body).thermal_only;
+            };
+            if (interface.journal)
+                source.inner_rings.push_back({index, moves(touching.part_b)});
+            if (interface.seat)
+                source.outer_rings.push_back({index, on_ground(touching.part_b)});
+        }
+    for (const auto& [name, row] : input.friction)
+        if (row.ring_expansion) {
+            const auto& source = problem.sources[static_cast<std::size_t>(index_of(input.friction, name))];
+            if (source.inner_rings.empty() || source.outer_rings.empty())
+                throw InputError(
+                    fmt::format("friction.{}: the ring temperature difference needs the joint's journals and "
+                                "seats\n  help: mark its interfaces with journal = true and seat = true",
+                                name));
+        }
+}
+
+std::vector<BodyHeat> body_heats(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<BodyHeat> result;
+    for (const auto& [name, source] : input.heat_sources) {
+        BodyHeat heat;
+        heat.name = name;
+        for (std::size_t p = 0; p < machine.parts.size(); ++p)
+            if (std::ranges::any_of(source.parts, [&](const std::string& pattern) {
+                    return casefile::matches(pattern, machine.parts[p].name);
+                }))
+                heat.parts.push_back(static_cast<int>(p));
+        heat.surface = source.surface.empty() ? -1 : surface_index(machine, source.surface);
+        if (heat.parts.empty() && heat.surface < 0)
+            throw InputError(fmt::format("heat_sources.{}: none of its parts is in the modelled half", name));
+        result.push_back(std::move(heat));
+    }
+    return result;
 }
 
 SurfaceCondition film_condition(const casefile::Case& input, const Machine& machine, const std::string& name,
@@ -213,11 +347,15 @@ HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, O
 {
     warn_about(input, observer);
     HeatProblem problem;
-    problem.interfaces = interface_laws(input, machine, loads, observer);
     for (const auto& [name, row] : input.friction)
-        problem.sources.push_back({name, machine.half_model ? 0.5 : 1.0});
+        problem.sources.push_back({name, machine.half_model ? 0.5 : 1.0, {}, {}});
+    name_rings(input, machine, problem);
+    problem.oil = oil_circuits(input, machine);
+    problem.body_heat = body_heats(input, machine);
     problem.surfaces = surface_conditions(input, machine, loads);
-    problem.segments = heat_segments(input, friction);
+    Segments segments(input, machine, friction, loads, observer);
+    problem.interfaces = segments.interfaces(0);
+    segments.describe(problem);
     problem.probes = heat_probes(input, machine);
     problem.initial_temperature = [value = input.machine.initial_temperature](const Vec3&) { return value; };
     problem.time_tolerance = input.numerics.time_tolerance;

@@ -31,15 +31,14 @@ void check(const OilCircuit& circuit)
                 circuit.conductance[i], "give zero or more");
 }
 
-/// e / N = (1 - exp(-N)) / N; 1 at N = 0, 0 at infinite N.
+}  // namespace
+
 double mean_approach(double transfer_units)
 {
     if (transfer_units == 0)
         return 1;
     return -std::expm1(-transfer_units) / transfer_units;
 }
-
-}  // namespace
 
 double mass_flow_of(double volume_flow, double density)
 {

@@ -26,6 +26,10 @@ struct OilCircuit {
 /// Mass flow from volume flow [m3/s] and density [kg/m3].
 double mass_flow_of(double volume_flow, double density);
 
+/// What the oil's warming within a joint leaves of its coefficient against the oil that arrives: e / N = (1 - exp(-N))
+/// / N with N = h A / (m c); 1 at N = 0, 0 at infinite N.
+double mean_approach(double transfer_units);
+
 /// A quantity per joint i that is linear in the joints' film temperatures: y_i = offset_i + sum_j matrix_ij T_j.
 struct JointMap {
     std::vector<double> offset;  ///< one per joint

@@ -1,0 +1,142 @@
+#include "deadpoint/fem/heat_solver.hpp"
+#include "deadpoint/fem/tr_bdf2.hpp"
+
+#include <algorithm>
+
+// What a run remembers of its steps.
+
+namespace deadpoint::fem {
+
+ThermalHistory HeatSolver::empty_history() const
+{
+    ThermalHistory history;
+    history.probes.resize(probes_.size());
+    history.interface_a.resize(interfaces_.size());
+    history.interface_b.resize(interfaces_.size());
+    history.part_means.resize(part_means_.size());
+    history.functionals.resize(adjoints_->size());
+    history.contributions.resize(attribution_ >= 0 ? part_means_.size() : 0);
+    history.source_heat.resize(problem_.sources.size());
+    history.source_temperature.resize(problem_.sources.size());
+    history.body_heat.resize(problem_.body_heat.size());
+    history.oil.resize(problem_.oil.size());
+    history.film_out_of_range.assign(problem_.surfaces.size(), false);
+    return history;
+}
+
+void HeatSolver::write_fields_until(double from, double dt, const FieldCallback& on_field)
+{
+    const auto& times = problem_.field_times;
+    while (next_field_ < times.size() && times[next_field_] <= from + dt * (1 + 1e-12)) {
+        const double s = std::clamp((times[next_field_] - from) / dt, 0.0, 1.0);
+        hermite(now_, slope_now_, next_, slope_next_, dt, s, work_);
+        Field field;
+        const double* values = nullptr;
+        DEADPOINT_PETSC(VecGetArrayRead(work_, &values));
+        field.owned.assign(values, values + (space_.last - space_.first));
+        DEADPOINT_PETSC(VecRestoreArrayRead(work_, &values));
+        if (on_field)
+            on_field(times[next_field_], field);
+        ++next_field_;
+    }
+}
+
+std::vector<double> HeatSolver::observed(Vec vector, bool is_rate) const
+{
+    std::vector<const SparseFunctional*> scalars;
+    for (const auto& probe : probes_)
+        scalars.push_back(&probe);
+    for (const auto& interface : interfaces_)
+        scalars.push_back(&interface.mean_a);
+    for (const auto& interface : interfaces_)
+        scalars.push_back(&interface.mean_b);
+    for (const auto& part : part_means_)
+        scalars.push_back(&part);
+    auto values = evaluate(scalars, vector);
+
+    std::vector<double> sums(adjoints_->size() + space_.machine.parts.size(), 0.0);
+    const double* data = nullptr;
+    DEADPOINT_PETSC(VecGetArrayRead(vector, &data));
+    const double reference = is_rate ? 0 : reference_;
+    for (std::size_t k = 0; k < adjoints_->size(); ++k) {
+        const auto& weights = (*adjoints_)[k].owned;
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            sums[k] += weights[i] * (data[i] - reference);
+    }
+    if (attribution_ >= 0) {
+        const auto& weights = (*adjoints_)[attribution_].owned;
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            sums[adjoints_->size() + part_of_unknown_[i]] += weights[i] * (data[i] - reference);
+    }
+    DEADPOINT_PETSC(VecRestoreArrayRead(vector, &data));
+    sum_over_ranks(sums);
+    values.insert(values.end(), sums.begin(), sums.end());
+    return values;
+}
+
+void HeatSolver::record(ThermalHistory& history, double time, const HeatRate& rate)
+{
+    const auto values = observed(now_, false);
+    const auto rates = have_previous_ ? observed(slope_now_, true) : std::vector<double>(values.size(), 0.0);
+    history.time.push_back(time);
+    std::size_t k = 0;
+    for (auto* group :
+         {&history.probes, &history.interface_a, &history.interface_b, &history.part_means, &history.functionals})
+        for (auto& series : *group) {
+            series.value.push_back(values[k]);
+            series.rate.push_back(rates[k]);
+            ++k;
+        }
+    for (auto& series : history.contributions)
+        series.push_back(values[k++]);
+    for (std::size_t r = 0; r < rate.source_heat.size(); ++r) {
+        history.source_heat[r].push_back(rate.source_heat[r]);
+        history.source_temperature[r].push_back(rate.source_temperature[r]);
+    }
+    for (std::size_t b = 0; b < rate.body_heat.size(); ++b)
+        history.body_heat[b].push_back(rate.body_heat[b]);
+    for (std::size_t c = 0; c < rate.oil.size(); ++c) {
+        auto& circuit = history.oil[c];
+        circuit.inlet.push_back(rate.oil[c].inlet);
+        circuit.outlet.push_back(rate.oil[c].outlet);
+        circuit.sump.push_back(rate.oil[c].sump);
+        circuit.heat.push_back(rate.oil[c].heat);
+        circuit.cooler.push_back(rate.oil[c].cooler);
+    }
+    history.to_air.push_back(rate.to_air);
+    history.to_oil.push_back(rate.to_oil);
+    history.law_out_of_range = history.law_out_of_range || !rate.in_range;
+    for (std::size_t i = 0; i < rate.films_untested.size(); ++i)
+        if (rate.films_untested[i] > 0)
+            history.film_out_of_range[i] = true;
+}
+
+// The slope where a segment starts is not known from a step; the first step's secant stands for it.
+void HeatSolver::fill_first_rates(ThermalHistory& history, std::size_t start)
+{
+    if (start + 1 >= history.time.size())
+        return;
+    const double dt = history.time[start + 1] - history.time[start];
+    for (auto* group :
+         {&history.probes, &history.interface_a, &history.interface_b, &history.part_means, &history.functionals})
+        for (auto& series : *group)
+            series.rate[start] = (series.value[start + 1] - series.value[start]) / dt;
+}
+
+void HeatSolver::add_energy(EnergyBalance& energy, double dt, double from_prescribed)
+{
+    const auto over_step = [&](double HeatRate::*part) {
+        return dt * (outer_weight * (rate_now_.*part + rate_middle_.*part) + diagonal * rate_next_.*part);
+    };
+    energy.generated += over_step(&HeatRate::generated);
+    energy.to_air += over_step(&HeatRate::to_air);
+    energy.to_oil += over_step(&HeatRate::to_oil);
+    energy.from_surfaces += over_step(&HeatRate::flux) + from_prescribed;
+    DEADPOINT_PETSC(VecWAXPY(work2_, -1, now_, next_));
+    DEADPOINT_PETSC(MatMult(mass_, work2_, work_));
+    PetscScalar stored = 0;
+    DEADPOINT_PETSC(VecSum(work_, &stored));
+    energy.stored += stored;
+}
+
+}  // namespace deadpoint::fem

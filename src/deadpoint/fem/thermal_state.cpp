@@ -1,0 +1,127 @@
+#include "deadpoint/fem/thermal_state.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/write_file.hpp"
+#include "deadpoint/fem/session.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace deadpoint::fem {
+namespace {
+
+constexpr const char* kind = "deadpoint-thermal-state-1";
+
+// A number that other meshes hardly share, the same on any number of ranks.
+std::uint64_t mesh_mark(const Machine& machine)
+{
+    std::uint64_t mark = 1469598103934665603ULL;
+    const auto mix = [&](std::uint64_t value) { mark = (mark ^ value) * 1099511628211ULL; };
+    for (const auto& node : machine.nodes)
+        for (const double x : node)
+            mix(static_cast<std::uint64_t>(std::llround(x * 1e9)));
+    for (const auto& cell : machine.cells) {
+        mix(cell.part);
+        for (const auto node : cell.nodes)
+            mix(node);
+    }
+    return mark;
+}
+
+// Global numbers of the unknowns in the order of the file.
+std::vector<std::size_t> order_of_file(const Discretisation& space)
+{
+    std::vector<std::size_t> order;
+    std::vector<bool> seen(static_cast<std::size_t>(space.total), false);
+    std::vector<dealii::types::global_dof_index> unknowns;
+    for (std::uint32_t c = 0; c < space.machine.cells.size(); ++c) {
+        const auto cell = space.cell(c);
+        unknowns.resize(cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_indices(unknowns);
+        for (const auto unknown : unknowns)
+            if (!seen[unknown]) {
+                seen[unknown] = true;
+                order.push_back(unknown);
+            }
+    }
+    return order;
+}
+
+std::string heading(const Discretisation& space, std::size_t sumps)
+{
+    return fmt::format("{} mesh {:016x} order {} unknowns {} sumps {}", kind, mesh_mark(space.machine), space.order,
+                       space.total, sumps);
+}
+
+void write(std::ostream& out, const std::vector<double>& values)
+{
+    out.write(reinterpret_cast<const char*>(values.data()),
+              static_cast<std::streamsize>(values.size() * sizeof(double)));
+}
+
+std::vector<double> read(std::istream& in, std::size_t count, const std::string& file)
+{
+    std::vector<double> values(count);
+    in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(double)));
+    if (in.gcount() != static_cast<std::streamsize>(count * sizeof(double)))
+        throw IoError(fmt::format("{} is cut short; start from a complete result folder", file));
+    for (const double value : values)
+        if (!std::isfinite(value))
+            throw DomainError(fmt::format("{} holds a temperature that is not finite", file));
+    return values;
+}
+
+}  // namespace
+
+void write_thermal_state(const std::string& file, const Discretisation& space, const ThermalState& state)
+{
+    const auto all = gather_all(space, state.temperature.owned, 1);
+    std::string error;
+    if (rank() == 0) {
+        try {
+            std::vector<double> ordered;
+            for (const auto unknown : order_of_file(space))
+                ordered.push_back(all[unknown]);
+            write_file(file, [&](std::ostream& out) {
+                out << heading(space, state.sumps.size()) << '\n';
+                write(out, state.sumps);
+                write(out, ordered);
+            });
+        } catch (const IoError& reason) {
+            error = reason.what();
+        }
+    }
+    error = from_first_rank(error);
+    if (!error.empty())
+        throw IoError(error);
+}
+
+ThermalState read_thermal_state(const std::string& file, const Discretisation& space, std::size_t sumps)
+{
+    std::ifstream in(file, std::ios::binary);
+    std::string line;
+    if (!in || !std::getline(in, line) || line.rfind(kind, 0) != 0)
+        throw IoError(fmt::format("{} is not a temperature state\n  help: name the folder of a finished run, which "
+                                  "holds state.bin",
+                                  file));
+    const auto wanted = heading(space, sumps);
+    if (line != wanted)
+        throw InputError(
+            fmt::format("{} belongs to another mesh, element order or set of oil circuits\n  it is:  {}\n  "
+                        "wanted: {}\n  help: start from a run of the same parts at the same --size",
+                        file, line, wanted));
+    ThermalState state;
+    state.sumps = read(in, sumps, file);
+    const auto order = order_of_file(space);
+    const auto values = read(in, order.size(), file);
+    state.temperature.owned.resize(static_cast<std::size_t>(space.last - space.first));
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (const auto unknown = static_cast<PetscInt>(order[i]); space.owns(unknown))
+            state.temperature.owned[static_cast<std::size_t>(unknown - space.first)] = values[i];
+    return state;
+}
+
+}  // namespace deadpoint::fem

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "deadpoint/fem/discretisation.hpp"
+#include "deadpoint/fem/model.hpp"
+
+#include <string>
+
+/// Internal to fem/: a temperature field as a file, from which another run can start.
+///
+/// The file is a line of text with what it belongs to (JSON), then the unknowns as doubles of this machine's byte
+/// order, numbered by their first appearance cell by cell, which does not depend on the number of ranks.
+namespace deadpoint::fem {
+
+/// Collective; written by the first rank.
+/// @throws IoError on all ranks if the file cannot be written
+void write_thermal_state(const std::string& file, const Discretisation& space, const ThermalState& state);
+
+/// @param sumps  number of oil circuits that the problem has
+/// @throws IoError if the file cannot be read or is cut short; InputError if it belongs to another mesh, element order
+///         or number of oil circuits; DomainError if a temperature in it is not finite
+ThermalState read_thermal_state(const std::string& file, const Discretisation& space, std::size_t sumps);
+
+}  // namespace deadpoint::fem
