@@ -218,6 +218,31 @@ TEST_CASE("run writes every file with version, hash and warnings, and says where
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 2);
 }
 
+TEST_CASE("run goes on from a result folder, and says when there is none")
+{
+    const Folder folder;
+    const auto first = folder / "first", second = folder / "second";
+    REQUIRE(deadpoint("run -q " + two_blocks + " -o " + first).code == 0);
+    REQUIRE(deadpoint("run -q " + two_blocks + " --from " + first + " -o " + second).code == 0);
+    const auto last_row = [](const std::string& csv) {
+        const auto end = csv.find_last_not_of('\n');
+        const auto start = csv.rfind('\n', end) + 1;
+        return csv.substr(csv.find(',', start), end + 1 - csv.find(',', start));
+    };
+    const auto first_row = [](const std::string& csv) {
+        const auto start = csv.find("\n0,") + 2;
+        return csv.substr(start, csv.find('\n', start) - start);
+    };
+    // Temperatures of the first probe, as printed, go on where they were.
+    const auto at_end = last_row(content(first + "/history.csv")),
+               at_start = first_row(content(second + "/history.csv"));
+    CHECK(at_end.substr(0, at_end.find(',', 1)) == at_start.substr(0, at_start.find(',', 1)));
+    const auto nowhere = deadpoint("run " + two_blocks + " --from " + (folder / "none") + " -o " + (folder / "third"));
+    CHECK(nowhere.code == 5);
+    CHECK(has(nowhere.err, "state.bin is not a temperature state"));
+    CHECK(!fs::exists(folder / "third"));
+}
+
 TEST_CASE("Ctrl-C keeps the results so far, marked as interrupted, with exit code 130")
 {
     const Folder folder;
