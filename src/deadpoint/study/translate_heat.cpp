@@ -59,6 +59,9 @@ InterfaceLaw interface_law(const casefile::Case& input, const Machine& machine, 
     law.source = index_of(input.friction, joint.friction);
     law.heat_weight = interface.heat_share;
     law.heat_part = interface.heat_into.empty() ? -1 : part_index(machine, interface.heat_into);
+    if (!interface.heat_into.empty() && law.heat_part < 0)
+        throw InputError(fmt::format("joints.{}.interfaces.{}: part '{}' of `heat_into` is not in the modelled half",
+                                     name, interface.name, interface.heat_into));
     if (interface.load_zone && loads)
         law.load_zone = load_zone(input, name, *loads);
     return law;
