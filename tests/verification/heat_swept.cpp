@@ -55,15 +55,16 @@ TEST_CASE("a guide heated over the stroke: the temperature along it is that of t
         CAPTURE(height);
         const double rise = solved.probe(probe) - 20;
         worst = std::max(worst, std::abs(rise - swept(height)) / peak);
-        // The back is colder than the mean of the section by q t / (6 k) = 0.03 K of 77 K. Eight stops in place of the
-        // course miss 1.3 % of the variance of the source's place: by the variance's second derivative 0.06 K.
+        // The back is colder than the mean of the section by q t / (6 k) = 0.03 K of 127 K. Eight stops in place of the
+        // course miss 1.3 % of the variance of the source's place, 5.8e-6 m2, which times half the largest curvature
+        // of the profile, q / (k t) = 5e4 K/m2, is 0.15 K.
         CHECK(std::abs(rise - swept(height)) < 1.5e-3 * peak);
     }
     MESSAGE("largest error " << worst << " of the peak of " << peak << " K");
-    // All heat leaves by the ends, none into the slider.
+    // All heat leaves by the ends: into the slider go 1e-6 W/m2/K in 40 h, 4e-4 K.
     const auto& energy = solved.history().energy;
     CHECK(energy.generated == doctest::Approx(heat * 40 * 3600).epsilon(1e-9));
-    CHECK(std::abs(solved.side_a() - 20) < 1e-9);
+    CHECK(std::abs(solved.side_a() - 20) < 1e-3);
 }
 
 TEST_CASE("a guide that is not swept is heated where the slide is drawn")
