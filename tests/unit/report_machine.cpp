@@ -46,6 +46,9 @@ Machine small_machine()
     contact.points = {{1, 0, {}, {}, {}, 0.0123}};
     contact.area = 0.0123;
     contact.area_a = 0.0125;
+    contact.drawn_area = 0.0123;
+    contact.stroke = 0.06;
+    contact.least_area = 0.01;
     contact.part_a = 2;
     machine.interfaces = {contact};
     machine.dropped_parts = {"column_right"};
@@ -117,7 +120,8 @@ TEST_CASE("the plan names what there is, with area, coverage and condition")
 {
     const auto text = plan_text(small_case(), small_machine());
     CHECK(text.find("small (half model, x <= 0)") == 0);
-    CHECK(text.find("  pin.bush   revolute  rod      beam       123.0   98.4 %       0.0\n") != std::string::npos);
+    CHECK(text.find("  pin.bush   revolute  rod      beam       123.0   98.4 %       0.0         60.0  80.0 %\n") !=
+          std::string::npos);
     CHECK(text.find("air          3.000  film 5.00 W/m2/K, emissivity 0.900\n") != std::string::npos);
     CHECK(text.find("top          1.000  \n") == std::string::npos);  // no trailing blanks
     CHECK(text.find("beyond the symmetry plane: column_right") != std::string::npos);

@@ -240,6 +240,9 @@ void describe(Visitor& v, Joint& j)
     v.vector({"centre", "x and y at bottom dead point", required}, j.centre, D::length);
     v.vector({"direction", "of travel, for a slide"}, j.direction, D::none);
     v.flag({"guides_rotation", "false for a slide that leaves its body free to turn"}, j.guides_rotation);
+    v.flag({"swept", "of a slide: heat and conductance are spread over the length that it sweeps, by the share of "
+                     "time; false leaves them where the bodies are drawn"},
+           j.swept);
     v.quantity({"preload", "of a slide: force by which the gib presses on each of the two faces"}, j.preload, D::force,
                non_negative);
     v.flag({"turns_fully", "turns all the way around, so that each side sees the other's mean around the turn"},
@@ -255,6 +258,7 @@ void describe(Visitor& v, Joint& j)
     v.expect(norm(j.direction) > 0, "direction", "the direction of travel has no length", "write it like [0, 1]");
     v.expect(j.preload == 0 || j.kind == "slide", "preload", "only a slide has a gib to press on it",
              "remove `preload`");
+    v.expect(j.swept || j.kind == "slide", "swept", "only a slide travels along a guide", "remove `swept`");
     v.expect(!j.driver || j.kind != "slide", "driver", "a slide cannot drive the crank",
              "name a revolute joint as driver");
 }

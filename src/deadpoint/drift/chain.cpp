@@ -19,7 +19,7 @@ struct SurfacePoint {
 std::vector<SurfacePoint> points_of(const Machine& machine, const ContactSide& side)
 {
     std::vector<SurfacePoint> points;
-    for (const auto& p : machine.interfaces[side.contact].points)
+    for (const auto& p : machine.interfaces[side.contact].points_as_drawn())
         points.push_back(
             {side.side_b ? p.face_b : p.face_a, side.side_b ? p.position_b : p.position_a, p.weight, p.normal});
     return points;

@@ -103,11 +103,27 @@ struct SurfaceDescription {
     SurfaceSelector selector;
 };
 
+/// One of the places that a slide stands for over a turn.
+struct TravelStop {
+    Vec3 offset{};     ///< of the moving body from where it is drawn, as seen from the standing one [m]
+    double share = 0;  ///< of the time; at 0 it counts for the least coverage only
+};
+
+/// How one body slides along another, over times long against a turn. The shares of its stops sum to 1.
+struct Travel {
+    std::string moving;    ///< body
+    std::string standing;  ///< body
+    std::vector<TravelStop> stops;
+};
+
 struct InterfaceDescription {
     std::string name;   ///< "joint.interface"
     SurfaceSelector a;  ///< the integrated side: it must be covered by b
     SurfaceSelector b;
     double gap = 0;  ///< largest distance between the two sides that still counts as contact [m]; 0: automatic
+    /// Spreads the contact over what the bodies sweep on each other; for a contact of these two bodies, whichever of
+    /// them has side a. Without stops the contact is that of the bodies as drawn.
+    Travel travel{};
 };
 
 struct MachineDescription {
@@ -176,21 +192,35 @@ struct ContactPoint {
     Vec3 position_a{};  ///< on the facet of face a
     Vec3 position_b{};  ///< on the facet of face b
     Vec3 normal{};      ///< unit, out of a into b, of the true (not faceted) surface
-    double weight = 0;  ///< area [m2]; sums to the area of the true surface in contact
+    double weight = 0;  ///< area [m2], times the share of time it is in contact; sums to Contact::area
 };
 
 /// Two surfaces in contact: an interface of a joint, or a bond.
+///
+/// Where one body travels along the other, `points` hold the contact at every stop. The two positions of a point are
+/// then those that meet there, each where its own body is drawn, so that the fields of both are read where they are.
 struct Contact {
     std::string name;       ///< of the interface, or "part|part" for a bond
     FaceGeometry geometry;  ///< of side a
     std::vector<ContactPoint> points;
-    double area = 0;           ///< in contact [m2]
-    double area_a = 0;         ///< of the whole integrated side [m2]
-    double area_b = 0;         ///< of the whole other side [m2]
-    double max_gap = 0;        ///< largest distance between position_a and position_b [m]
-    std::uint32_t part_a = 0;  ///< part of the first point; interfaces join exactly one part to one part
+    std::vector<ContactPoint> drawn_points;  ///< of the bodies as drawn, where one travels; else none
+    double area = 0;                         ///< in contact, mean over time [m2]
+    double drawn_area = 0;                   ///< in contact as drawn [m2]
+    double least_area = 0;                   ///< the smallest in contact over the travel [m2]
+    double stroke = 0;                       ///< length of the travel [m]
+    double area_a = 0;                       ///< of the whole integrated side [m2]
+    double area_b = 0;                       ///< of the whole other side [m2]
+    double max_gap = 0;                      ///< largest distance between two points that meet [m]
+    std::uint32_t part_a = 0;                ///< interfaces join exactly one part to one part
     std::uint32_t part_b = 0;
-    [[nodiscard]] double coverage() const { return area_a > 0 ? area / area_a : 0.0; }
+    /// Share of the integrated side in contact as drawn, and the least over the travel.
+    [[nodiscard]] double coverage() const { return area_a > 0 ? drawn_area / area_a : 0.0; }
+    [[nodiscard]] double least_coverage() const { return area_a > 0 ? least_area / area_a : 0.0; }
+    /// The contact as drawn, for what belongs to bottom dead point.
+    [[nodiscard]] const std::vector<ContactPoint>& points_as_drawn() const
+    {
+        return drawn_points.empty() ? points : drawn_points;
+    }
 };
 
 struct SurfaceFace {
@@ -221,7 +251,7 @@ struct Machine {
     std::vector<MeshSurface> surfaces;  ///< in the order of the description
     std::vector<Contact> interfaces;    ///< in the order of the description
     std::vector<Contact> bonds;
-    std::vector<double> exposed_fraction;  ///< per face, 0..1; 0 on the symmetry plane
+    std::vector<double> exposed_fraction;  ///< per face, mean over time, 0..1; 0 on the symmetry plane
     std::vector<Overlap> overlaps;
     std::vector<std::string> floating_parts;  ///< tied to nothing: no bond, no interface
     std::vector<std::string> dropped_parts;   ///< wholly on the far side of the symmetry plane

@@ -282,6 +282,20 @@ void select_surfaces(const MachineDescription& description, Assembly& assembly)
 // Overlaps and floating parts are in the result, for whoever shows the plan.
 void warn_about(const Machine& machine, Observer& observer)
 {
+    for (const Contact& contact : machine.interfaces) {
+        if (contact.least_coverage() >= least_coverage) {
+            continue;
+        }
+        const std::string text = fmt::format(
+            "interface '{}': over its stroke of {:.1f} mm the sides slide off each other; at the far end "
+            "{:.1f} % of side a touch side b, {:.1f} % in the mean over time",
+            contact.name, 1e3 * contact.stroke, 100 * contact.least_coverage(), 100 * contact.area / contact.area_a);
+        if (contact.least_coverage() < least_guided) {
+            observer.warn(text + "; check the direction of travel and the length of the guide");
+        } else {
+            observer.info(text);
+        }
+    }
     for (const MeshSurface& surface : machine.surfaces) {
         if (surface.faces.empty()) {
             observer.warn(fmt::format("surface '{}' is empty: nothing there is exposed", surface.name));

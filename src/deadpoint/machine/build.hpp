@@ -19,15 +19,23 @@ namespace deadpoint::machine {
 /// of imported parts make no contact. Bonds join touching parts of one body, unless the pair is listed as unbonded or
 /// an interface joins it.
 ///
+/// An interface of bodies that slide along each other (Travel) holds the contact at each stop of the travel, weighted
+/// with its share of time: its area is the mean over time, which is that of the bodies as drawn unless they slide off
+/// each other, and what is exposed is a mean over time too. Interfaces must be covered as drawn; further along they may
+/// slide off each other in part, which the observer is told. Overlaps are looked for as drawn only.
+///
 /// @param description  what to build; see exchange/machine.hpp
 /// @param observer     gets progress, one line per part that could not be meshed with hexahedra, and warnings
 /// @throws InputError  for wrong shapes, unusable files, bad cells, selectors that match nothing, interfaces between
-///                     more than two parts, and interfaces of which less than 98 % is covered (all of them at once)
+///                     more than two parts, interfaces of which less than 98 % is covered, and interfaces whose surface
+///                     does not lie along their travel (all of them at once)
 /// @throws IoError     if a file cannot be read
 Machine build_machine(const MachineDescription& description, Observer& observer);
 
 /// Least share of the integrated side of an interface that must find a partner.
 inline constexpr double least_coverage = 0.98;
+/// Share of the integrated side that should touch all along a travel: less is warned about, since guides are longer.
+inline constexpr double least_guided = 0.5;
 /// Largest distance between two surfaces that counts as contact where an interface names none [m].
 inline constexpr double contact_tolerance = 1e-5;
 /// Least scaled Jacobian (hexahedra) or scaled inradius ratio (tetrahedra) of a mesh made here.

@@ -111,6 +111,16 @@ Vec3 Chart::normal(const Vec2& point) const
     return (sense_ * std::cos(angle)) * first_ + (sense_ * std::sin(angle)) * second_;
 }
 
+std::optional<Vec2> Chart::shift(const Vec3& offset, double slack) const
+{
+    const Vec2 across{dot(offset, first_), dot(offset, second_)};
+    const double along = dot(offset, third_);
+    if (cylinder_ ? norm(across) > slack : std::abs(along) > slack) {
+        return std::nullopt;
+    }
+    return cylinder_ ? Vec2{0, along} : across;
+}
+
 Vec2 local_coordinates(const ChartFace& face, const Vec2& point)
 {
     const auto& c = face.corners;

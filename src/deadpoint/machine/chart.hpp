@@ -30,6 +30,9 @@ public:
     void clip(ChartFace& chart_face, const Vec3& face_centre, const BoxShape& box) const;
     /// Unit normal of the true surface out of the solid.
     [[nodiscard]] Vec3 normal(const Vec2& parameters) const;
+    /// A displacement of the surface in its parameters; none if it leaves the surface by more than `slack` [m]: across
+    /// a plane, or across the axis of a cylinder.
+    [[nodiscard]] std::optional<Vec2> shift(const Vec3& offset, double slack) const;
     /// Circumference of a cylinder, 0 for a plane [m].
     [[nodiscard]] double period() const { return period_; }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <utility>
 
 namespace deadpoint::machine {
 
@@ -34,10 +35,10 @@ Rectangle bounds(const Polygon& polygon)
     return box;
 }
 
-Polygon shifted(Polygon polygon, double shift)
+Polygon shifted(Polygon polygon, const Vec2& shift)
 {
     for (Vec2& p : polygon) {
-        p[0] += shift;
+        p = p + shift;
     }
     return polygon;
 }
@@ -163,47 +164,59 @@ double total_area(const Machine& machine, const FacesByGeometry& sides, const st
 /// Clips all faces of one surface of side a against those of one surface of side b.
 class Clipper {
 public:
-    Clipper(const Machine& machine, const FaceGeometry& geometry, Contact& contact, std::vector<double>& covered)
-        : machine_(machine), chart_(geometry), contact_(contact), covered_(covered)
-    {}
-
-    double run(const std::vector<std::uint32_t>& faces_a, const std::optional<BoxShape>& within_a,
-               const std::vector<std::uint32_t>& faces_b, const std::optional<BoxShape>& within_b)
+    Clipper(const Machine& machine, const FaceGeometry& geometry, std::vector<ChartFace> side_a,
+            std::vector<ChartFace> side_b)
+        : machine_(machine), chart_(geometry), side_a_(std::move(side_a)), side_b_(std::move(side_b))
     {
-        const std::vector<ChartFace> side_a = flattened(machine_, chart_, faces_a, within_a);
-        const std::vector<ChartFace> side_b = flattened(machine_, chart_, faces_b, within_b);
-        if (side_a.empty() || side_b.empty()) {
-            return 0;
-        }
-        struct Copy {
-            std::uint32_t face;
-            double shift;
-        };
-        std::vector<Copy> copies;
-        std::vector<Rectangle> boxes;
-        for (std::uint32_t k = 0; k < side_b.size(); ++k) {
+        for (std::uint32_t k = 0; k < side_b_.size(); ++k) {
             for (int turn = -1; turn <= 1; ++turn) {
                 if (turn != 0 && chart_.period() == 0) {
                     continue;
                 }
-                copies.push_back({k, turn * chart_.period()});
-                boxes.push_back(bounds(shifted(side_b[k].polygon, copies.back().shift)));
+                copies_.push_back({k, {turn * chart_.period(), 0}});
+                boxes_.push_back(bounds(shifted(side_b_[k].polygon, copies_.back().shift)));
             }
         }
-        PolygonGrid grid(boxes);
+        if (!boxes_.empty()) {
+            grid_.emplace(boxes_);
+        }
+    }
+
+    /// Where found points and covered shares go; none: only the area counts.
+    struct Sink {
+        std::vector<ContactPoint>* points = nullptr;
+        std::vector<double>* covered = nullptr;
+        double* max_gap = nullptr;
+    };
+
+    /// The area in contact with side a displaced by `stop`; points are weighted with its share.
+    double run(const TravelStop& stop, double gap, const Sink& sink)
+    {
+        const std::optional<Vec2> shift = chart_.shift(stop.offset, gap);
+        if (!grid_ || !shift) {
+            return 0;
+        }
         double area = 0;
-        for (const ChartFace& a : side_a) {
-            for (const std::uint32_t k : grid.find(bounds(a.polygon))) {
-                area += add_pair(a, side_b[copies[k].face], copies[k].shift);
+        for (const ChartFace& a : side_a_) {
+            const Polygon polygon = shifted(a.polygon, *shift);
+            for (const std::uint32_t k : grid_->find(bounds(polygon))) {
+                area += add_pair(a, polygon, *shift, copies_[k], stop, sink);
             }
         }
         return area;
     }
 
 private:
-    double add_pair(const ChartFace& a, const ChartFace& b, double shift)
+    struct Copy {
+        std::uint32_t face;
+        Vec2 shift;
+    };
+
+    double add_pair(const ChartFace& a, const Polygon& polygon, const Vec2& shift, const Copy& copy,
+                    const TravelStop& stop, const Sink& sink)
     {
-        const Polygon common = intersection(a.polygon, shifted(b.polygon, shift));
+        const ChartFace& b = side_b_[copy.face];
+        const Polygon common = intersection(polygon, shifted(b.polygon, copy.shift));
         if (common.empty()) {
             return 0;
         }
@@ -211,8 +224,13 @@ private:
         if (area < least_share * std::min(a.full_area, b.full_area)) {
             return 0;
         }
-        covered_[a.face] += area / a.full_area;
-        covered_[b.face] += area / b.full_area;
+        if (sink.covered) {
+            (*sink.covered)[a.face] += stop.share * area / a.full_area;
+            (*sink.covered)[b.face] += stop.share * area / b.full_area;
+        }
+        if (!sink.points) {
+            return area;
+        }
         points_.clear();
         append_points(common, points_);
         for (const PlanePoint& point : points_) {
@@ -220,23 +238,37 @@ private:
             contact.face_a = a.face;
             contact.face_b = b.face;
             contact.position_a =
-                position_on(machine_.faces[a.face], machine_.nodes, local_coordinates(a, point.position));
-            const Vec2 on_b = point.position - Vec2{shift, 0};
-            contact.position_b = position_on(machine_.faces[b.face], machine_.nodes, local_coordinates(b, on_b));
+                position_on(machine_.faces[a.face], machine_.nodes, local_coordinates(a, point.position - shift));
+            contact.position_b =
+                position_on(machine_.faces[b.face], machine_.nodes, local_coordinates(b, point.position - copy.shift));
             contact.normal = chart_.normal(point.position);
-            contact.weight = point.weight;
-            contact_.max_gap = std::max(contact_.max_gap, norm(contact.position_b - contact.position_a));
-            contact_.points.push_back(contact);
+            contact.weight = stop.share * point.weight;
+            *sink.max_gap = std::max(*sink.max_gap, norm(contact.position_b - (contact.position_a + stop.offset)));
+            sink.points->push_back(contact);
         }
         return area;
     }
 
     const Machine& machine_;
     Chart chart_;
-    Contact& contact_;
-    std::vector<double>& covered_;
+    std::vector<ChartFace> side_a_;
+    std::vector<ChartFace> side_b_;
+    std::vector<Copy> copies_;
+    std::vector<Rectangle> boxes_;
+    std::optional<PolygonGrid> grid_;
     std::vector<PlanePoint> points_;
 };
+
+double length_of(const std::vector<TravelStop>& travel)
+{
+    double longest = 0;
+    for (const TravelStop& one : travel) {
+        for (const TravelStop& other : travel) {
+            longest = std::max(longest, norm(one.offset - other.offset));
+        }
+    }
+    return longest;
+}
 
 bool apart(const BoxShape& a, const BoxShape& b)
 {
@@ -298,33 +330,51 @@ bool matches(const std::string& pattern, const std::string& name)
     return p == pattern.size();
 }
 
-Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, double gap, std::vector<double>& covered)
+Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, double gap, std::vector<double>& covered,
+                     const std::vector<TravelStop>& travel)
 {
     const Machine& machine = assembly.machine;
     const FacesByGeometry side_a = by_geometry(machine, a.faces);
     const FacesByGeometry side_b = by_geometry(machine, b.faces);
     Contact contact;
+    const Clipper::Sink over_time{&contact.points, &covered, &contact.max_gap};
+    const Clipper::Sink as_drawn{&contact.drawn_points, nullptr, &contact.max_gap};
+    const TravelStop drawn{{}, 1};
+    std::vector<double> at_stop(travel.size(), 0.0);
     double largest = 0;
     for (const auto& [geometry_a, faces_a] : side_a) {
         double own = 0;
         for (const auto& [geometry_b, faces_b] : side_b) {
-            if (!can_touch(machine.geometries[geometry_a], machine.geometries[geometry_b], gap)) {
+            const FaceGeometry& geometry = machine.geometries[geometry_a];
+            if (!can_touch(geometry, machine.geometries[geometry_b], gap)) {
                 continue;
             }
-            Clipper clipper(machine, machine.geometries[geometry_a], contact, covered);
-            own += clipper.run(faces_a, a.within, faces_b, b.within);
+            const Chart chart(geometry);
+            Clipper clipper(machine, geometry, flattened(machine, chart, faces_a, a.within),
+                            flattened(machine, chart, faces_b, b.within));
+            own += clipper.run(drawn, gap, travel.empty() ? over_time : as_drawn);
+            for (std::size_t k = 0; k < travel.size(); ++k) {
+                at_stop[k] += clipper.run(travel[k], gap, travel[k].share > 0 ? over_time : Clipper::Sink{});
+            }
         }
-        contact.area += own;
+        contact.drawn_area += own;
         if (own > largest) {
             largest = own;
             contact.geometry = machine.geometries[geometry_a];
         }
     }
+    contact.area = travel.empty() ? contact.drawn_area : 0.0;
+    contact.least_area = contact.drawn_area;
+    for (std::size_t k = 0; k < travel.size(); ++k) {
+        contact.area += travel[k].share * at_stop[k];
+        contact.least_area = std::min(contact.least_area, at_stop[k]);
+    }
+    contact.stroke = length_of(travel);
     contact.area_a = total_area(machine, side_a, a.within);
     contact.area_b = total_area(machine, side_b, b.within);
-    if (!contact.points.empty()) {
-        contact.part_a = machine.faces[contact.points.front().face_a].part;
-        contact.part_b = machine.faces[contact.points.front().face_b].part;
+    if (!contact.points_as_drawn().empty()) {
+        contact.part_a = machine.faces[contact.points_as_drawn().front().face_a].part;
+        contact.part_b = machine.faces[contact.points_as_drawn().front().face_b].part;
     }
     return contact;
 }

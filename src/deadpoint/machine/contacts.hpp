@@ -16,9 +16,13 @@ struct Side {
 /// Where two sides touch, with integration points; `name`, and the parts where there are no points, are left open.
 ///
 /// Faces of both sides are unrolled into the parameters of the surface of side a and clipped against each other.
+/// Where side a travels, that is done again with its faces displaced to every stop, and weights and covered shares are
+/// those of the time. A stop that lifts a surface off the other by more than the gap has no contact there.
 /// @param gap      largest distance that counts as contact [m]
 /// @param covered  per face of the machine: the share of it in contact is added
-Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, double gap, std::vector<double>& covered);
+/// @param travel   of side a against side b; empty: none
+Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, double gap, std::vector<double>& covered,
+                     const std::vector<TravelStop>& travel = {});
 
 /// All bonds between touching parts of one body.
 /// @param unbonded  pairs "a|b" of name patterns

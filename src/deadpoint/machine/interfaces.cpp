@@ -42,14 +42,17 @@ void check_parts(const Machine& machine, const Contact& contact, const Side& a, 
 {
     const std::set<std::string> of_a = parts_of(machine, a.faces);
     std::set<std::string> of_b;
-    for (const ContactPoint& point : contact.points) {
-        of_b.insert(machine.parts[machine.faces[point.face_b].part].name);
+    for (const auto* points : {&contact.points, &contact.drawn_points}) {
+        for (const ContactPoint& point : *points) {
+            of_b.insert(machine.parts[machine.faces[point.face_b].part].name);
+        }
     }
     if (of_a.size() > 1 || of_b.size() > 1) {
         throw InputError(fmt::format(
-            "{}: joins {} with {}, but an interface joins exactly one part to one part; narrow "
+            "{}: joins {} with {}{}, but an interface joins exactly one part to one part; narrow "
             "its selectors or make several interfaces",
-            owner, fmt::join(of_a, ", "), of_b.empty() ? "nothing" : fmt::format("{}", fmt::join(of_b, ", "))));
+            owner, fmt::join(of_a, ", "), of_b.empty() ? "nothing" : fmt::format("{}", fmt::join(of_b, ", ")),
+            contact.stroke > 0 ? " over its stroke" : ""));
     }
 }
 
@@ -115,10 +118,39 @@ void check_coverage(const Assembly& assembly, const Contact& contact, const Inte
     throw InputError(fmt::format("{}: only {:.6g} mm2 of the {:.6g} mm2 of side a ({}) find a partner on side b ({}, "
                                  "{:.6g} mm2), that is {:.1f} %, "
                                  "but {:.0f} % are needed; {}; move or narrow side a, or widen side b or the gap",
-                                 owner, 1e6 * contact.area, 1e6 * contact.area_a, describe(description.a),
+                                 owner, 1e6 * contact.drawn_area, 1e6 * contact.area_a, describe(description.a),
                                  describe(description.b), 1e6 * contact.area_b, 100 * contact.coverage(),
                                  100 * least_coverage,
                                  nearest_partners(assembly, a, selected_parts(assembly, description.b, owner))));
+}
+
+/// The travel of side a against side b; none where another body than the two that slide takes part.
+std::vector<TravelStop> travel_of_a(const Machine& machine, const Travel& travel, const Side& a, const Side& b)
+{
+    const auto body = [&](const Side& side) -> const std::string& {
+        return machine.parts[machine.faces[side.faces.front()].part].body;
+    };
+    std::vector<TravelStop> stops = travel.stops;
+    if (body(a) == travel.standing && body(b) == travel.moving) {
+        for (TravelStop& stop : stops) {
+            stop.offset = -1.0 * stop.offset;
+        }
+    } else if (body(a) != travel.moving || body(b) != travel.standing) {
+        stops.clear();
+    }
+    return stops;
+}
+
+void check_travel(const Contact& contact, const std::vector<TravelStop>& travel, double gap, const std::string& owner)
+{
+    const bool lifts = !travel.empty() && std::any_of(travel.begin(), travel.end(), [&](const TravelStop& stop) {
+        return !Chart(contact.geometry).shift(stop.offset, gap);
+    });
+    if (lifts) {
+        throw InputError(fmt::format("{}: its {} does not lie along the travel of its joint, so that the sides would "
+                                     "part on the way; correct the direction of travel, or let this joint not be swept",
+                                     owner, describe(contact.geometry)));
+    }
 }
 
 Contact find_interface(const Assembly& assembly, const InterfaceDescription& description, std::vector<double>& covered)
@@ -127,10 +159,12 @@ Contact find_interface(const Assembly& assembly, const InterfaceDescription& des
     const Side a{faces_or_throw(assembly, description.a, owner + ", side a"), description.a.within};
     const Side b{faces_or_throw(assembly, description.b, owner + ", side b"), description.b.within};
     const double gap = description.gap > 0 ? std::max(description.gap, 1e-9) : contact_tolerance;
-    Contact contact = find_contact(assembly, a, b, gap, covered);
+    const std::vector<TravelStop> travel = travel_of_a(assembly.machine, description.travel, a, b);
+    Contact contact = find_contact(assembly, a, b, gap, covered, travel);
     contact.name = description.name;
     check_parts(assembly.machine, contact, a, owner);
     check_coverage(assembly, contact, description, a, owner);
+    check_travel(contact, travel, gap, owner);
     return contact;
 }
 

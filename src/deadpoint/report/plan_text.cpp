@@ -76,7 +76,8 @@ std::string part_name(const Machine& machine, std::uint32_t part)
 
 std::string interfaces_section(const Case& description, const Machine& machine)
 {
-    TextTable table({"interface", "kind", "between", "and", "area [cm2]", "covered", "gap [um]"});
+    TextTable table(
+        {"interface", "kind", "between", "and", "area [cm2]", "covered", "gap [um]", "stroke [mm]", "least"});
     table.align_left(1);
     table.align_left(2);
     table.align_left(3);
@@ -85,7 +86,9 @@ std::string interfaces_section(const Case& description, const Machine& machine)
         table.add_row({contact.name, joint == description.joints.end() ? "" : joint->second.kind,
                        part_name(machine, contact.part_a), part_name(machine, contact.part_b),
                        significant(1e4 * contact.area, 4), percent(contact.coverage()),
-                       fmt::format("{:.1f}", 1e6 * contact.max_gap)});
+                       fmt::format("{:.1f}", 1e6 * contact.max_gap),
+                       contact.stroke > 0 ? fmt::format("{:.1f}", 1e3 * contact.stroke) : "",
+                       contact.stroke > 0 ? percent(contact.least_coverage()) : ""});
     }
     return section("Joints and their interfaces", table);
 }

@@ -1,6 +1,7 @@
 #include "deadpoint/study/translate_machine.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/study/travel.hpp"
 
 #include <fmt/format.h>
 #include <string>
@@ -127,11 +128,14 @@ MachineDescription describe_machine(const casefile::Case& input, double size_sca
         result.parts.push_back(part_of(input, name, part));
     for (const auto& [name, surface] : input.surfaces)
         result.surfaces.push_back({name, selector_of(surface, name)});
+    const auto travels = describe_travel(input);
     for (const auto& [joint_name, joint] : input.joints) {
+        const auto travel = travels.find(joint_name);
         for (const casefile::Interface& interface : joint.interfaces) {
             const std::string name = joint_name + "." + interface.name;
             result.interfaces.push_back({name, side_of(input, joint, interface, interface.a, name),
-                                         side_of(input, joint, interface, interface.b, name), 0});
+                                         side_of(input, joint, interface, interface.b, name), 0,
+                                         travel == travels.end() ? Travel{} : travel->second});
         }
     }
     return result;
