@@ -21,6 +21,7 @@ struct CompareOptions {
     std::string reference;
     std::string output;
     std::string point;
+    std::string baseline;
     Console::Options console;
 };
 
@@ -63,7 +64,13 @@ void compare(const CompareOptions& options)
     const auto run = report::read_result(options.folder);
     const auto contents = study::contents(run);
     const auto reference = casefile::read_reference(options.reference, options.point, &contents);
-    auto comparison = study::compare(run, reference, options.point);
+    std::optional<study::RunRecord> baseline;
+    if (!options.baseline.empty()) {
+        baseline = report::read_result(options.baseline);
+        const auto offered = study::contents(*baseline);
+        (void)casefile::read_reference(options.reference, options.point, &offered);
+    }
+    auto comparison = study::compare(run, reference, options.point, baseline ? &*baseline : nullptr);
     if (!options.point.empty()) {
         if (auto warning = point_warning(run, reference.points.at(options.point), options.point)) {
             comparison.warnings.push_back(std::move(*warning));
@@ -91,6 +98,10 @@ void add_compare(CLI::App& app, int& exit_code)
         ->add_option("--point", options->point,
                      "take the values of this operating point of the reference; else those that belong to none")
         ->type_name("NAME");
+    command
+        ->add_option("--baseline", options->baseline,
+                     "show the errors of another result beside, such as that of the base case")
+        ->type_name("DIR");
     command
         ->add_option("-o,--output", options->output,
                      "write FILE.json and FILE.md instead of DIR/compare.json and DIR/compare.md")

@@ -96,6 +96,7 @@ time_column = "t"
 unit = "um"
 measures = "E_SW"
 until = "30 min"
+opposite_sign = true
 )");
     const auto contents = three_hours();
     const auto base = read_reference(file, "", &contents);
@@ -111,7 +112,7 @@ until = "30 min"
     CHECK(base.curves[0].value[1] == doctest::Approx(283.15).epsilon(1e-12));
     CHECK(base.curves[0].value[2] == doctest::Approx(293.15).epsilon(1e-12));
     CHECK(base.curves[1].time == std::vector<double>{0, 1800});
-    CHECK(base.curves[1].value[1] == doctest::Approx(-1e-6).epsilon(1e-12));
+    CHECK(base.curves[1].value[1] == doctest::Approx(1e-6).epsilon(1e-12));
     const auto fast = read_reference(file, "fast");
     CHECK(fast.rises.at(0).time == 5400);
     CHECK(fast.chain.empty());
@@ -121,7 +122,7 @@ until = "30 min"
 TEST_CASE("what a result does not have is said with its place")
 {
     const auto probe = error_of("[[rises]]\ntime = \"1 h\"\nvalues = { tpo = \"1 K\" }\n");
-    CHECK(has(probe, "r.toml:6:12: error[unknown-name]: rises.0.values.tpo"));
+    CHECK(has(probe, "r.toml:6:18: error[unknown-name]: rises.0.values.tpo"));
     CHECK(has(probe, "did you mean 'top'?"));
     CHECK(has(probe, "1 error in the reference file; nothing was compared"));
     const auto late = error_of("[[rises]]\ntime = \"4 h\"\nvalues = { top = \"1 K\" }\n");
@@ -152,6 +153,8 @@ TEST_CASE("keys that do not go together, points that do not exist")
               "'time' is missing for at = \"time\""));
     CHECK(has(error_of("[[chain]]\ndimension = \"E_SW\"\nat = \"end\"\ntime = \"1 h\"\nvalue = \"1 um\"\n"),
               "at = \"end\" does not use 'time'"));
+    CHECK(has(error_of(rise_curve + "opposite_sign = true\n", "time [s],top [K]\n0,1\n"),
+              "measures = \"rise\" does not use 'opposite_sign'"));
     CHECK(has(error_of("[[loads]]\nquantity = \"seat.peak_N\"\n"), "the figure needs one value"));
     const std::string claim = "[[claims]]\ntext = \"x\"\nkind = ";
     CHECK(has(error_of(claim + "\"warmer\"\nprobes = [\"top\"]\n"), "'than' is missing for kind = \"warmer\""));
@@ -278,14 +281,16 @@ TEST_CASE("the points of the paper's sweeps are settings that the case takes")
 {
     const auto base = read_reference(press / "paper.toml");
     CHECK(base.claims.size() >= 14);
-    const auto at = [](const std::string& point) {
-        const auto file = read_reference(press / "paper-sweeps.toml", point);
-        return read_case(press / "case.toml", file.points.at(point).set).value;
+    const auto points = reference_points(press / "paper-sweeps.toml");
+    CHECK(points.size() == 10);  // three speeds, no load, three forces, three stiffnesses
+    const auto at = [&](const std::string& point) {
+        return read_case(press / "case.toml", points.at(point).set).value;
     };
     CHECK(at("speed_400").operation.at(0).speed == doctest::Approx(400 * 3.14159265358979 / 30).epsilon(1e-13));
     CHECK(at("force_100").operation.at(0).force == 100e3);
     CHECK(at("no_load").operation.at(0).force == 0);
-    for (const auto& bearing : at("stiffness_1e9").crankshaft->bearings) {
+    const auto stiff = at("stiffness_1e9");
+    for (const auto& bearing : stiff.crankshaft->bearings) {
         CHECK(bearing.stiffness[1][1] == 1e9);
     }
     const auto traditional = read_reference(press / "paper.toml", "traditional");

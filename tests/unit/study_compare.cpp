@@ -67,15 +67,16 @@ TEST_CASE("values are taken at their time, in the program's sign, and grouped by
     casefile::ReferenceFile file;
     file.rises.emplace_back().time = 2700;  // half way between two rows
     file.rises[0].values = {{"frame", 2}, {"shaft", 12}};
-    auto& chain = file.chain.emplace_back();
+    casefile::ReferenceChain chain;
     chain.dimension = "E_SW";
     chain.at = "largest";
     chain.value = 25e-6;
     chain.opposite_sign = true;
-    chain = file.chain.emplace_back(chain);
+    file.chain.push_back(chain);
     chain.at = "end";
     chain.opposite_sign = false;
     chain.value = -12e-6;
+    file.chain.push_back(chain);
     auto& peak = file.times.emplace_back();
     peak.of = "largest_E_SW";
     peak.value = 3000;
@@ -106,6 +107,15 @@ TEST_CASE("values are taken at their time, in the program's sign, and grouped by
     CHECK(*c.groups[1].figures.rms_nothing == doctest::Approx(1e-6 * std::sqrt((25 * 25 + 12 * 12) / 2.0)));
     CHECK_FALSE(c.groups[2].figures.rms_nothing);
     CHECK(c.warnings.empty());
+
+    file.rises[0].group = "second reading";
+    const auto apart = compare(record(), file);
+    CHECK(apart.values[0].group == "second reading");
+    CHECK(apart.groups[0].group == "second reading");
+    file.rises.push_back(file.rises[0]);
+    file.rises[1].group = "";
+    CHECK(compare(record(), file).groups.size() == 6);
+    file.rises.pop_back();
 
     auto without = record();
     without.has_loads = false;
@@ -236,4 +246,36 @@ TEST_CASE("claims of the gap")
     c.reason = "takes two runs";
     CHECK(judge(run, c).outcome == Outcome::unchecked);
     CHECK(judge(run, c).evidence == "takes two runs");
+}
+
+TEST_CASE("another run as baseline: its values and its errors stand beside")
+{
+    casefile::ReferenceFile file;
+    file.rises.emplace_back().time = 3600;
+    file.rises[0].values = {{"frame", 1}, {"shaft", 20}};
+    file.loads.emplace_back().quantity = "seat.peak_N";
+    file.loads[0].force = 10000;
+    auto& curve = file.curves.emplace_back();
+    curve.measures = "rise";
+    curve.probe = "frame";
+    curve.time = {3600};
+    curve.value = {1};
+    auto other = record();
+    other.folder = "other";
+    other.has_loads = false;
+    for (double& rise : other.rises["frame"]) {
+        rise *= 2;
+    }
+    const auto c = compare(record(), file, "", &other);
+    CHECK(c.baseline == "other");
+    REQUIRE(c.values.size() == 3);
+    CHECK(*c.values[0].baseline == 4);  // twice the 2 K of the run
+    CHECK(*c.values[1].baseline == 16);
+    CHECK_FALSE(c.values[2].baseline);  // it has no loads
+    // Errors of the run: 1 and -4; of the baseline: 3 and -4.
+    CHECK(c.groups[0].figures.rms == doctest::Approx(std::sqrt(17.0 / 2)));
+    CHECK(*c.groups[0].figures.rms_baseline == doctest::Approx(std::sqrt(25.0 / 2)));
+    CHECK_FALSE(c.groups[1].figures.rms_baseline);
+    CHECK(*c.curves[0].figures.rms_baseline == doctest::Approx(3));
+    CHECK_FALSE(compare(record(), file).groups[0].figures.rms_baseline);
 }

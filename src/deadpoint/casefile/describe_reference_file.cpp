@@ -20,8 +20,14 @@ void choose(Visitor& v, const Key& key, std::string& value, std::initializer_lis
 void describe_note(Visitor& v, ReferenceNote& n)
 {
     v.text({"point", "operating point it belongs to, of [points]; without it the case as it stands"}, n.point);
-    v.flag({"calibrated", "a parameter was fitted to it, whatever the case says; reported apart"}, n.calibrated);
     v.text({"note", "shown beside the comparison"}, n.note);
+}
+
+void describe_value(Visitor& v, ReferenceValue& n)
+{
+    v.text({"group", "values of one name whose errors are summed up together, apart from the others"}, n.group);
+    v.flag({"calibrated", "a parameter was fitted to it, whatever the case says; reported apart"}, n.calibrated);
+    describe_note(v, n);
 }
 
 /// A key belongs to some kinds only; it is needed there, or allowed.
@@ -86,7 +92,7 @@ void describe(Visitor& v, ReferenceRises& r)
     v.about("Rises of several probes over the initial temperature, at one time of the run.");
     v.quantity({"time", "when they were read", required}, r.time, D::time, non_negative);
     v.quantities({"values", "rise by probe", required}, r.values, D::temperature_difference);
-    describe_note(v, r);
+    describe_value(v, r);
 }
 
 void describe(Visitor& v, ReferenceCurve& c)
@@ -99,15 +105,15 @@ void describe(Visitor& v, ReferenceCurve& c)
     v.text({"time_column", "the times"}, c.time_column);
     v.text({"unit", "of the values, in place of the heading's"}, c.unit);
     v.text({"time_unit", "of the times, in place of the heading's"}, c.time_unit);
-    choose(v,
-           {"measures", "temperature or rise of a probe, or a dimension of the chain in the sign of the program",
-            required},
-           c.measures, {"temperature", "rise", "E_SW", "E_BG", "E_WG", "E_CS", "E_BC"});
+    choose(v, {"measures", "temperature or rise of a probe, or a dimension of the chain", required}, c.measures,
+           {"temperature", "rise", "E_SW", "E_BG", "E_WG", "E_CS", "E_BC"});
     v.text({"probe", "whose temperature or rise"}, c.probe);
     v.quantity({"until", "rows after this time are left out"}, c.until, D::time, positive);
-    describe_note(v, c);
+    v.flag({"opposite_sign", "of a dimension: the file counts it the other way round"}, c.opposite_sign);
+    describe_value(v, c);
     const KindKeys keys{v, "measures", c.measures};
     keys.needed(!c.probe.empty(), "probe", {"temperature", "rise"});
+    keys.allowed(c.opposite_sign, "opposite_sign", {"E_SW", "E_BG", "E_WG", "E_CS", "E_BC"});
 }
 
 void describe(Visitor& v, ReferenceChain& c)
@@ -120,7 +126,7 @@ void describe(Visitor& v, ReferenceChain& c)
     v.quantity({"time", "for at = \"time\""}, c.time, D::time, non_negative);
     v.quantity({"value", "in the sign of the source", required}, c.value, D::length, any_value);
     v.flag({"opposite_sign", "the source counts it the other way round"}, c.opposite_sign);
-    describe_note(v, c);
+    describe_value(v, c);
     KindKeys{v, "at", c.at}.needed(c.time.has_value(), "time", {"time"});
 }
 
@@ -136,7 +142,7 @@ void describe(Visitor& v, ReferenceTime& t)
     v.text({"probe", "for `share_of_rise`"}, t.probe);
     v.number({"share", "for `share_of_rise`"}, t.share, {0, 1, true});
     v.quantity({"value", "the time", required}, t.value, D::time, non_negative);
-    describe_note(v, t);
+    describe_value(v, t);
     KindKeys{v, "of", t.of}.needed(!t.probe.empty(), "probe", {"share_of_rise"});
 }
 
@@ -153,7 +159,7 @@ void describe(Visitor& v, ReferenceLoad& l)
     v.quantity({"power", "its value"}, l.power, D::power, any_value);
     v.quantity({"number", "its value, for what has another unit (that of its name) or none"}, l.number, D::none,
                any_value);
-    describe_note(v, l);
+    describe_value(v, l);
     const int given = (l.force ? 1 : 0) + (l.length ? 1 : 0) + (l.power ? 1 : 0) + (l.number ? 1 : 0);
     v.expect(given == 1, "", "the figure needs one value", "give one of `force`, `length`, `power` and `number`");
 }

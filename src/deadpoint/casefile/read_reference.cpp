@@ -9,12 +9,22 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <functional>
 #include <utility>
 
 namespace deadpoint::casefile {
 namespace {
 
 constexpr double same_time = 1e-9;  ///< relative, so that "3 h" is the end of a run of 10800 s
+
+std::vector<std::string> names_of(const std::map<std::string, ReferencePoint>& points)
+{
+    std::vector<std::string> names;
+    for (const auto& [name, point] : points) {
+        names.push_back(name);
+    }
+    return names;
+}
 
 Dimension measured_dimension(const std::string& measures)
 {
@@ -58,11 +68,7 @@ private:
         for (std::size_t i = 0; i < items.size(); ++i) {
             const std::string at = fmt::format("{}.{}", list, i);
             if (!items[i].point.empty() && !file_.points.contains(items[i].point)) {
-                std::vector<std::string> names;
-                for (const auto& [name, point] : file_.points) {
-                    names.push_back(name);
-                }
-                unknown(at + ".point", "operating point", items[i].point, names, "the file");
+                unknown(at + ".point", "operating point", items[i].point, names_of(file_.points), "the file");
             }
             against_result_ = result_ != nullptr && items[i].point == wanted;
             check(items[i], at);
@@ -202,6 +208,9 @@ private:
         if (c.time.empty() || c.value.empty()) {
             return;
         }
+        if (c.opposite_sign) {
+            std::ranges::transform(c.value, c.value.begin(), std::negate<>());
+        }
         const auto wrong = std::ranges::adjacent_find(c.time, [](double a, double b) { return !(a < b); });
         if (wrong != c.time.end()) {
             const auto row = static_cast<std::size_t>(wrong - c.time.begin()) + 1;
@@ -265,15 +274,30 @@ void require_point(const ReferenceFile& file, const std::string& path, const std
     if (point.empty() || file.points.contains(point)) {
         return;
     }
-    std::vector<std::string> names;
-    for (const auto& [name, value] : file.points) {
-        names.push_back(name);
-    }
+    const auto names = names_of(file.points);
     const std::string near = closest_name(point, names);
     throw InputError(fmt::format("{}: there is no operating point '{}'\n  help: {}", path, point,
                                  !near.empty()   ? fmt::format("did you mean '{}'?", near)
                                  : names.empty() ? "the file has no [points]; leave --point out"
                                                  : fmt::format("it has: {}", fmt::join(names, ", "))));
+}
+
+void stop_at_errors(const Diagnostics& diagnostics)
+{
+    if (diagnostics.error_count() > 0) {
+        throw InputError(diagnostics.render_errors("the reference file; nothing was compared"));
+    }
+}
+
+/// Everything the file says, not yet held against a result; its curves are not read yet.
+ReferenceFile parse_reference(const std::filesystem::path& path, Document& document, Diagnostics& diagnostics)
+{
+    document = load_document(path, {}, diagnostics);
+    stop_at_errors(diagnostics);
+    ReferenceFile file;
+    Reader(document, diagnostics, nullptr).read(file);
+    stop_at_errors(diagnostics);
+    return file;
 }
 
 bool is_empty(const ReferenceFile& f)
@@ -304,34 +328,29 @@ LoadUnit load_unit(std::string_view path)
 
 ReferenceFile read_reference(const std::filesystem::path& path, const std::string& point, const ResultContents* result)
 {
-    constexpr std::string_view outcome = "the reference file; nothing was compared";
     Diagnostics diagnostics;
-    const Document document = load_document(path, {}, diagnostics);
-    const auto stop_at_errors = [&] {
-        if (diagnostics.error_count() > 0) {
-            throw InputError(diagnostics.render_errors(outcome));
-        }
-    };
-    stop_at_errors();
-    ReferenceFile file;
-    Reader(document, diagnostics, nullptr).read(file);
-    stop_at_errors();
+    Document document;
+    ReferenceFile file = parse_reference(path, document, diagnostics);
     require_point(file, path.string(), point);
     ReferenceChecker(file, document, diagnostics, result).run(point);
-    stop_at_errors();
+    stop_at_errors(diagnostics);
     if (is_empty(file)) {
-        std::vector<std::string> names;
-        for (const auto& [name, value] : file.points) {
-            names.push_back(name);
-        }
-        throw InputError(
-            point.empty() ? fmt::format("{}: all values belong to operating points\n  help: name one with --point: {}",
-                                        path.string(), fmt::join(names, ", "))
-                          : fmt::format("{}: no value belongs to the operating point '{}'\n  help: name it in the "
-                                        "`point` of a value",
-                                        path.string(), point));
+        const auto names = names_of(file.points);
+        throw InputError(point.empty() ? fmt::format("{}: all values belong to operating points\n  help: name one with "
+                                                     "--point: {}",
+                                                     path.string(), fmt::join(names, ", "))
+                                       : fmt::format("{}: no value belongs to the operating point '{}'\n  help: name "
+                                                     "it in the `point` of a value",
+                                                     path.string(), point));
     }
     return file;
+}
+
+std::map<std::string, ReferencePoint> reference_points(const std::filesystem::path& path)
+{
+    Diagnostics diagnostics;
+    Document document;
+    return parse_reference(path, document, diagnostics).points;
 }
 
 }  // namespace deadpoint::casefile

@@ -14,19 +14,24 @@ namespace deadpoint::casefile {
 
 class Visitor;
 
-/// What every value of a reference file may say besides.
+/// What every value and claim of a reference file may say besides.
 struct ReferenceNote {
-    std::string point;        ///< operating point it belongs to; empty: the case as it stands
-    bool calibrated = false;  ///< some parameter was fitted to it, whatever the case says
+    std::string point;  ///< operating point it belongs to; empty: the case as it stands
     std::string note;
 };
 
-struct ReferenceRises : ReferenceNote {
+/// What every value may say besides.
+struct ReferenceValue : ReferenceNote {
+    std::string group;        ///< values whose errors are summed up together; empty: those of its list without a group
+    bool calibrated = false;  ///< some parameter was fitted to it, whatever the case says
+};
+
+struct ReferenceRises : ReferenceValue {
     double time = 0;                       ///< [s]
     std::map<std::string, double> values;  ///< by probe [K]
 };
 
-struct ReferenceCurve : ReferenceNote {
+struct ReferenceCurve : ReferenceValue {
     std::string name;
     std::string file;
     std::string column;
@@ -36,11 +41,12 @@ struct ReferenceCurve : ReferenceNote {
     std::string measures;   ///< "temperature", "rise", "E_SW", ...
     std::string probe;
     std::optional<double> until;  ///< later rows are left out [s]
+    bool opposite_sign = false;   ///< of a dimension: the file counts it the other way round
     std::vector<double> time;     ///< read from the file [s]
-    std::vector<double> value;    ///< [K] or [m]
+    std::vector<double> value;    ///< [K], or [m] in the sign of the program
 };
 
-struct ReferenceChain : ReferenceNote {
+struct ReferenceChain : ReferenceValue {
     std::string dimension;  ///< "E_SW", ...
     std::string at;         ///< "time", "largest", "end"
     std::optional<double> time;
@@ -48,14 +54,14 @@ struct ReferenceChain : ReferenceNote {
     bool opposite_sign = false;  ///< the source counts it the other way round
 };
 
-struct ReferenceTime : ReferenceNote {
+struct ReferenceTime : ReferenceValue {
     std::string of;  ///< "largest_E_SW", "share_of_rise"
     std::string probe;
     double share = 0.95;
     double value = 0;  ///< [s]
 };
 
-struct ReferenceLoad : ReferenceNote {
+struct ReferenceLoad : ReferenceValue {
     std::string quantity;  ///< path in loads.json: "crankshaft.rigid.seats.B.peak_y_N"
     std::optional<double> force, length, power, number;
 };
@@ -128,5 +134,9 @@ LoadUnit load_unit(std::string_view path);
 /// @throws IoError if the file cannot be read
 ReferenceFile read_reference(const std::filesystem::path& path, const std::string& point = "",
                              const ResultContents* result = nullptr);
+
+/// The operating points of a reference file.
+/// @throws InputError, IoError as read_reference, but for what concerns a result or a curve's file
+std::map<std::string, ReferencePoint> reference_points(const std::filesystem::path& path);
 
 }  // namespace deadpoint::casefile

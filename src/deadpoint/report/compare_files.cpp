@@ -71,19 +71,31 @@ struct Sheet {
     std::size_t left = 1;  ///< columns that are aligned to the left
 };
 
+std::string full_name(const ComparedValue& v)
+{
+    return v.group == v.kind ? v.name : fmt::format("{} ({})", v.name, v.group);
+}
+
 Sheet value_sheet(const Comparison& c)
 {
-    Sheet sheet{{"value", "unit", "reference", "computed", "error", "relative", ""}, {}, 2};
+    Sheet sheet{{"value", "unit", "reference", "computed", "error", "relative"}, {}, 2};
+    const bool with_baseline = !c.baseline.empty();
+    if (with_baseline)
+        sheet.titles.emplace_back("baseline");
+    sheet.titles.emplace_back();
     for (const auto& v : c.values) {
         const auto [unit, factor] = shown(v.kind, v.dimension);
-        sheet.rows.push_back({v.name, unit, number(factor * v.reference), number(factor * v.computed),
-                              signed_number(factor * v.error()), percent(v.relative_error()), status(v.calibrated)});
+        sheet.rows.push_back({full_name(v), unit, number(factor * v.reference), number(factor * v.computed),
+                              signed_number(factor * v.error()), percent(v.relative_error())});
+        if (with_baseline)
+            sheet.rows.back().push_back(v.baseline ? number(factor * *v.baseline) : "-");
+        sheet.rows.back().emplace_back(status(v.calibrated));
     }
     return sheet;
 }
 
 std::vector<std::string> figure_row(const std::string& name, const ErrorFigures& f, Shown s,
-                                    const std::string& largest_at, bool calibrated)
+                                    const std::string& largest_at)
 {
     const auto baseline = [&](const std::optional<double>& rms) { return rms ? number(s.factor * *rms) : "-"; };
     return {name,
@@ -94,17 +106,33 @@ std::vector<std::string> figure_row(const std::string& name, const ErrorFigures&
             fmt::format("{} ({})", signed_number(s.factor * f.largest), largest_at),
             baseline(f.rms_nothing),
             baseline(f.rms_mean),
-            status(calibrated)};
+            baseline(f.rms_baseline)};
+}
+
+std::string set_name(const ComparedGroup& g)
+{
+    return g.group == g.kind ? g.kind : fmt::format("{}: {}", g.kind, g.group);
 }
 
 Sheet figure_sheet(const Comparison& c)
 {
-    Sheet sheet{{"set", "unit", "values", "rms", "bias", "largest", "rms: no change", "rms: mean", ""}, {}, 2};
+    Sheet sheet{
+        {"set", "unit", "values", "rms", "bias", "largest", "rms: no change", "rms: mean", "rms: baseline"}, {}, 2};
+    const auto add = [&](std::vector<std::string> row, bool calibrated) {
+        if (c.baseline.empty())
+            row.pop_back();
+        row.emplace_back(status(calibrated));
+        sheet.rows.push_back(std::move(row));
+    };
+    if (c.baseline.empty())
+        sheet.titles.pop_back();
+    sheet.titles.emplace_back();
     for (const auto& g : c.groups)
-        sheet.rows.push_back(figure_row(g.kind, g.figures, shown(g.kind, g.dimension), g.largest_name, g.calibrated));
+        add(figure_row(set_name(g), g.figures, shown(g.kind, g.dimension), g.largest_name), g.calibrated);
     for (const auto& curve : c.curves)
-        sheet.rows.push_back(figure_row(curve.name, curve.figures, shown("curve", curve.dimension),
-                                        duration_text(curve.time[curve.figures.largest_at]), curve.calibrated));
+        add(figure_row(curve.name, curve.figures, shown("curve", curve.dimension),
+                       duration_text(curve.time[curve.figures.largest_at])),
+            curve.calibrated);
     return sheet;
 }
 
@@ -151,11 +179,13 @@ std::string title(const study::RunRecord& run, const Comparison& c)
                        c.point.empty() ? "" : fmt::format(" at {}", c.point));
 }
 
-std::string how_to_read(const study::RunRecord& run)
+std::string how_to_read(const study::RunRecord& run, const Comparison& c)
 {
     std::string text =
         "Errors are computed less reference; E_SW > 0 opens the gap. Beside the rms stand two baselines: predicting no "
         "change at all, and predicting the mean of the references.";
+    if (!c.baseline.empty())
+        text += fmt::format(" Baseline: the result in `{}`.", c.baseline);
     if (!run.calibrated_on.empty())
         text += fmt::format(" The case was fitted to the rises marked as calibrated ({} keys); they are no prediction.",
                             run.calibrated_on.size());
@@ -176,7 +206,7 @@ std::vector<std::string> notes(const Comparison& c)
             at->second += ", " + name;
     };
     for (const auto& v : c.values)
-        add(v.note, v.name);
+        add(v.note, full_name(v));
     for (const auto& curve : c.curves)
         add(curve.note, curve.name);
     std::vector<std::string> lines;
@@ -194,7 +224,8 @@ Json figures_json(const ErrorFigures& f, Shown s)
             {"bias", s.factor * f.bias},
             {"largest_error", s.factor * f.largest},
             {"rms_of_no_change", optional(f.rms_nothing)},
-            {"rms_of_mean", optional(f.rms_mean)}};
+            {"rms_of_mean", optional(f.rms_mean)},
+            {"rms_of_baseline", optional(f.rms_baseline)}};
 }
 
 Json curve_json(const ComparedCurve& curve)
@@ -214,6 +245,8 @@ Json curve_json(const ComparedCurve& curve)
     };
     json["reference"] = column(curve.reference);
     json["computed"] = column(curve.computed);
+    if (!curve.baseline.empty())
+        json["baseline"] = column(curve.baseline);
     return json;
 }
 
@@ -224,11 +257,12 @@ Json compare_json(const study::RunRecord& run, const Comparison& c)
     json["case"] = {{"name", run.machine}, {"hash", run.hash}};
     json["result"] = run.folder;
     json["reference"] = {{"name", c.reference}, {"source", c.source}, {"point", c.point}};
+    json["baseline"] = c.baseline.empty() ? Json(nullptr) : Json(c.baseline);
     json["warnings"] = c.warnings;
     json["calibrated_on"] = run.calibrated_on;
     json["sets"] = Json::array();
     for (const auto& g : c.groups) {
-        Json set{{"kind", g.kind}, {"calibrated", g.calibrated}};
+        Json set{{"kind", g.kind}, {"group", g.group}, {"calibrated", g.calibrated}};
         set.update(figures_json(g.figures, shown(g.kind, g.dimension)));
         set["largest_error_of"] = g.largest_name;
         json["sets"].push_back(set);
@@ -237,11 +271,13 @@ Json compare_json(const study::RunRecord& run, const Comparison& c)
     for (const auto& v : c.values) {
         const auto s = shown(v.kind, v.dimension);
         Json value{{"kind", v.kind},
+                   {"group", v.group},
                    {"name", v.name},
                    {"unit", s.unit},
                    {"reference", s.factor * v.reference},
                    {"computed", s.factor * v.computed},
                    {"error", s.factor * v.error()},
+                   {"baseline", v.baseline ? Json(s.factor * *v.baseline) : Json(nullptr)},
                    {"relative_error", v.relative_error() ? Json(*v.relative_error()) : Json(nullptr)},
                    {"calibrated", v.calibrated}};
         if (!v.note.empty())
@@ -288,7 +324,7 @@ std::string compare_page(const study::RunRecord& run, const Comparison& c)
         text += fmt::format("\n{}\n", c.note);
     for (const auto& warning : c.warnings)
         text += fmt::format("\n**Warning:** {}\n", warning);
-    text += fmt::format("\n{}\n", how_to_read(run));
+    text += fmt::format("\n{}\n", how_to_read(run, c));
     if (const auto figures = figure_sheet(c); !figures.rows.empty())
         text += fmt::format("\n## Errors\n{}", table_markdown(figures));
     if (const auto values = value_sheet(c); !values.rows.empty())

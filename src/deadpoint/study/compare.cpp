@@ -30,10 +30,12 @@ bool was_fitted_to(const RunRecord& run, const casefile::ReferenceRises& rises, 
            std::ranges::find(run.calibrated_probes, probe) != run.calibrated_probes.end();
 }
 
-ComparedValue value_of(const char* kind, Dimension dimension, const casefile::ReferenceNote& note)
+ComparedValue value_of(const char* kind, Dimension dimension, std::string name, const casefile::ReferenceValue& note)
 {
     ComparedValue value;
     value.kind = kind;
+    value.group = note.group.empty() ? kind : note.group;
+    value.name = std::move(name);
     value.dimension = dimension;
     value.calibrated = note.calibrated;
     value.note = note.note;
@@ -43,8 +45,7 @@ ComparedValue value_of(const char* kind, Dimension dimension, const casefile::Re
 void add_rises(const RunRecord& run, const casefile::ReferenceRises& rises, std::vector<ComparedValue>& values)
 {
     for (const auto& [probe, rise] : rises.values) {
-        auto value = value_of("rises", Dimension::temperature_difference, rises);
-        value.name = probe + " " + at(rises.time);
+        auto value = value_of("rises", Dimension::temperature_difference, probe + " " + at(rises.time), rises);
         value.reference = rise;
         value.computed = value_at(run, run.rises.at(probe), rises.time);
         value.calibrated = value.calibrated || was_fitted_to(run, rises, probe);
@@ -54,17 +55,15 @@ void add_rises(const RunRecord& run, const casefile::ReferenceRises& rises, std:
 
 ComparedValue chain_value(const RunRecord& run, const casefile::ReferenceChain& c)
 {
-    auto value = value_of("chain", Dimension::length, c);
     const auto& course = run.chain.at(c.dimension);
+    const std::string when = c.at == "time" ? at(*c.time) : c.at == "end" ? "at the end" : "largest";
+    auto value = value_of("chain", Dimension::length, c.dimension + " " + when, c);
     value.reference = c.opposite_sign ? -c.value : c.value;
     if (c.at == "time") {
-        value.name = c.dimension + " " + at(*c.time);
         value.computed = value_at(run, course, *c.time);
     } else if (c.at == "end") {
-        value.name = c.dimension + " at the end";
         value.computed = course.back();
     } else {
-        value.name = c.dimension + " largest";
         value.computed = *std::ranges::max_element(course, {}, [](double e) { return std::abs(e); });
     }
     return value;
@@ -72,23 +71,19 @@ ComparedValue chain_value(const RunRecord& run, const casefile::ReferenceChain& 
 
 ComparedValue time_value(const RunRecord& run, const casefile::ReferenceTime& t)
 {
-    auto value = value_of("times", Dimension::time, t);
+    const bool of_gap = t.of == "largest_E_SW";
+    auto value =
+        value_of("times", Dimension::time,
+                 of_gap ? "E_SW is largest" : fmt::format("{} has {:.3g} % of its rise", t.probe, 100 * t.share), t);
     value.reference = t.value;
-    if (t.of == "largest_E_SW") {
-        value.name = "E_SW is largest";
-        value.computed = run.time[largest_gap_row(run)];
-    } else {
-        value.name = fmt::format("{} has {:.3g} % of its rise", t.probe, 100 * t.share);
-        value.computed = time_to_share(run.time, run.rises.at(t.probe), t.share);
-    }
+    value.computed = of_gap ? run.time[largest_gap_row(run)] : time_to_share(run.time, run.rises.at(t.probe), t.share);
     return value;
 }
 
 ComparedValue load_value(const RunRecord& run, const casefile::ReferenceLoad& l)
 {
     const auto unit = casefile::load_unit(l.quantity);
-    auto value = value_of("loads", unit.dimension, l);
-    value.name = l.quantity;
+    auto value = value_of("loads", unit.dimension, l.quantity, l);
     value.reference = l.force ? *l.force : l.length ? *l.length : l.power ? *l.power : l.number.value_or(0);
     value.computed = unit.factor * run.loads.at(l.quantity);
     return value;
@@ -116,6 +111,49 @@ ComparedCurve compared_curve(const RunRecord& run, const casefile::ReferenceCurv
     return curve;
 }
 
+std::vector<ComparedValue> values_of(const RunRecord& run, const casefile::ReferenceFile& reference)
+{
+    std::vector<ComparedValue> values;
+    for (const auto& rises : reference.rises) {
+        add_rises(run, rises, values);
+    }
+    for (const auto& c : reference.chain) {
+        values.push_back(chain_value(run, c));
+    }
+    for (const auto& t : reference.times) {
+        values.push_back(time_value(run, t));
+    }
+    for (const auto& l : reference.loads) {
+        if (run.has_loads) {
+            values.push_back(load_value(run, l));
+        }
+    }
+    return values;
+}
+
+std::vector<ComparedCurve> curves_of(const RunRecord& run, const casefile::ReferenceFile& reference)
+{
+    std::vector<ComparedCurve> curves;
+    for (const auto& c : reference.curves) {
+        curves.push_back(compared_curve(run, c));
+    }
+    return curves;
+}
+
+void add_baseline(const RunRecord& baseline, const casefile::ReferenceFile& reference, Comparison& result)
+{
+    // Loads come last: where the baseline has none, its other values still stand at the same places.
+    const auto values = values_of(baseline, reference);
+    for (std::size_t i = 0; i < std::min(values.size(), result.values.size()); ++i) {
+        result.values[i].baseline = values[i].computed;
+    }
+    const auto curves = curves_of(baseline, reference);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        result.curves[i].baseline = curves[i].computed;
+        result.curves[i].figures.rms_baseline = curves[i].figures.rms;
+    }
+}
+
 /// Groups in the order in which their first values come.
 std::vector<ComparedGroup> grouped(const std::vector<ComparedValue>& values)
 {
@@ -123,23 +161,30 @@ std::vector<ComparedGroup> grouped(const std::vector<ComparedValue>& values)
     std::vector<std::vector<const ComparedValue*>> members;
     for (const auto& value : values) {
         const auto found = std::ranges::find_if(groups, [&](const ComparedGroup& g) {
-            return g.kind == value.kind && g.dimension == value.dimension && g.calibrated == value.calibrated;
+            return g.kind == value.kind && g.group == value.group && g.dimension == value.dimension &&
+                   g.calibrated == value.calibrated;
         });
         if (found == groups.end()) {
-            groups.push_back({value.kind, value.dimension, value.calibrated, {}, ""});
+            groups.push_back({value.kind, value.group, value.dimension, value.calibrated, {}, ""});
             members.push_back({&value});
         } else {
             members[static_cast<std::size_t>(found - groups.begin())].push_back(&value);
         }
     }
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        std::vector<double> computed, reference;
+        std::vector<double> computed, reference, baseline;
         for (const auto* value : members[i]) {
             computed.push_back(value->computed);
             reference.push_back(value->reference);
+            if (value->baseline) {
+                baseline.push_back(*value->baseline);
+            }
         }
         const bool change = groups[i].kind == "rises" || groups[i].kind == "chain";
         groups[i].figures = error_figures(computed, reference, change ? std::optional(0.0) : std::nullopt);
+        if (baseline.size() == reference.size()) {
+            groups[i].figures.rms_baseline = error_figures(baseline, reference, std::nullopt).rms;
+        }
         groups[i].largest_name = members[i][groups[i].figures.largest_at]->name;
     }
     return groups;
@@ -206,26 +251,23 @@ casefile::ResultContents contents(const RunRecord& run)
     return result;
 }
 
-Comparison compare(const RunRecord& run, const casefile::ReferenceFile& reference, const std::string& point)
+Comparison compare(const RunRecord& run, const casefile::ReferenceFile& reference, const std::string& point,
+                   const RunRecord* baseline)
 {
     Comparison result;
     result.reference = reference.name;
     result.source = reference.source;
     result.note = reference.note;
     result.point = point;
-    for (const auto& rises : reference.rises) {
-        add_rises(run, rises, result.values);
+    result.values = values_of(run, reference);
+    result.curves = curves_of(run, reference);
+    if (baseline != nullptr) {
+        result.baseline = baseline->folder;
+        add_baseline(*baseline, reference, result);
     }
-    for (const auto& c : reference.chain) {
-        result.values.push_back(chain_value(run, c));
-    }
-    for (const auto& t : reference.times) {
-        result.values.push_back(time_value(run, t));
-    }
-    for (const auto& l : reference.loads) {
-        if (run.has_loads) {
-            result.values.push_back(load_value(run, l));
-        }
+    result.groups = grouped(result.values);
+    for (const auto& claim : reference.claims) {
+        result.verdicts.push_back(judge(run, claim));
     }
     if (!reference.loads.empty() && !run.has_loads) {
         result.warnings.push_back(fmt::format("{} figure{} of loads.json not compared: the result has no loads",
@@ -233,13 +275,6 @@ Comparison compare(const RunRecord& run, const casefile::ReferenceFile& referenc
     }
     if (run.interrupted) {
         result.warnings.push_back(fmt::format("the run was interrupted: its end is {}", at(run.time.back())));
-    }
-    result.groups = grouped(result.values);
-    for (const auto& c : reference.curves) {
-        result.curves.push_back(compared_curve(run, c));
-    }
-    for (const auto& claim : reference.claims) {
-        result.verdicts.push_back(judge(run, claim));
     }
     return result;
 }

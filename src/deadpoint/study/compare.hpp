@@ -12,11 +12,13 @@ namespace deadpoint::study {
 
 /// One value beside its reference, in SI units and the program's signs.
 struct ComparedValue {
-    std::string kind;  ///< "rises", "chain", "times", "loads"
-    std::string name;  ///< "P1 at 3 h"
+    std::string kind;   ///< "rises", "chain", "times", "loads"
+    std::string group;  ///< as the reference file says, else the kind
+    std::string name;   ///< "P1 at 3 h"
     Dimension dimension = Dimension::none;
     double reference = 0;
     double computed = 0;
+    std::optional<double> baseline;  ///< what the baseline run has in its place
     bool calibrated = false;
     std::string note;
     /// Computed less reference; differences of a relative 1e-12 come from units and count as none.
@@ -36,15 +38,17 @@ struct ErrorFigures {
     std::optional<double> rms_nothing;
     /// The same of predicting the mean of the references for each: a baseline that knows their level. Of two or more.
     std::optional<double> rms_mean;
+    std::optional<double> rms_baseline;  ///< of the baseline run
 };
 /// @param nothing  what is there if nothing changes; without it, no baselines
 /// @throws DomainError if there are no values, or not one reference for each
 ErrorFigures error_figures(const std::vector<double>& computed, const std::vector<double>& reference,
                            std::optional<double> nothing);
 
-/// All values of one kind, fitted ones apart from predicted ones.
+/// All values of one kind and group, fitted ones apart from predicted ones.
 struct ComparedGroup {
     std::string kind;
+    std::string group;
     Dimension dimension = Dimension::none;
     bool calibrated = false;
     ErrorFigures figures;
@@ -58,6 +62,7 @@ struct ComparedCurve {
     std::vector<double> time;
     std::vector<double> reference;
     std::vector<double> computed;
+    std::vector<double> baseline;  ///< empty without a baseline run
     bool calibrated = false;
     std::string note;
     ErrorFigures figures;
@@ -78,6 +83,7 @@ struct Comparison {
     std::string source;
     std::string note;
     std::string point;
+    std::string baseline;  ///< folder of the baseline run, empty without one
     std::vector<ComparedValue> values;
     std::vector<ComparedGroup> groups;
     std::vector<ComparedCurve> curves;
@@ -94,7 +100,10 @@ casefile::ResultContents contents(const RunRecord& run);
 /// fitted to the rise of that probe at that time. Values between two rows of the history are interpolated linearly.
 ///
 /// @param reference  read and checked against contents(run)
-Comparison compare(const RunRecord& run, const casefile::ReferenceFile& reference, const std::string& point = "");
+/// @param baseline   another run whose errors stand beside, such as the base case where `run` is another operating
+///                   point: what predicting no change by the operating point would give. Checked likewise; may be null
+Comparison compare(const RunRecord& run, const casefile::ReferenceFile& reference, const std::string& point = "",
+                   const RunRecord* baseline = nullptr);
 
 /// The verdict on one claim.
 Verdict judge(const RunRecord& run, const casefile::ReferenceClaim& claim);
