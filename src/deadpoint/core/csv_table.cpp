@@ -102,11 +102,19 @@ CsvTable read_csv(const std::filesystem::path& path)
         if (line.ends_with('\r')) {
             line.pop_back();
         }
+        if (number == 1 && line.starts_with("\xEF\xBB\xBF")) {
+            line.erase(0, 3);  // byte order mark, as spreadsheets write it
+        }
         if (line.starts_with('#') || trimmed(line).empty()) {
             continue;
         }
         auto cells = split(line);
         if (table.columns.empty()) {
+            if (cells.size() == 1 && line.find(';') != std::string::npos) {
+                throw InputError(fmt::format("{}:{}: the columns are divided by semicolons\n  help: divide them by "
+                                             "commas, with points in the numbers",
+                                             table.file, number));
+            }
             std::ranges::transform(cells, std::back_inserter(table.columns), heading);
             continue;
         }
