@@ -46,13 +46,14 @@ bool has(const std::string& text, const std::string& piece) { return text.find(p
 
 TEST_CASE("errors: rms, bias, the largest one and both baselines by hand")
 {
-    // Errors 1, -3, 2; squares 1 + 9 + 4 = 14. References 10, 20, 30: squares 1400; about their mean of 20: 200.
-    const auto f = error_figures({11, 17, 32}, {10, 20, 30}, 0.0);
+    // Errors 1, -3, 4; squares 1 + 9 + 16 = 26. References 10, 20, 30: squares 1400; about their mean of 20: 200.
+    const auto f = error_figures({11, 17, 34}, {10, 20, 30}, 0.0);
     CHECK(f.count == 3);
-    CHECK(f.rms == doctest::Approx(std::sqrt(14.0 / 3)).epsilon(1e-14));
-    CHECK(f.bias == doctest::Approx(0).epsilon(1e-14));
-    CHECK(f.largest == -3);
-    CHECK(f.largest_at == 1);
+    CHECK(f.rms == doctest::Approx(std::sqrt(26.0 / 3)).epsilon(1e-14));
+    CHECK(f.bias == doctest::Approx(2.0 / 3).epsilon(1e-14));
+    CHECK(f.largest == 4);
+    CHECK(f.largest_at == 2);
+    CHECK(error_figures({5, 1}, {9, 1}, 0.0).largest == -4);
     CHECK(*f.rms_nothing == doctest::Approx(std::sqrt(1400.0 / 3)).epsilon(1e-14));
     CHECK(*f.rms_mean == doctest::Approx(std::sqrt(200.0 / 3)).epsilon(1e-14));
     CHECK_FALSE(error_figures({1, 2}, {1, 2}, std::nullopt).rms_nothing);
@@ -104,6 +105,7 @@ TEST_CASE("values are taken at their time, in the program's sign, and grouped by
     CHECK_FALSE(c.values[7].relative_error());                            // of a reference of 0
     REQUIRE(c.groups.size() == 5);                                        // lengths and numbers of loads.json apart
     CHECK(c.groups[0].figures.rms == doctest::Approx(std::sqrt(0.125)));  // errors -0.5 and 0
+    CHECK(*c.groups[0].figures.rms_nothing == doctest::Approx(std::sqrt((4 + 144) / 2.0)));
     CHECK(*c.groups[1].figures.rms_nothing == doctest::Approx(1e-6 * std::sqrt((25 * 25 + 12 * 12) / 2.0)));
     CHECK_FALSE(c.groups[2].figures.rms_nothing);
     CHECK(c.warnings.empty());

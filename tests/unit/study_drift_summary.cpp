@@ -63,9 +63,17 @@ TEST_CASE("the fastest window need not begin at the start, nor at a step; the ra
     CHECK(s.range == doctest::Approx(6));
 }
 
+TEST_CASE("the last window is looked at although it begins beside the samples")
+{
+    // t^2, which the cubic between the steps meets exactly: fastest from 403 s to 1003 s, by 1003 + 403 per second.
+    const auto s = summarise_course({0, 1003}, {{0, 1003.0 * 1003.0}, {0, 2006}});
+    CHECK(s.largest_rate_from == 403);
+    CHECK(s.largest_rate == doctest::Approx(1406).epsilon(1e-12));
+}
+
 TEST_CASE("a run shorter than the stretches and the window is summarised over its length")
 {
-    const auto s = summarise_course({0, 300}, {{0, 3}, {0.01, 0.01}});  // a straight line
+    const auto s = summarise_course({0, 300}, {{20, 23}, {0.01, 0.01}});  // a straight line
     CHECK(s.first_hour.cut_short);
     CHECK(s.first_hour.span == 300);
     CHECK(s.first_hour.change == doctest::Approx(3));
