@@ -130,6 +130,9 @@ TEST_CASE("what a result does not have is said with its place")
     CHECK(has(late, "ends after"));
     CHECK(error_of("[[rises]]\ntime = \"3 h\"\nvalues = { top = \"1 K\" }\n") == "");
     CHECK(has(error_of("[[loads]]\nquantity = \"seat.paek_N\"\nforce = \"1 N\"\n"), "did you mean 'seat.peak_N'?"));
+    const auto elsewhere = error_of("[[loads]]\nquantity = \"seat.B.rms_N\"\nforce = \"1 N\"\n");
+    CHECK(has(elsewhere, "help: after 'seat.' it has: peak_N;"));
+    CHECK(has(error_of("[[loads]]\nquantity = \"shaft.B\"\nnumber = 1\n"), "help: after '' it has: seat;"));
     CHECK(has(error_of("[[loads]]\nquantity = \"seat.peak_N\"\nlength = \"1 mm\"\n"),
               "by its name the figure is a force"));
     CHECK(has(error_of("[[claims]]\ntext = \"x\"\nkind = \"hottest\"\nprobes = [\"top\", \"sied\"]\n"),

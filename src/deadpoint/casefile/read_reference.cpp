@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <functional>
+#include <set>
 #include <utility>
 
 namespace deadpoint::casefile {
@@ -140,11 +141,31 @@ private:
         check_probe(at + ".probe", t.probe);
     }
 
+    /// How far a path leads into loads.json, and how it may go on from there.
+    [[nodiscard]] std::string next_steps(const std::string& path) const
+    {
+        std::set<std::string> steps;
+        std::string there = path + ".";
+        while (steps.empty() && !there.empty()) {
+            there.erase(there.size() - 1);
+            there.erase(there.find_last_of('.') == std::string::npos ? 0 : there.find_last_of('.') + 1);
+            for (const auto& figure : result_->loads) {
+                if (figure.starts_with(there)) {
+                    steps.insert(figure.substr(there.size(), figure.find('.', there.size()) - there.size()));
+                }
+            }
+        }
+        return fmt::format("after '{}' it has: {}; a figure of another operating point names that with `point`", there,
+                           fmt::join(steps, ", "));
+    }
+
     void check(const ReferenceLoad& l, const std::string& at)
     {
         if (against_result_ && result_->has_loads &&
             std::ranges::find(result_->loads, l.quantity) == result_->loads.end()) {
-            unknown(at + ".quantity", "figure of loads.json", l.quantity, result_->loads, "loads.json");
+            const std::string near = closest_name(l.quantity, result_->loads);
+            report("unknown-name", at + ".quantity", fmt::format("there is no figure of loads.json '{}'", l.quantity),
+                   near.empty() ? next_steps(l.quantity) : fmt::format("did you mean '{}'?", near));
             return;
         }
         const auto given = l.force    ? Dimension::force
