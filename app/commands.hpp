@@ -9,4 +9,5 @@ void add_check(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 void add_loads(CLI::App& app, int& exit_code);
 void add_heat(CLI::App& app, int& exit_code);
+void add_compare(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);

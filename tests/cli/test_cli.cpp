@@ -84,7 +84,7 @@ TEST_CASE("--version and --help answer on standard output with exit code 0")
     CHECK(version.out.find("deadpoint 0.") == 0);
     const auto help = deadpoint("--help");
     CHECK(help.code == 0);
-    for (const char* piece : {"init", "check", "mesh", "loads", "run", "Examples:", "Exit codes:"}) {
+    for (const char* piece : {"init", "check", "mesh", "loads", "run", "compare", "Examples:", "Exit codes:"}) {
         CHECK_MESSAGE(has(help.out, piece), piece);
     }
     CHECK(has(deadpoint("run --help").out, "--force"));
@@ -406,4 +406,79 @@ TEST_CASE("run computes the loads first and writes them beside its results")
     for (const char* name : {"summary.json", "drift.svg", "loads.json", "joints.csv", "bearings.csv", "linkage.svg"}) {
         CHECK_MESSAGE(fs::exists(fs::path(target) / name), name);
     }
+}
+
+TEST_CASE("compare holds a run against a reference file, and writes its tables beside the run or where asked")
+{
+    const Folder folder;
+    const auto results = folder / "results";
+    // A coarse mesh and half an hour: what is compared is the reading of files, not the press.
+    REQUIRE(deadpoint("run -q " DEADPOINT_SOURCE_DIR "/cases/starter/case.toml --size 3 --set output.fields=false"
+                      " --set 'operation.0.duration=30 min' --set 'reference.source=made up' --set "
+                      "'reference.time=15 min' --set 'reference.rises={ slide = \"0.5 K\" }' --set "
+                      "'reference.calibrated_on=[\"films\"]' -o " +
+                      results)
+                .code == 0);
+    const auto summary = content(results + "/summary.json");
+    CHECK(has(summary, "\"drift_summary\""));
+    CHECK(has(summary, "\"run_was_shorter\": true"));
+    // The history's own values at a row, as a reference: no error is left but the rounding to nine digits.
+    const auto row = content(results + "/history.csv");
+    std::ofstream(folder / "measured.csv") << row;
+    const std::string head = "format = 1\nname = \"test bench\"\nsource = \"made up\"\n";
+    std::ofstream(folder / "measured.toml")
+        << head << "[points.fast]\nset = [\"operation.0.speed=90 rpm\"]\n"
+        << "[[rises]]\ntime = \"15 min\"\nvalues = { slide = \"1 K\", upright = \"100 K\" }\n"
+        << "[[curves]]\nfile = \"measured.csv\"\ncolumn = \"slide\"\nmeasures = \"temperature\"\nprobe = \"slide\"\n"
+        << "[[curves]]\nfile = \"measured.csv\"\ncolumn = \"E_SW\"\nmeasures = \"E_SW\"\n"
+        << "[[loads]]\nquantity = \"slide.stroke_mm\"\nlength = \"79 mm\"\n"
+        << "[[claims]]\ntext = \"The bearing is warmest.\"\nkind = \"hottest\"\nprobes = [\"bearing_front\"]\n"
+        << "[[claims]]\ntext = \"The gap opens.\"\nkind = \"opens\"\n"
+        << "[[chain]]\npoint = \"fast\"\ndimension = \"E_BG\"\nat = \"end\"\nvalue = \"1 um\"\n";
+    const auto measured = folder / "measured.toml";
+    const auto first = deadpoint("compare " + results + " " + measured);
+    REQUIRE(first.code == 0);
+    CHECK(first.err.empty());
+    CHECK(has(first.out, "starter press against test bench"));
+    CHECK(has(first.out, "slide.stroke_mm"));
+    CHECK(has(first.out, "+1.3 %"));  // 80 mm against 79 mm
+    CHECK(has(first.out, "calibrated"));
+    CHECK(has(first.out, "holds         The bearing is warmest."));
+    CHECK(has(first.out, "does not hold The gap opens."));
+    CHECK(has(first.out, "comparison is in " + results + "/compare.md"));
+    const auto page = content(results + "/compare.md");
+    CHECK(has(page, "| slide of measured.csv | K |"));
+    CHECK(has(page, "hash "));
+    const auto json = content(results + "/compare.json");
+    CHECK(has(json, "\"verdict\": \"does not hold\""));
+    CHECK(has(json, "\"calibrated\": true"));
+    const auto at = json.find("\"name\": \"slide of measured.csv\"");
+    REQUIRE(at != std::string::npos);
+    const auto rms = json.find("\"rms\": ", at);
+    CHECK(std::stod(json.substr(rms + 7)) < 1e-6);  // nine digits of 20 degC
+
+    const auto other = deadpoint("compare -q " + results + " " + measured + " --point fast --baseline " + results +
+                                 " -o " + (folder / "fast.md"));
+    CHECK(other.code == 0);
+    CHECK(has(other.err, "warning: the result was not computed at the operating point 'fast'"));
+    CHECK(has(content(folder / "fast.md"), "# starter press against test bench at fast"));
+    CHECK(has(content(folder / "fast.md"), "rms: baseline"));
+    CHECK(fs::exists(folder / "fast.json"));
+
+    std::ofstream(folder / "late.toml") << head
+                                        << "[[rises]]\ntime = \"4 h\"\nvalues = { slide = \"1 K\", tool = \"1 K\" }\n";
+    const auto late = deadpoint("compare " + results + " " + (folder / "late.toml"));
+    CHECK(late.code == 2);
+    CHECK(has(late.err, "late.toml:5:8: error[beyond-the-run]"));
+    CHECK(has(late.err, "there is no probe 'tool'"));
+    CHECK(has(late.err, "2 errors in the reference file"));
+    CHECK(deadpoint("compare " + results + " " + (folder / "none.toml")).code == 5);
+    CHECK(deadpoint("compare " + (folder / "none") + " " + measured).code == 5);
+    CHECK(deadpoint("compare " + folder.path.string() + " " + measured).code == 5);  // no results in it
+    CHECK(deadpoint("compare " + results).code == 2);
+    fs::remove(results + "/summary.json");
+    std::ofstream(results + "/summary.json") << "{}";
+    const auto foreign = deadpoint("compare " + results + " " + measured);
+    CHECK(foreign.code == 2);
+    CHECK(has(foreign.err, "summary.json"));
 }

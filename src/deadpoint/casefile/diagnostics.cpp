@@ -109,7 +109,7 @@ std::string Diagnostics::render(const Diagnostic& d) const
     return text;
 }
 
-std::string Diagnostics::render_errors() const
+std::string Diagnostics::render_errors(std::string_view outcome) const
 {
     std::string text;
     for (const auto& diagnostic : sorted()) {
@@ -118,7 +118,7 @@ std::string Diagnostics::render_errors() const
         }
     }
     const auto count = error_count();
-    return text + fmt::format("{} error{} in the case file; nothing was computed", count, count == 1 ? "" : "s");
+    return text + fmt::format("{} error{} in {}", count, count == 1 ? "" : "s", outcome);
 }
 
 std::vector<std::string> Diagnostics::render_warnings() const

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace deadpoint::casefile {
@@ -55,7 +56,8 @@ public:
     [[nodiscard]] std::size_t error_count() const;
     [[nodiscard]] std::size_t size() const { return items_.size(); }
     /// All errors in order of place, then a line that counts them; ends without a line break.
-    [[nodiscard]] std::string render_errors() const;
+    /// @param outcome  end of that line: which file they are in, and what did not happen
+    [[nodiscard]] std::string render_errors(std::string_view outcome = "the case file; nothing was computed") const;
     /// Each warning as a text of its own.
     [[nodiscard]] std::vector<std::string> render_warnings() const;
 

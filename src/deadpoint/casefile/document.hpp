@@ -51,4 +51,7 @@ struct Document {
 Document load_document(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                        Diagnostics& diagnostics);
 
+/// Place of the value at a path such as "joints.crank.bodies.1", or of the nearest thing above it that exists.
+Place place_of(const Node& root, const std::string& path);
+
 }  // namespace deadpoint::casefile

@@ -44,7 +44,7 @@ public:
     {
         auto text = read_text(main_);
         if (!text) {
-            throw IoError(fmt::format("{}: the case file cannot be read; check its path", main_.string()));
+            throw IoError(fmt::format("{}: the file cannot be read; check its path", main_.string()));
         }
         std::vector<fs::path> chain{fs::weakly_canonical(fs::absolute(main_))};
         document_.root = load(*text, main_, chain);
@@ -264,6 +264,31 @@ private:
 };
 
 }  // namespace
+
+Place place_of(const Node& root, const std::string& path)
+{
+    const Node* node = &root;
+    Place place = root.place;
+    std::istringstream stream(path);
+    for (std::string step; std::getline(stream, step, '.');) {
+        const Node* next = nullptr;
+        if (node->kind == Node::Kind::array) {
+            std::size_t index = 0;
+            std::from_chars(step.data(), step.data() + step.size(), index);
+            if (index < node->children.size()) {
+                next = &node->children[index];
+            }
+        } else {
+            next = node->find(step);
+        }
+        if (next == nullptr) {
+            break;
+        }
+        node = next;
+        place = node->kind == Node::Kind::table && node->key_place.file >= 0 ? node->key_place : node->place;
+    }
+    return place;
+}
 
 Document load_document(const fs::path& path, const std::vector<std::string>& overrides, Diagnostics& diagnostics)
 {

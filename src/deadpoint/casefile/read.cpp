@@ -6,37 +6,8 @@
 #include "deadpoint/casefile/shipped.hpp"
 #include "deadpoint/core/error.hpp"
 
-#include <charconv>
-#include <sstream>
-
 namespace deadpoint::casefile {
 namespace {
-
-/// Place of the value at a path such as "joints.crank.bodies.1", or of the nearest thing above it that exists.
-Place place_of(const Node& root, const std::string& path)
-{
-    const Node* node = &root;
-    Place place = root.place;
-    std::istringstream stream(path);
-    for (std::string step; std::getline(stream, step, '.');) {
-        const Node* next = nullptr;
-        if (node->kind == Node::Kind::array) {
-            std::size_t index = 0;
-            std::from_chars(step.data(), step.data() + step.size(), index);
-            if (index < node->children.size()) {
-                next = &node->children[index];
-            }
-        } else {
-            next = node->find(step);
-        }
-        if (next == nullptr) {
-            break;
-        }
-        node = next;
-        place = node->kind == Node::Kind::table && node->key_place.file >= 0 ? node->key_place : node->place;
-    }
-    return place;
-}
 
 void load_shipped(std::string_view text, const std::string& name, Library& library)
 {

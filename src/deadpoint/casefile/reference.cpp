@@ -1,6 +1,7 @@
 #include "deadpoint/casefile/reference.hpp"
 
 #include "deadpoint/casefile/library.hpp"
+#include "deadpoint/casefile/reference_file.hpp"
 #include "deadpoint/casefile/visitor.hpp"
 
 #include <algorithm>
@@ -44,12 +45,14 @@ std::string example_of(Dimension dimension)
 
 class ReferenceWriter final : public Visitor {
 public:
-    std::string run()
+    template <class File>
+    std::string run(std::string_view what)
     {
-        Case defaults;
-        open("The case file", "", 1);
+        File defaults;
+        open(fmt::format("The {}", what), "", 1);
         describe(*this, defaults);
-        std::string page = "<!-- Written by the program from its own description of the case file. Do not edit. -->\n";
+        std::string page =
+            fmt::format("<!-- Written by the program from its own description of the {}. Do not edit. -->\n", what);
         for (const auto& section : sections_) {
             page += text_of(section);
         }
@@ -304,6 +307,11 @@ constexpr std::string_view preface = R"(
 
 }  // namespace
 
-std::string reference_page() { return ReferenceWriter().run() + std::string(preface) + library_text(); }
+std::string reference_page()
+{
+    return ReferenceWriter().run<Case>("case file") + std::string(preface) + library_text();
+}
+
+std::string reference_file_page() { return ReferenceWriter().run<ReferenceFile>("reference file"); }
 
 }  // namespace deadpoint::casefile

@@ -8,4 +8,7 @@ namespace deadpoint::casefile {
 /// the shipped library. docs/case-file.md is this text; a test compares the two.
 std::string reference_page();
 
+/// The same for the reference files of `compare`: docs/reference-file.md.
+std::string reference_file_page();
+
 }  // namespace deadpoint::casefile

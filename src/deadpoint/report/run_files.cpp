@@ -4,6 +4,7 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/csv.hpp"
+#include "deadpoint/report/drift_summary_text.hpp"
 #include "deadpoint/report/friction_text.hpp"
 #include "deadpoint/report/heat_flows.hpp"
 #include "deadpoint/report/json_file.hpp"
@@ -251,6 +252,7 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     json["version"] = version;
     json["case"] = {{"name", input.machine.name}, {"hash", casefile::case_hash(input)}};
     json["interrupted"] = history.interrupted;
+    json["initial_temperature_degC"] = input.machine.initial_temperature + celsius;
     json["warnings"] = warnings;
     json["model"] = {{"cells", result.cells},
                      {"heat_unknowns", result.heat_unknowns},
@@ -286,6 +288,7 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
             json["drift_um"]["final_by_part"][result.parts[part]] = micrometre * result.drift->by_part[part].back();
         json["warm_up_s"] = summary.warm_up_time ? nlohmann::ordered_json(*summary.warm_up_time) : nullptr;
     }
+    json["drift_summary"] = drift_summary_json(result.probes, summary);
     if (result.friction)
         json["friction"] = nlohmann::ordered_json::parse(friction_json(*result.friction));
     if (result.adjoint_check)
@@ -296,6 +299,7 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     if (input.reference) {
         for (const auto& row : summary.comparison)
             json["reference"]["rises_K"][row.probe] = {{"computed", row.rise}, {"reference", row.reference}};
+        json["reference"]["time_s"] = input.reference->time;
         json["reference"]["source"] = input.reference->source;
         json["reference"]["rms_residual_K"] = summary.rms_residual;
         json["reference"]["rms_null_K"] = summary.rms_null;
@@ -329,16 +333,15 @@ RunSummary summarise(const casefile::Case& input, const RunResult& result)
         summary.rms_residual = std::sqrt(residual / count);
         summary.rms_null = std::sqrt(null / count);
     }
+    constexpr int rise_samples = 2000;
     for (std::size_t i = 0; i < result.probes.size(); ++i) {
-        const double final_rise = rise_at(input, result, i, end);
-        double since = 0;
-        constexpr int samples = 2000;
-        for (int k = 0; k <= samples; ++k) {
-            const double time = end * k / samples;
-            if (std::abs(rise_at(input, result, i, time) - final_rise) > 0.05 * std::abs(final_rise))
-                since = end * (k + 1) / samples;
+        std::vector<double> times, rises;
+        for (int k = 0; k <= rise_samples; ++k) {
+            times.push_back(end * k / rise_samples);
+            rises.push_back(rise_at(input, result, i, times.back()));
         }
-        summary.time_to_95.push_back(std::min(since, end));
+        summary.time_to_95.push_back(study::time_to_share(times, rises, 0.95));
+        summary.probe_courses.push_back(study::summarise_course(history.time, history.probes[i]));
     }
     if (!result.drift)
         return summary;
@@ -353,14 +356,9 @@ RunSummary summarise(const casefile::Case& input, const RunResult& result)
         }
     }
     summary.final_gap = drift.gap.value.back();
-    if (input.chain && input.chain->drift_rate_limit > 0) {
-        double since = 0;
-        for (std::size_t k = 0; k < drift.time.size(); ++k)
-            if (std::abs(drift.gap.rate[k]) > input.chain->drift_rate_limit)
-                since = k + 1 < drift.time.size() ? drift.time[k + 1] : end * 2;
-        if (since <= end)
-            summary.warm_up_time = since;
-    }
+    summary.gap_course = study::summarise_course(drift.time, drift.gap);
+    if (input.chain && input.chain->drift_rate_limit > 0)
+        summary.warm_up_time = study::steady_from(drift.time, drift.gap, input.chain->drift_rate_limit);
     return summary;
 }
 
@@ -412,6 +410,7 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
         text += fmt::format("\n  gap E_SW: largest {:+.1f} um after {}, {:+.1f} um at the end (+ opens)\n",
                             micrometre * summary.largest_gap, duration_text(summary.largest_gap_time),
                             micrometre * summary.final_gap);
+        text += drift_summary_line(*summary.gap_course);
         text += "  by part at the end:";
         const auto order = strongest_parts(*result.drift);
         for (std::size_t i = 0; i < std::min<std::size_t>(4, order.size()); ++i)

@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/case.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/drift_summary.hpp"
 #include "deadpoint/study/run.hpp"
 
 #include <filesystem>
@@ -27,8 +28,10 @@ struct RunSummary {
     double largest_gap = 0;   ///< E_SW of largest magnitude [m]
     double largest_gap_time = 0;
     double final_gap = 0;
-    std::optional<double> warm_up_time;  ///< |dE_SW/dt| stays below the case's limit from here on [s]
-    std::vector<double> time_to_95;      ///< per probe: reaches 95 % of its final rise for good [s]
+    std::optional<double> warm_up_time;               ///< |dE_SW/dt| stays below the case's limit from here on [s]
+    std::vector<double> time_to_95;                   ///< per probe: reaches 95 % of its final rise for good [s]
+    std::optional<study::CourseSummary> gap_course;   ///< of E_SW [m]
+    std::vector<study::CourseSummary> probe_courses;  ///< [K]
 };
 RunSummary summarise(const casefile::Case& input, const study::RunResult& result);
 

@@ -1,0 +1,114 @@
+#include "commands.hpp"
+#include "console.hpp"
+#include "deadpoint/casefile/read.hpp"
+#include "deadpoint/casefile/write.hpp"
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/report/compare_files.hpp"
+#include "deadpoint/report/read_result.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+
+using namespace deadpoint;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct CompareOptions {
+    std::string folder;
+    std::string reference;
+    std::string output;
+    std::string point;
+    std::string baseline;
+    Console::Options console;
+};
+
+/// Whether the result was computed at the operating point: its settings must not change the case of the result.
+std::optional<std::string> point_warning(const study::RunRecord& run, const casefile::ReferencePoint& point,
+                                         const std::string& name)
+{
+    const fs::path file = fs::path(run.folder) / "case.toml";
+    try {
+        const auto as_set = casefile::read_case(file, point.set).value;
+        if (casefile::case_hash(as_set) == run.hash) {
+            return std::nullopt;
+        }
+    } catch (const Error& error) {
+        return fmt::format("'{}' cannot be read, so that it is not known whether the result belongs to the operating "
+                           "point '{}': {}",
+                           file.string(), name, error.what());
+    }
+    return fmt::format("the result was not computed at the operating point '{}' of the reference: its settings ({}) "
+                       "would change the case",
+                       name, fmt::join(point.set, ", "));
+}
+
+/// DIR/compare, or the name given without .json or .md.
+fs::path output_stem(const CompareOptions& options)
+{
+    if (options.output.empty()) {
+        return fs::path(options.folder) / "compare";
+    }
+    fs::path stem = options.output;
+    if (stem.extension() == ".json" || stem.extension() == ".md") {
+        stem.replace_extension();
+    }
+    return stem;
+}
+
+void compare(const CompareOptions& options)
+{
+    Console console(options.console);
+    const auto run = report::read_result(options.folder);
+    const auto contents = study::contents(run);
+    const auto reference = casefile::read_reference(options.reference, options.point, &contents);
+    std::optional<study::RunRecord> baseline;
+    if (!options.baseline.empty()) {
+        baseline = report::read_result(options.baseline);
+        const auto offered = study::contents(*baseline);
+        (void)casefile::read_reference(options.reference, options.point, &offered);
+    }
+    auto comparison = study::compare(run, reference, options.point, baseline ? &*baseline : nullptr);
+    if (!options.point.empty()) {
+        if (auto warning = point_warning(run, reference.points.at(options.point), options.point)) {
+            comparison.warnings.push_back(std::move(*warning));
+        }
+    }
+    for (const auto& warning : comparison.warnings) {
+        console.warn(warning);
+    }
+    console.finish();
+    const auto stem = output_stem(options);
+    report::write_compare_files(stem, run, comparison);
+    fmt::print("{}\ncomparison is in {}.md and {}.json\n", report::compare_text(run, comparison), stem.string(),
+               stem.string());
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, int& exit_code)
+{
+    auto* command = app.add_subcommand("compare", "hold a result against measured or published values");
+    const auto options = std::make_shared<CompareOptions>();
+    command->add_option("DIR", options->folder, "a folder that 'run' has written")->required();
+    command->add_option("REFERENCE", options->reference, "the reference file")->required()->type_name("FILE");
+    command
+        ->add_option("--point", options->point,
+                     "take the values of this operating point of the reference; else those that belong to none")
+        ->type_name("NAME");
+    command
+        ->add_option("--baseline", options->baseline,
+                     "show the errors of another result beside, such as that of the base case")
+        ->type_name("DIR");
+    command
+        ->add_option("-o,--output", options->output,
+                     "write FILE.json and FILE.md instead of DIR/compare.json and DIR/compare.md")
+        ->type_name("FILE");
+    command->add_flag("-q,--quiet", options->console.quiet, "show warnings and results only");
+    command->callback([options, &exit_code] {
+        compare(*options);
+        exit_code = 0;
+    });
+}

@@ -1,0 +1,142 @@
+#pragma once
+
+#include "deadpoint/core/quantity.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Measured or published values to compare a result with, as plain data in SI units. They never enter the model.
+namespace deadpoint::casefile {
+
+class Visitor;
+
+/// What every value and claim of a reference file may say besides.
+struct ReferenceNote {
+    std::string point;  ///< operating point it belongs to; empty: the case as it stands
+    std::string note;
+};
+
+/// What every value may say besides.
+struct ReferenceValue : ReferenceNote {
+    std::string group;        ///< values whose errors are summed up together; empty: those of its list without a group
+    bool calibrated = false;  ///< some parameter was fitted to it, whatever the case says
+};
+
+struct ReferenceRises : ReferenceValue {
+    double time = 0;                       ///< [s]
+    std::map<std::string, double> values;  ///< by probe [K]
+};
+
+struct ReferenceCurve : ReferenceValue {
+    std::string name;
+    std::string file;
+    std::string column;
+    std::string time_column = "time";
+    std::string unit;       ///< of the column, where its heading has none
+    std::string time_unit;  ///< of the times, likewise
+    std::string measures;   ///< "temperature", "rise", "E_SW", ...
+    std::string probe;
+    std::optional<double> until;  ///< later rows are left out [s]
+    bool opposite_sign = false;   ///< of a dimension: the file counts it the other way round
+    std::vector<double> time;     ///< read from the file [s]
+    std::vector<double> value;    ///< [K], or [m] in the sign of the program
+};
+
+struct ReferenceChain : ReferenceValue {
+    std::string dimension;  ///< "E_SW", ...
+    std::string at;         ///< "time", "largest", "end"
+    std::optional<double> time;
+    double value = 0;            ///< in the sign of the source [m]
+    bool opposite_sign = false;  ///< the source counts it the other way round
+};
+
+struct ReferenceTime : ReferenceValue {
+    std::string of;  ///< "largest_E_SW", "share_of_rise"
+    std::string probe;
+    double share = 0.95;
+    double value = 0;  ///< [s]
+};
+
+struct ReferenceLoad : ReferenceValue {
+    std::string quantity;  ///< path in loads.json: "crankshaft.rigid.seats.B.peak_y_N"
+    std::optional<double> force, length, power, number;
+};
+
+/// A statement in words with a form that can be checked.
+struct ReferenceClaim : ReferenceNote {
+    std::string text;
+    std::string kind;
+    std::vector<std::string> probes;
+    std::vector<std::string> than;
+    std::optional<double> time;
+    std::optional<double> at_least;  ///< [s]
+    std::optional<double> at_most;   ///< [s]
+    std::optional<double> share;
+    std::string reason;  ///< why it cannot be checked
+};
+
+/// Another operating point: what to change in the case.
+struct ReferencePoint {
+    std::string description;
+    std::vector<std::string> set;  ///< "path=value", as for --set
+};
+
+struct ReferenceFile {
+    int format = 1;
+    std::string name;
+    std::string source;
+    std::string note;
+    std::map<std::string, ReferencePoint> points;
+    std::vector<ReferenceRises> rises;
+    std::vector<ReferenceCurve> curves;
+    std::vector<ReferenceChain> chain;
+    std::vector<ReferenceTime> times;
+    std::vector<ReferenceLoad> loads;
+    std::vector<ReferenceClaim> claims;
+};
+
+void describe(Visitor& v, ReferenceFile& f);
+void describe(Visitor& v, ReferencePoint& p);
+void describe(Visitor& v, ReferenceRises& r);
+void describe(Visitor& v, ReferenceCurve& c);
+void describe(Visitor& v, ReferenceChain& c);
+void describe(Visitor& v, ReferenceTime& t);
+void describe(Visitor& v, ReferenceLoad& l);
+void describe(Visitor& v, ReferenceClaim& c);
+
+/// What a result offers for comparison.
+struct ResultContents {
+    std::vector<std::string> probes;
+    std::vector<std::string> dimensions;  ///< of the chain, empty without one
+    std::vector<std::string> loads;       ///< paths of all figures in loads.json
+    bool has_loads = false;               ///< without loads.json, loads are left out
+    double end = 0;                       ///< of the run [s]
+    bool interrupted = false;
+};
+
+/// Dimension of a figure in loads.json and its factor to SI, by the ending of its path ("_N", "_mm", "_um", "_W").
+struct LoadUnit {
+    Dimension dimension = Dimension::none;
+    double factor = 1;
+};
+LoadUnit load_unit(std::string_view path);
+
+/// Reads and checks a reference file with the curves it names, and keeps what belongs to one operating point.
+///
+/// @param path    TOML, format = 1
+/// @param point   name of one of its points, or empty for what belongs to none
+/// @param result  checks that the result has what is compared; may be null
+/// @throws InputError whose text lists every mistake with file:line:column, the line and a remedy
+/// @throws IoError if the file cannot be read
+ReferenceFile read_reference(const std::filesystem::path& path, const std::string& point = "",
+                             const ResultContents* result = nullptr);
+
+/// The operating points of a reference file.
+/// @throws InputError, IoError as read_reference, but for what concerns a result or a curve's file
+std::map<std::string, ReferencePoint> reference_points(const std::filesystem::path& path);
+
+}  // namespace deadpoint::casefile

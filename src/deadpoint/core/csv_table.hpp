@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace deadpoint {
+
+/// A CSV file as text: the first line that is neither empty nor a comment ("# ...") names the columns, with the unit in
+/// brackets behind the name ("top [degC]"). Cells are divided by commas and may be quoted as RFC 4180 says; a line
+/// break inside a cell is not read.
+struct CsvTable {
+    struct Column {
+        std::string name;
+        std::string unit;  ///< empty where the heading has none
+    };
+    std::string file;  ///< for messages
+    std::vector<Column> columns;
+    std::vector<std::vector<std::string>> rows;
+    std::vector<int> lines;  ///< of each row in the file, from 1
+
+    /// Index of a column.
+    /// @throws InputError if there is none of that name
+    [[nodiscard]] std::size_t column(std::string_view name) const;
+    /// The numbers of a column.
+    /// @throws InputError with file and line if a cell is empty, no number or not finite
+    [[nodiscard]] std::vector<double> numbers(std::size_t column) const;
+};
+
+/// @throws IoError if the file cannot be read
+/// @throws InputError if it has no heading, or a row with more or fewer cells than the heading
+CsvTable read_csv(const std::filesystem::path& path);
+
+}  // namespace deadpoint

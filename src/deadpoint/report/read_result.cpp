@@ -1,0 +1,126 @@
+#include "deadpoint/report/read_result.hpp"
+
+#include "deadpoint/core/csv_table.hpp"
+#include "deadpoint/core/error.hpp"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace deadpoint::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double micrometre = 1e-6;
+constexpr double zero_celsius = 273.15;
+
+Json read_json(const fs::path& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    if (!in) {
+        throw IoError(
+            fmt::format("cannot read '{}'\n  help: name a folder that 'deadpoint run' has written", path.string()));
+    }
+    auto json = Json::parse(in, nullptr, false);
+    if (json.is_discarded()) {
+        throw InputError(fmt::format("{}: this is not JSON\n  help: compute the case again", path.string()));
+    }
+    return json;
+}
+
+/// Every number below a value, by the names and indices that lead to it with points between.
+void flatten(const Json& json, const std::string& path, std::map<std::string, double>& numbers)
+{
+    const auto below = [&](const std::string& step) { return path.empty() ? step : path + "." + step; };
+    if (json.is_number()) {
+        numbers[path] = json.get<double>();
+    } else if (json.is_object()) {
+        for (const auto& [name, value] : json.items()) {
+            flatten(value, below(name), numbers);
+        }
+    } else if (json.is_array()) {
+        for (std::size_t i = 0; i < json.size(); ++i) {
+            flatten(json[i], below(std::to_string(i)), numbers);
+        }
+    }
+}
+
+void read_summary(const Json& json, study::RunRecord& run)
+{
+    run.machine = json.at("case").at("name").get<std::string>();
+    run.hash = json.at("case").at("hash").get<std::string>();
+    run.interrupted = json.at("interrupted").get<bool>();
+    run.initial_temperature = json.at("initial_temperature_degC").get<double>() + zero_celsius;
+    // A case without probes has null here.
+    for (const auto& [probe, rises] : json.at("probe_rises_K").items()) {
+        run.probes.push_back(probe);
+    }
+    if (!json.contains("reference")) {
+        return;
+    }
+    const auto& reference = json.at("reference");
+    run.calibrated_on = reference.at("calibrated_on").get<std::vector<std::string>>();
+    run.calibrated_time = reference.at("time_s").get<double>();
+    if (reference.contains("rises_K")) {
+        for (const auto& [probe, rise] : reference.at("rises_K").items()) {
+            run.calibrated_probes.push_back(probe);
+        }
+    }
+}
+
+void read_history(const fs::path& path, study::RunRecord& run)
+{
+    const auto table = read_csv(path);
+    run.time = table.numbers(table.column("time"));
+    if (run.time.empty()) {
+        throw InputError(fmt::format("{}: there are no rows\n  help: compute the case again", path.string()));
+    }
+    for (const auto& probe : run.probes) {
+        auto rises = table.numbers(table.column(probe));
+        for (double& rise : rises) {
+            rise += zero_celsius - run.initial_temperature;
+        }
+        run.rises[probe] = std::move(rises);
+    }
+    for (const auto& column : table.columns) {
+        if (column.unit != "um") {
+            continue;
+        }
+        auto course = table.numbers(table.column(column.name));
+        for (double& value : course) {
+            value *= micrometre;
+        }
+        run.chain[column.name] = std::move(course);
+    }
+}
+
+}  // namespace
+
+study::RunRecord read_result(const fs::path& folder)
+{
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) {
+        throw IoError(fmt::format("there is no folder '{}'\n  help: name a folder that 'deadpoint run' has written",
+                                  folder.string()));
+    }
+    study::RunRecord run;
+    run.folder = folder.string();
+    const fs::path summary = folder / "summary.json";
+    try {
+        read_summary(read_json(summary), run);
+    } catch (const Json::exception& reason) {
+        throw InputError(
+            fmt::format("{}: {}\n  help: it is from another version of the program; compute the case again",
+                        summary.string(), reason.what()));
+    }
+    read_history(folder / "history.csv", run);
+    if (const fs::path loads = folder / "loads.json"; fs::exists(loads, error)) {
+        run.has_loads = true;
+        flatten(read_json(loads), "", run.loads);
+    }
+    return run;
+}
+
+}  // namespace deadpoint::report
