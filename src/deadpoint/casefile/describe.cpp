@@ -240,6 +240,9 @@ void describe(Visitor& v, Joint& j)
     v.flag({"guides_rotation", "false for a slide that leaves its body free to turn"}, j.guides_rotation);
     v.quantity({"preload", "of a slide: force by which the gib presses on each of the two faces"}, j.preload, D::force,
                non_negative);
+    v.quantity({"guide_length", "of a slide that guides rotation: distance of the guide's two ends along the travel, "
+                                "with `centre` amid them; without it the moment on the guide does not press its faces"},
+               j.guide_length, D::length, positive);
     v.flag({"turns_fully", "turns all the way around, so that each side sees the other's mean around the turn"},
            j.turns_fully);
     v.flag({"driver", "its angle is the crank angle"}, j.driver);
@@ -253,6 +256,8 @@ void describe(Visitor& v, Joint& j)
     v.expect(norm(j.direction) > 0, "direction", "the direction of travel has no length", "write it like [0, 1]");
     v.expect(j.preload == 0 || j.kind == "slide", "preload", "only a slide has a gib to press on it",
              "remove `preload`");
+    v.expect(!j.guide_length || (j.kind == "slide" && j.guides_rotation), "guide_length",
+             "only a slide that guides rotation carries a moment over its length", "remove `guide_length`");
     v.expect(!j.driver || j.kind != "slide", "driver", "a slide cannot drive the crank",
              "name a revolute joint as driver");
 }
