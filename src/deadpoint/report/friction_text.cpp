@@ -31,10 +31,11 @@ std::string watts(double value) { return fmt::format("{:.1f} W", std::abs(value)
 
 std::string power_lines(const study::PowerBalance& balance)
 {
-    std::string text =
-        fmt::format("  power without friction: drive {}, process {}; they agree to {:.2g} % of the {} "
-                    "that come and go\n",
-                    watts(balance.drive), watts(balance.process), 100 * balance.mismatch(), watts(balance.swing));
+    const double percent = 100 * balance.mismatch();
+    std::string text = fmt::format("  power without friction: drive {}, process {}; they agree to {} % of the {} that "
+                                   "come and go\n",
+                                   watts(balance.drive), watts(balance.process),
+                                   percent < 0.01 ? "0.01" : fmt::format("{:.2g}", percent), watts(balance.swing));
     for (const auto& power : balance.at) {
         text += fmt::format("  with all joints at {:.0f} degC: friction {}, {} N m at the crank; motor {} with the "
                             "process",
