@@ -55,8 +55,8 @@ struct PowerBalance {
     [[nodiscard]] double mismatch() const { return swing > 0 ? std::abs(drive - process) / swing : 0; }
 };
 
-/// Of PowerBalance::mismatch, above which the loads are warned about: the edges of a rectangular force between two
-/// crank positions make 0.2 % of it.
+/// Of PowerBalance::mismatch, above which the loads are warned about: a force that jumps between two crank positions
+/// leaves some of it.
 constexpr double power_tolerance = 0.01;
 
 /// What friction comes to in one segment, for reports.
