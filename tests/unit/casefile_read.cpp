@@ -249,6 +249,32 @@ TEST_CASE("a body that nothing uses is a warning, not an error")
     CHECK(holds(result.warnings.at(0), "no part or joint belongs to body 'spare'"));
 }
 
+TEST_CASE("what a case states of its slide and its process force without effect is a warning with its place")
+{
+    const Scratch scratch;
+    const std::string head =
+        "format = 1\n[machine]\nname = \"linkage\"\n[bodies.frame]\nground = true\n[bodies.crank]\n"
+        "mass = \"1 kg\"\n[joints.main]\nkind = \"revolute\"\nbodies = [\"crank\", \"frame\"]\n"
+        "centre = [\"0 mm\", \"0 mm\"]\ndriver = true\n";
+    const auto warnings = [&](const std::string& rest) {
+        return read_case(scratch.file("case.toml", head + rest)).warnings;
+    };
+    const std::string runs = "[[operation]]\nspeed = \"60 rpm\"\n";
+    const auto free = warnings(runs + "[mechanism]\nslide_body = \"crank\"\n");
+    REQUIRE(free.size() == 1);
+    CHECK(holds(free[0], "no guide holds 'crank'"));
+    CHECK(holds(free[0], "case.toml:16"));
+    const std::string works = runs + "force = \"1 kN\"\n";
+    const auto elastic = warnings(works + "[process_force]\nkind = \"elastic\"\nfrom = \"200 deg\"\n");
+    REQUIRE(elastic.size() == 1);
+    CHECK(holds(elastic[0], "'from' has no effect"));
+    CHECK(holds(elastic[0], "case.toml:18"));
+    CHECK(warnings(works + "[process_force]\nkind = \"half_sine\"\nfrom = \"200 deg\"\n").empty());
+    const auto idle = warnings(runs + "[process_force]\nkind = \"half_sine\"\n");
+    REQUIRE(idle.size() == 1);
+    CHECK(holds(idle[0], "every segment of [[operation]] has a force of 0"));
+}
+
 TEST_CASE("a case for loads needs neither parts nor materials, surfaces or durations")
 {
     const Scratch scratch;

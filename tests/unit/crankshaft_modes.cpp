@@ -231,3 +231,40 @@ TEST_CASE("modes: bearing damping shows as damping ratio, and the Campbell table
     CHECK(table[0][0].damping_ratio == doctest::Approx(2e3 / (2 * std::sqrt(2e6 * 100))).epsilon(2e-3));
     CHECK(table[1][0].frequency == doctest::Approx(modes_of(shaft, 100, 2)[0].frequency).epsilon(1e-12));
 }
+
+TEST_CASE("campbell: a few modes of the resting shaft give what all of them give, at the highest speed too")
+{
+    Shaft shaft = shafts::table1("elemmid", 5e7);
+    std::vector<Section> pieces;
+    for (const Section& section : shaft.sections) {
+        Section piece = section;
+        piece.length /= 3;
+        pieces.insert(pieces.end(), 3, piece);
+    }
+    shaft.sections = pieces;
+    const auto compare = [](const Shaft& each) {
+        const ShaftSystem system = assemble(each);
+        const double highest = 3 * critical_speeds(system, 1, 1).front().speed;
+        const std::vector<double> speeds{0, highest / 2, highest};
+        const auto table = campbell(system, speeds, 8);
+        for (std::size_t s = 0; s < speeds.size(); ++s) {
+            const auto full = modes(system, speeds[s], 8);
+            REQUIRE(table[s].size() == full.size());
+            for (std::size_t i = 0; i < full.size(); ++i) {
+                CAPTURE(i);
+                // 1e-6 is what is promised; the damping ratio is a part of the same eigenvalue.
+                CHECK(table[s][i].frequency == doctest::Approx(full[i].frequency).epsilon(1e-6));
+                CHECK(std::abs(table[s][i].damping_ratio - full[i].damping_ratio) < 1e-6);
+                CHECK(table[s][i].whirl == full[i].whirl);
+            }
+        }
+    };
+    REQUIRE(assemble(shaft).size() > 200);  // far more than are kept at first
+    compare(shaft);
+    for (Bearing& bearing : shaft.bearings) {  // dampers and an oil film couple the modes more than the spin does
+        bearing.damping = shafts::isotropic(2e5);
+        bearing.stiffness[0][1] = 5e6;
+        bearing.stiffness[1][0] = -5e6;
+    }
+    compare(shaft);
+}

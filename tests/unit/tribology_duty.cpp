@@ -1,6 +1,7 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/tribology/duty.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
@@ -111,9 +112,31 @@ TEST_CASE("duty: bearings of the crankshaft, and guides that carry a moment")
             return Vec2{-30, 0};
         },
         [](double) { return 1; });
-    CHECK(peak_force(guide_duty(turn, joint, 0.5)) == doctest::Approx(30));
+    CHECK(peak_force(guide_duty(turn, joint, {0, 0.5})) == doctest::Approx(30));
     joint.moment.assign(8, -20);  // 40 N up on one end, 40 N down on the other, against 15 N each
-    CHECK(peak_force(guide_duty(turn, joint, 0.5)) == doctest::Approx(80));
+    CHECK(peak_force(guide_duty(turn, joint, {0, 0.5})) == doctest::Approx(80));
+    CHECK(peak_force(guide_duty(turn, joint, {0, std::nullopt})) == doctest::Approx(30));
+    CHECK_THROWS_AS(guide_duty(turn, joint, {0, 0.0}), InputError);
+    CHECK_THROWS_AS(guide_duty(turn, joint, {-1, 0.5}), InputError);
+}
+
+TEST_CASE("guide faces: each end carries half the force and the couple, and the gib presses what is left")
+{
+    using doctest::Approx;
+    const auto normal = [](double preload, double force, double moment) {
+        return guide_normal_force({preload, 0.5}, force, moment);
+    };
+    CHECK(normal(0, 30, 20) == Approx(55 + 25));    // ends: 15 + 40 and 15 - 40
+    CHECK(normal(30, 30, 20) == Approx(55 + 30));   // the second end's 25 stay within the preload
+    CHECK(normal(60, 30, 20) == Approx(2 * 60));    // both do
+    CHECK(normal(0, 30, 5) == Approx(30));          // 25 and 5 on the same face
+    for (const double preload : {0.0, 10.0, 20.0})  // without a moment, or without a length
+        for (const double force : {-50.0, 0.0, 30.0}) {
+            CHECK(normal(preload, force, 0) == Approx(std::max(2 * preload, std::abs(force))));
+            CHECK(guide_normal_force({preload, std::nullopt}, force, 20) == normal(preload, force, 0));
+            CHECK(normal(preload, force, 20) == normal(preload, -force, 20));
+            CHECK(normal(preload, force, 20) == normal(preload, force, -20));
+        }
 }
 
 TEST_CASE("duties that mean nothing are refused")

@@ -85,8 +85,9 @@ struct Joint {
     Vec2 centre{};
     Vec2 direction{0, 1};
     bool guides_rotation = true;
-    bool swept = true;   ///< slide: its contact is spread over what the bodies sweep on each other
-    double preload = 0;  ///< slide: force that presses each of its two faces together [N]
+    bool swept = true;                   ///< slide: its contact is spread over what the bodies sweep on each other
+    double preload = 0;                  ///< slide: force that presses each of its two faces together [N]
+    std::optional<double> guide_length;  ///< slide: of the guide's two ends from each other, along the travel [m]
     bool turns_fully = false;
     bool driver = false;
     std::string friction;

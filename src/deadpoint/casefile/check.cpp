@@ -62,6 +62,8 @@ public:
             check_chain(*c_.chain);
         }
         refer("mechanism.slide_body", "body", c_.mechanism.slide_body, c_.bodies);
+        check_slide();
+        check_process_force();
         check_mirrors();
         check_operation();
         if (c_.reference) {
@@ -76,6 +78,11 @@ private:
     void report(std::string code, std::string path, std::string message, std::string help)
     {
         findings_.push_back({std::move(code), std::move(path), std::move(message), std::move(help), false});
+    }
+
+    void warn(std::string code, std::string path, std::string message, std::string help)
+    {
+        findings_.push_back({std::move(code), std::move(path), std::move(message), std::move(help), true});
     }
 
     void report_unknown(const std::string& path, std::string_view kind, const std::string& name,
@@ -126,9 +133,8 @@ private:
                 return std::ranges::find(j.second.bodies, name) != j.second.bodies.end();
             });
             if (!used && !jointed) {
-                findings_.push_back({"unused", "bodies." + name,
-                                     fmt::format("no part or joint belongs to body '{}'", name),
-                                     "remove it, or name it in a part", true});
+                warn("unused", "bodies." + name, fmt::format("no part or joint belongs to body '{}'", name),
+                     "remove it, or name it in a part");
             }
         }
     }
@@ -329,6 +335,48 @@ private:
                 report("duplicate-name", fmt::format("crankshaft.bearings.{}.name", i),
                        fmt::format("two bearings are called '{}'", name), "give each a name of its own");
             }
+        }
+    }
+
+    void check_slide()
+    {
+        const auto& slide = c_.mechanism.slide_body;
+        const bool guided = std::ranges::any_of(c_.joints, [&](const auto& joint) {
+            return joint.second.kind == "slide" &&
+                   std::ranges::find(joint.second.bodies, slide) != joint.second.bodies.end();
+        });
+        if (!guided && c_.bodies.contains(slide)) {
+            warn("guide", "mechanism.slide_body",
+                 fmt::format("no guide holds '{}': it moves as its other joints let it, not along a line", slide),
+                 "name the body that runs in the guides, or add a joint of kind = \"slide\" to it");
+        }
+    }
+
+    void check_process_force()
+    {
+        if (!c_.process_force) {
+            return;
+        }
+        const auto& process = *c_.process_force;
+        const bool rigid = c_.crankshaft && c_.crankshaft->model == "rigid";
+        const bool window =
+            process.kind == "half_sine" || process.kind == "rectangular" || (process.kind.empty() && rigid);
+        const ProcessForce defaults;
+        for (const auto& [key, stated] :
+             {std::pair{"from", process.from != defaults.from}, std::pair{"to", process.to != defaults.to}}) {
+            if (stated && !window) {
+                warn("unused", fmt::format("process_force.{}", key),
+                     fmt::format("'{}' has no effect: only a half-sine or rectangular force acts between two crank "
+                                 "angles",
+                                 key),
+                     "remove it, or add kind = \"half_sine\"");
+            }
+        }
+        const bool idle = std::ranges::all_of(c_.operation, [](const Segment& segment) { return segment.force == 0; });
+        if (idle && !process.kind.empty() && process.kind != "none") {
+            warn("unused", "process_force.kind",
+                 "there is no process force: every segment of [[operation]] has a force of 0",
+                 "add force = \"300 kN\" to the segment in which the press works");
         }
     }
 

@@ -245,6 +245,9 @@ void describe(Visitor& v, Joint& j)
            j.swept);
     v.quantity({"preload", "of a slide: force by which the gib presses on each of the two faces"}, j.preload, D::force,
                non_negative);
+    v.quantity({"guide_length", "of a slide that guides rotation: distance of the guide's two ends along the travel, "
+                                "with `centre` amid them; without it the moment on the guide does not press its faces"},
+               j.guide_length, D::length, positive);
     v.flag({"turns_fully", "turns all the way around, so that each side sees the other's mean around the turn"},
            j.turns_fully);
     v.flag({"driver", "its angle is the crank angle"}, j.driver);
@@ -259,6 +262,8 @@ void describe(Visitor& v, Joint& j)
     v.expect(j.preload == 0 || j.kind == "slide", "preload", "only a slide has a gib to press on it",
              "remove `preload`");
     v.expect(j.swept || j.kind == "slide", "swept", "only a slide travels along a guide", "remove `swept`");
+    v.expect(!j.guide_length || (j.kind == "slide" && j.guides_rotation), "guide_length",
+             "only a slide that guides rotation carries a moment over its length", "remove `guide_length`");
     v.expect(!j.driver || j.kind != "slide", "driver", "a slide cannot drive the crank",
              "name a revolute joint as driver");
 }

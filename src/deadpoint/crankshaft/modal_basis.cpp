@@ -44,34 +44,42 @@ Eigen::MatrixXd modal_damping_matrix(const ShaftSystem& system, const RestingMod
     return kx * values.asDiagonal() * kx.transpose();
 }
 
-FirstOrder first_order(const ShaftSystem& system, const RestingModes& basis, double speed, double modal_damping)
+ModalMatrices modal_matrices(const ShaftSystem& system, const RestingModes& basis)
 {
     const Eigen::MatrixXd& x = basis.moving;
-    const Eigen::Index m = x.cols();
-    const Eigen::VectorXd root = basis.mu.cwiseSqrt();
     const Eigen::MatrixXd skew = 0.5 * (view(system.stiffness) - view(system.stiffness).transpose());
-    const Eigen::MatrixXd dampers = view(system.damping);
+    const Eigen::MatrixXd skew_x = skew * x;
+    const Eigen::MatrixXd dampers_x = view(system.damping) * x;
     if (basis.following.cols() > 0) {
-        const double by_stiffness = (basis.following.transpose() * skew * x).cwiseAbs().maxCoeff();
-        const double by_damping = (basis.following.transpose() * dampers * x).cwiseAbs().maxCoeff() / root[0];
+        const double by_stiffness = (basis.following.transpose() * skew_x).cwiseAbs().maxCoeff();
+        const double by_damping =
+            (basis.following.transpose() * dampers_x).cwiseAbs().maxCoeff() / std::sqrt(basis.mu[0]);
         if (by_stiffness > no_coupling || by_damping > no_coupling)
             throw InputError(
                 "crankshaft: a bearing with damping or cross-coupled stiffness acts on a part without mass\n"
                 "help: give the section there a density, or the housing a mass");
     }
-    Eigen::MatrixXd d = x.transpose() * (dampers - speed * view(system.gyroscopic)) * x;
+    const Eigen::MatrixXd gyroscopic_x = view(system.gyroscopic) * x;
+    return {x.transpose() * dampers_x, x.transpose() * gyroscopic_x, x.transpose() * skew_x};
+}
+
+Eigen::MatrixXd first_order_inverse(const RestingModes& basis, const ModalMatrices& matrices, double speed,
+                                    double modal_damping, Eigen::Index modes)
+{
+    const Eigen::VectorXd root = basis.mu.head(modes).cwiseSqrt();
+    const Eigen::Index m = modes;
+    Eigen::MatrixXd d = matrices.dampers.topLeftCorner(m, m) - speed * matrices.gyroscopic.topLeftCorner(m, m);
     d.diagonal() += 2 * modal_damping * root;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(Eigen::MatrixXd::Identity(m, m) + x.transpose() * skew * x);
-    FirstOrder result;
-    result.inverse = Eigen::MatrixXd::Zero(2 * m, 2 * m);
-    result.inverse.topLeftCorner(m, m) = -stiffness.solve(d);
-    result.inverse.topRightCorner(m, m) = -stiffness.solve(Eigen::MatrixXd(root.asDiagonal()));
-    result.inverse.bottomLeftCorner(m, m) = root.asDiagonal();
-    result.static_shape = stiffness.solve(Eigen::MatrixXd(x.transpose()));
-    if (!result.inverse.allFinite())
+    const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(Eigen::MatrixXd::Identity(m, m) +
+                                                         matrices.skew.topLeftCorner(m, m));
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(2 * m, 2 * m);
+    inverse.topLeftCorner(m, m) = -stiffness.solve(d);
+    inverse.topRightCorner(m, m) = -stiffness.solve(Eigen::MatrixXd(root.asDiagonal()));
+    inverse.bottomLeftCorner(m, m) = root.asDiagonal();
+    if (!inverse.allFinite())
         throw DomainError("crankshaft: the equations of motion are not finite\n"
                           "help: look for an extreme stiffness or damping of a bearing");
-    return result;
+    return inverse;
 }
 
 }  // namespace deadpoint::crankshaft

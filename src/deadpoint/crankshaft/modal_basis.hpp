@@ -19,15 +19,24 @@ RestingModes resting_modes(const ShaftSystem& system);
 /// C_modal of periodic_response, in the unknowns of the system.
 Eigen::MatrixXd modal_damping_matrix(const ShaftSystem& system, const RestingModes& basis);
 
-/// First-order system z' = A z + ... with z = (p, sqrt(mu) p'), q = X p, given by the inverse of A: its largest
-/// eigenvalues are the lowest modes, which are thus the most accurate.
-///
-/// @param modal_damping  ratio added to every moving mode
-/// @throws InputError if a damper or a skew stiffness acts on shapes without inertia
-struct FirstOrder {
-    Eigen::MatrixXd inverse;       ///< A^-1, 2m x 2m
-    Eigen::MatrixXd static_shape;  ///< (1 + X^T K_skew X)^-1 X^T: p under a constant load
+/// What acts besides mass and stiffness, in the moving modes: X^T (.) X.
+struct ModalMatrices {
+    Eigen::MatrixXd dampers;
+    Eigen::MatrixXd gyroscopic;
+    Eigen::MatrixXd skew;  ///< part of K
+
+    [[nodiscard]] Eigen::Index modes() const { return skew.cols(); }
 };
-FirstOrder first_order(const ShaftSystem& system, const RestingModes& basis, double speed, double modal_damping);
+
+/// @throws InputError if a damper or a skew stiffness acts on shapes without inertia
+ModalMatrices modal_matrices(const ShaftSystem& system, const RestingModes& basis);
+
+/// A^-1 of the first-order system z' = A z + ... with z = (p, sqrt(mu) p'), q = X p, in the lowest `modes` of the
+/// resting shaft: the largest eigenvalues of A^-1 are the lowest modes, which are thus the most accurate.
+///
+/// @param modal_damping  ratio added to every mode
+/// @throws DomainError if it is not finite
+Eigen::MatrixXd first_order_inverse(const RestingModes& basis, const ModalMatrices& matrices, double speed,
+                                    double modal_damping, Eigen::Index modes);
 
 }  // namespace deadpoint::crankshaft

@@ -13,7 +13,9 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double planar_below = 1e-6;
-constexpr double oscillates = 1e-9;  ///< imaginary part of an eigenvalue over its magnitude
+constexpr double oscillates = 1e-9;      ///< imaginary part of an eigenvalue over its magnitude
+constexpr double campbell_error = 1e-6;  ///< of an eigenvalue in campbell(), relative
+constexpr int fewest_kept = 32;          ///< modes of the resting shaft
 
 Whirl whirl_of(double circularity)
 {
@@ -52,10 +54,17 @@ void set_shape(Mode& mode, const Eigen::VectorXcd& q, int nodes)
     }
 }
 
-std::vector<Mode> modes_of(const ShaftSystem& system, const RestingModes& basis, double speed, int count)
+/// A mode in the modes of the resting shaft: q = X p, p' = lambda p.
+struct ModalMode {
+    Complex lambda;
+    Eigen::VectorXcd p;
+};
+
+/// Those that oscillate, ascending, of the shaft held to the lowest `kept` modes of the resting one.
+std::vector<ModalMode> modal_modes(const RestingModes& basis, const ModalMatrices& matrices, double speed, int count,
+                                   Eigen::Index kept)
 {
-    const FirstOrder form = first_order(system, basis, speed, 0);
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(form.inverse);
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(first_order_inverse(basis, matrices, speed, 0, kept));
     if (solver.info() != Eigen::Success)
         throw ConvergenceError(
             "crankshaft: its modes were not found\nhelp: look for extreme values among the bearings");
@@ -67,14 +76,53 @@ std::vector<Mode> modes_of(const ShaftSystem& system, const RestingModes& basis,
     }
     std::sort(found.begin(), found.end());
     found.resize(std::min(found.size(), static_cast<std::size_t>(std::max(count, 0))));
+    std::vector<ModalMode> result;
+    for (const auto& [omega, i] : found)
+        result.push_back({1.0 / solver.eigenvalues()[i], solver.eigenvectors().col(i).head(kept)});
+    return result;
+}
+
+/// Relative change of lambda that the modes beyond the kept ones would bring, to second order: they take part by
+/// w = (lambda (C - omega G) + K_skew) p, each against its own 1 + lambda^2 mu.
+double left_out(const RestingModes& basis, const ModalMatrices& matrices, double speed, const ModalMode& mode)
+{
+    const Eigen::Index kept = mode.p.size();
+    const Eigen::Index rest = matrices.modes() - kept;
+    const Eigen::MatrixXd d = matrices.dampers.leftCols(kept) - speed * matrices.gyroscopic.leftCols(kept);
+    const Eigen::VectorXcd w =
+        mode.lambda * (d.bottomRows(rest) * mode.p) + matrices.skew.bottomLeftCorner(rest, kept) * mode.p;
+    double change = 0;
+    for (Eigen::Index i = 0; i < rest; ++i)
+        change += std::norm(w[i]) / std::abs(1.0 + mode.lambda * mode.lambda * basis.mu[kept + i]);
+    const Eigen::VectorXcd slope =
+        2.0 * mode.lambda * basis.mu.head(kept).cast<Complex>().cwiseProduct(mode.p) + d.topRows(kept) * mode.p;
+    return change / std::abs(mode.lambda * mode.p.dot(slope));
+}
+
+/// As modal_modes, with as many modes of the resting shaft as `campbell_error` asks for.
+std::vector<ModalMode> lowest_modes(const RestingModes& basis, const ModalMatrices& matrices, double speed, int count)
+{
+    const Eigen::Index all = matrices.modes();
+    for (Eigen::Index kept = std::max(4 * count, fewest_kept); 4 * kept < 3 * all; kept *= 2) {
+        auto result = modal_modes(basis, matrices, speed, count, kept);
+        double error = 0;
+        for (const auto& mode : result)
+            error = std::max(error, left_out(basis, matrices, speed, mode));
+        if (static_cast<int>(result.size()) == count && error < campbell_error)
+            return result;
+    }
+    return modal_modes(basis, matrices, speed, count, all);
+}
+
+std::vector<Mode> in_nodes(const ShaftSystem& system, const RestingModes& basis, double speed,
+                           const std::vector<ModalMode>& found)
+{
     const int nodes = static_cast<int>(system.nodes.size());
     std::vector<Mode> result;
-    for (const auto& [omega, i] : found) {
-        const Complex lambda = 1.0 / solver.eigenvalues()[i];
-        const Eigen::VectorXcd q =
-            basis.moving.cast<Complex>() * solver.eigenvectors().col(i).head(basis.moving.cols());
+    for (const auto& [lambda, p] : found) {
+        const Eigen::VectorXcd q = basis.moving.leftCols(p.size()).cast<Complex>() * p;
         Mode mode;
-        mode.frequency = omega / (2 * std::numbers::pi);
+        mode.frequency = lambda.imag() / (2 * std::numbers::pi);
         mode.damping_ratio = -lambda.real() / std::abs(lambda);
         mode.circularity = circularity_of(q, nodes) * (speed < 0 ? -1 : 1);
         mode.whirl = speed == 0 ? Whirl::planar : whirl_of(mode.circularity);
@@ -88,15 +136,18 @@ std::vector<Mode> modes_of(const ShaftSystem& system, const RestingModes& basis,
 
 std::vector<Mode> modes(const ShaftSystem& system, double speed, int count)
 {
-    return modes_of(system, resting_modes(system), speed, count);
+    const RestingModes basis = resting_modes(system);
+    const ModalMatrices matrices = modal_matrices(system, basis);
+    return in_nodes(system, basis, speed, modal_modes(basis, matrices, speed, count, matrices.modes()));
 }
 
 std::vector<std::vector<Mode>> campbell(const ShaftSystem& system, std::span<const double> speeds, int count)
 {
     const RestingModes basis = resting_modes(system);
+    const ModalMatrices matrices = modal_matrices(system, basis);
     std::vector<std::vector<Mode>> table;
     for (const double speed : speeds)
-        table.push_back(modes_of(system, basis, speed, count));
+        table.push_back(in_nodes(system, basis, speed, lowest_modes(basis, matrices, speed, count)));
     return table;
 }
 

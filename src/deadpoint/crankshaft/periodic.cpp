@@ -87,8 +87,10 @@ void check_growth(const Eigen::VectorXcd& lambda)
 ComplexModes complex_modes(const ShaftSystem& system, const RestingModes& basis, double speed, const PeriodicLoad& load,
                            const Readings& readings)
 {
-    const FirstOrder form = first_order(system, basis, speed, system.modal_damping);
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(form.inverse);
+    const ModalMatrices matrices = modal_matrices(system, basis);
+    const Eigen::Index m = matrices.modes();
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(
+        first_order_inverse(basis, matrices, speed, system.modal_damping, m));
     if (solver.info() != Eigen::Success)
         throw ConvergenceError("crankshaft: its complex modes were not found\n"
                                "help: look for extreme values among the bearings, or use another method");
@@ -99,9 +101,10 @@ ComplexModes complex_modes(const ShaftSystem& system, const RestingModes& basis,
     if (!(to_modes.rcond() > worst_condition))
         throw ConvergenceError("crankshaft: two of its modes coincide (critical damping), so they do not separate\n"
                                "help: change a damping value slightly, or use harmonic balance");
-    const Eigen::Index m = basis.moving.cols();
     Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(2 * m, load.patterns.cols);
-    rest.topRows(m) = form.static_shape * view(load.patterns);
+    rest.topRows(m) = (Eigen::MatrixXd::Identity(m, m) + matrices.skew)
+                          .partialPivLu()
+                          .solve(basis.moving.transpose() * view(load.patterns));
     const Eigen::MatrixXcd rest_in_modes = to_modes.solve(rest.cast<Complex>());
     const Eigen::VectorXd frequencies = basis.mu.cwiseSqrt().cwiseInverse();
     Eigen::MatrixXd read(readings.displacement.rows, 2 * m);

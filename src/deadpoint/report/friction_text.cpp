@@ -26,9 +26,48 @@ std::string bearings_line(const study::FrictionSummary& summary)
     return text + "\n";
 }
 
-}  // namespace
+// Watts over the turn; what rounding leaves of none is none.
+std::string watts(double value) { return fmt::format("{:.1f} W", std::abs(value) < 0.05 ? 0.0 : value); }
 
-std::string friction_text(const study::FrictionSummary& summary)
+std::string power_lines(const study::PowerBalance& balance)
+{
+    const double percent = 100 * balance.mismatch();
+    std::string text = fmt::format("  power without friction: drive {}, process {}; they agree to {} % of the {} that "
+                                   "come and go\n",
+                                   watts(balance.drive), watts(balance.process),
+                                   percent < 0.01 ? "0.01" : fmt::format("{:.2g}", percent), watts(balance.swing));
+    for (const auto& power : balance.at) {
+        text += fmt::format("  with all joints at {:.0f} degC: friction {}, {} N m at the crank; motor {} with the "
+                            "process",
+                            power.temperature - zero_celsius, watts(power.friction), significant(power.torque, 4),
+                            watts(power.motor));
+        if (power.share_of_motor)
+            text += fmt::format(", {} % of its {}", significant(100 * *power.share_of_motor), watts(balance.rated));
+        text += "\n";
+    }
+    return text;
+}
+
+nlohmann::ordered_json power_json(const study::PowerBalance& balance)
+{
+    nlohmann::ordered_json json = {{"drive_mean", balance.drive},
+                                   {"process_mean", balance.process},
+                                   {"drive_less_process", balance.drive - balance.process},
+                                   {"drive_mean_magnitude", balance.swing},
+                                   {"mismatch", balance.mismatch()},
+                                   {"mismatch_allowed", study::power_tolerance}};
+    if (balance.rated > 0)
+        json["motor_stated"] = balance.rated;
+    for (const auto& power : balance.at) {
+        auto& at = json["with_friction"][fmt::format("{:.0f}_degC", power.temperature - zero_celsius)];
+        at = {{"friction", power.friction}, {"motor", power.motor}, {"crank_torque_N_m", power.torque}};
+        if (power.share_of_motor)
+            at["share_of_motor"] = *power.share_of_motor;
+    }
+    return json;
+}
+
+std::string summary_text(const study::FrictionSummary& summary)
 {
     TextTable table({"friction heat [W]", "20 degC", "40 degC", "load part", "over reference"});
     double sums[] = {0, 0};
@@ -48,18 +87,12 @@ std::string friction_text(const study::FrictionSummary& summary)
                                    significant(1e-3 * summary.force, 4), table.text());
     if (!summary.bearings.empty())
         text += bearings_line(summary);
-    if (summary.balance) {
-        const auto& b = *summary.balance;
-        const auto shown = [](double watts) { return std::abs(watts) < 0.05 ? 0.0 : watts; };
-        text += fmt::format("  power: drive less process {:+.1f} W ({:.1f} - {:.1f}; the linkage is computed without "
-                            "friction), friction of all joints {:.1f} W at {:.0f} degC\n",
-                            shown(b.drive - b.process), shown(b.drive), shown(b.process), b.friction,
-                            b.temperature - zero_celsius);
-    }
+    if (summary.balance)
+        text += power_lines(*summary.balance);
     return text;
 }
 
-std::string friction_json(const study::FrictionSummary& summary)
+nlohmann::ordered_json summary_json(const study::FrictionSummary& summary)
 {
     nlohmann::ordered_json json;
     json["speed_rpm"] = rpm * summary.speed;
@@ -85,11 +118,26 @@ std::string friction_json(const study::FrictionSummary& summary)
     if (!summary.bearings.empty())
         json["same_process_force"] = summary.same_loads;
     if (summary.balance)
-        json["power_W"] = {{"drive_mean", summary.balance->drive},
-                           {"process_mean", summary.balance->process},
-                           {"drive_less_process", summary.balance->drive - summary.balance->process},
-                           {"friction_at_40_degC", summary.balance->friction}};
-    return json.dump();
+        json["power_W"] = power_json(*summary.balance);
+    return json;
+}
+
+}  // namespace
+
+std::string friction_text(const std::vector<study::FrictionSummary>& summaries)
+{
+    std::string text;
+    for (const auto& summary : summaries)
+        text += summary_text(summary);
+    return text;
+}
+
+std::string friction_json(const std::vector<study::FrictionSummary>& summaries)
+{
+    auto list = nlohmann::ordered_json::array();
+    for (const auto& summary : summaries)
+        list.push_back(summary_json(summary));
+    return list.dump();
 }
 
 }  // namespace deadpoint::report

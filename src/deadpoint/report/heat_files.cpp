@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/write.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/report/csv.hpp"
+#include "deadpoint/report/friction_text.hpp"
 #include "deadpoint/report/json_file.hpp"
 
 #include <fmt/format.h>
@@ -88,6 +89,7 @@ Json heat_json(const casefile::Case& input, const HeatTables& tables, const Text
         "are in rad/s where the surface turns, in m/s where it moves";
     json["operation"] = {{"segment", tables.segment}, {"speed_rpm", rpm * tables.speed}};
     json["friction"] = joints_json(tables);
+    json["operating_points"] = Json::parse(friction_json(tables.friction));
     json["conductances"] = conductances_json(tables);
     json["films"] = Json::object();
     for (const auto& film : tables.films)

@@ -1,3 +1,4 @@
+#include "deadpoint/report/friction_text.hpp"
 #include "deadpoint/report/heat_files.hpp"
 #include "deadpoint/report/table.hpp"
 
@@ -78,6 +79,7 @@ std::string heat_text(const casefile::Case& input, const HeatTables& tables)
                                    segment.name, significant(rpm * tables.speed, 4));
     if (!tables.joints.empty())
         text += fmt::format("\n{}", joint_heat_table(tables));
+    text += friction_text(tables.friction);
     if (!tables.conductances.empty())
         text += fmt::format("\n{}", conductance_table(tables));
     if (!tables.films.empty())

@@ -213,11 +213,15 @@ Json loads_json(const casefile::Case& input, const LoadsResult& loads, const std
                                                        {"from", loads.mass_origins[b]}};
     for (std::size_t j = 0; j < loads.linkage.joints.size(); ++j)
         json["joints"][loads.linkage.joints[j].name] = joint_json(loads, j);
-    for (const auto& guide : loads.guides)
-        json["guides"][loads.linkage.joints[static_cast<std::size_t>(guide.joint)].name] = {
-            {"preload_per_face_N", guide.preload},
-            {"mean_normal_force_N", guide.mean_normal},
-            {"balanced_by_symmetry", guide.balanced}};
+    for (const auto& guide : loads.guides) {
+        auto& entry = json["guides"][loads.linkage.joints[static_cast<std::size_t>(guide.joint)].name];
+        entry = {{"preload_per_face_N", guide.faces.preload},
+                 {"mean_normal_force_N", guide.mean_normal},
+                 {"peak_moment_N_m", guide.peak_moment},
+                 {"balanced_by_symmetry", guide.balanced}};
+        if (guide.faces.length)
+            entry["guide_length_mm"] = 1e3 * *guide.faces.length;
+    }
     json["guides_whose_rotation_the_halves_hold"] = loads.freed_guides;
     json["height_by_length"] = Json::array();
     for (const auto& length : loads.lengths)

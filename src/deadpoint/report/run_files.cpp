@@ -289,8 +289,8 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
         json["warm_up_s"] = summary.warm_up_time ? nlohmann::ordered_json(*summary.warm_up_time) : nullptr;
     }
     json["drift_summary"] = drift_summary_json(result.probes, summary);
-    if (result.friction)
-        json["friction"] = nlohmann::ordered_json::parse(friction_json(*result.friction));
+    if (!result.friction.empty())
+        json["friction"] = nlohmann::ordered_json::parse(friction_json(result.friction));
     if (result.adjoint_check)
         json["adjoint_check"] = {{"time_s", result.adjoint_check->time},
                                  {"E_SW_um_by_adjoint", micrometre * result.adjoint_check->by_adjoint},
@@ -425,8 +425,8 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
             text += fmt::format("  not warm yet: the gap still drifts by more than {} um/h\n",
                                 significant(input.chain->drift_rate_limit * 3600 * micrometre));
     }
-    if (result.friction)
-        text += friction_text(*result.friction) + "\n";
+    if (!result.friction.empty())
+        text += friction_text(result.friction) + "\n";
     text += heat_flows_text(result);
     const auto& energy = result.thermal.energy;
     text += fmt::format(

@@ -95,12 +95,12 @@ HeatTables heat_tables(const casefile::Case& input, const Machine* machine, cons
     for (int celsius = 20; celsius <= 70; celsius += 10)
         tables.temperatures.push_back(zero_celsius + celsius);
     FrictionLaws laws(input, machine, loads);
-    std::vector<FrictionHeat> rows;
-    for (const auto& [name, friction] : input.friction) {
-        rows.push_back(laws.heat(name, segment_at(input, segment)));
-        tables.joints.push_back(joint_heat(input, name, friction, rows.back().heat, tables.temperatures));
-    }
-    tables.warnings = friction_warnings(rows);
+    for (const auto& [name, friction] : input.friction)
+        tables.joints.push_back(
+            joint_heat(input, name, friction, laws.heat(name, segment_at(input, segment)).heat, tables.temperatures));
+    if (!input.friction.empty())
+        tables.friction = laws.summaries();
+    tables.warnings = laws.warnings(tables.friction);
     if (!machine)
         return tables;
     double start = 0;

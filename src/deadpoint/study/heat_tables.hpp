@@ -4,6 +4,7 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/loads.hpp"
 #include "deadpoint/study/translate_conductance.hpp"
+#include "deadpoint/study/translate_friction.hpp"
 
 #include <string>
 #include <vector>
@@ -45,6 +46,7 @@ struct HeatTables {
     double speed = 0;                  ///< of the crank [rad/s]
     std::vector<double> temperatures;  ///< [K]
     std::vector<JointHeat> joints;
+    std::vector<FrictionSummary> friction;  ///< at every speed and force of the operation
     std::vector<InterfaceConductance> conductances;
     std::vector<FilmTable> films;
     std::vector<std::string> warnings;

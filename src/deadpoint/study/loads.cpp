@@ -22,6 +22,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int modes_shown = 8;
 constexpr int campbell_points = 13;
 constexpr double balanced_share = 1e-6;  // of the largest joint force, below which a guide counts as unloaded
+constexpr double noticed_share = 0.01;   // of a guide's mean normal force, above which a left-out moment is told
 
 class Timer {
 public:
@@ -56,6 +57,11 @@ double largest_force(const CycleHistory& history)
     return largest;
 }
 
+double mean_normal_force(const CycleHistory& history, const JointCycle& cycle, const tribology::GuideFaces& faces)
+{
+    return tribology::duty_mean(tribology::guide_duty(history, cycle, faces), 1, 0);
+}
+
 std::vector<GuideLoad> guide_loads(const casefile::Case& input, const LoadsResult& result)
 {
     std::vector<GuideLoad> guides;
@@ -64,36 +70,62 @@ std::vector<GuideLoad> guide_loads(const casefile::Case& input, const LoadsResul
         const auto& joint = result.linkage.joints[j];
         if (joint.kind != LinkageJoint::Kind::slide)
             continue;
+        const auto& cycle = result.history.joints[j];
         const std::string original = result.images[j] ? joint.name.substr(0, joint.name.size() - 1) : joint.name;
         GuideLoad guide;
         guide.joint = static_cast<int>(j);
-        guide.preload = input.joints.at(original).preload;
-        double peak = 0, time = 0;
-        const auto& history = result.history;
-        for (std::size_t i = 0; i < history.time.size(); ++i) {
-            const double force = norm(history.joints[j].force[i]);
-            const double next = i + 1 < history.time.size() ? history.time[i + 1] : history.period;
-            const double before = i > 0 ? history.time[i - 1] : history.time.back() - history.period;
-            const double span = 0.5 * (next - before);
-            peak = std::max(peak, force);
-            guide.mean_normal += span * std::max(2 * guide.preload, force);
-            time += span;
-        }
-        guide.mean_normal /= time;
-        guide.balanced = peak <= limit;
+        guide.faces = describe_guide(input.joints.at(original));
+        guide.mean_normal = mean_normal_force(result.history, cycle, guide.faces);
+        for (const double moment : cycle.moment)
+            guide.peak_moment = std::max(guide.peak_moment, std::abs(moment));
+        guide.balanced = tribology::peak_force(tribology::duty_of(result.history, cycle)) <= limit &&
+                         guide.peak_moment <= limit * result.stroke.stroke;
         guides.push_back(guide);
     }
     return guides;
 }
 
+// Largest distance of two joints: no guide is longer.
+double extent(const Linkage& linkage)
+{
+    double largest = 0;
+    for (const auto& a : linkage.joints)
+        for (const auto& b : linkage.joints)
+            largest = std::max(largest, norm(a.centre - b.centre));
+    return largest;
+}
+
+// Where the length that a moment needs is missing, what it would do even on a guide as long as the linkage.
+std::optional<std::string> missing_moment(const LoadsResult& result, const GuideLoad& guide)
+{
+    if (guide.faces.length || guide.peak_moment == 0)
+        return std::nullopt;
+    const auto j = static_cast<std::size_t>(guide.joint);
+    const double longest = extent(result.linkage);
+    const double with_moment =
+        mean_normal_force(result.history, result.history.joints[j], {guide.faces.preload, longest});
+    if (with_moment - guide.mean_normal <= noticed_share * with_moment)
+        return std::nullopt;
+    return fmt::format("guide '{}' carries a moment of up to {:.3g} N m, which is left out: even on a guide of {:.3g} "
+                       "mm, as long as the linkage, its faces would be pressed by {:.4g} N in the mean instead of "
+                       "{:.4g} N; state joints.{}.guide_length",
+                       result.linkage.joints[j].name, guide.peak_moment, 1e3 * longest, with_moment, guide.mean_normal,
+                       result.linkage.joints[j].name);
+}
+
 void warn_of_guides(LoadsResult& result)
 {
-    for (const auto& guide : result.guides)
-        if (guide.balanced && guide.preload == 0)
+    for (const auto& guide : result.guides) {
+        if (guide.balanced && guide.faces.preload == 0)
             result.warnings.push_back(fmt::format(
                 "guide '{}' carries no force: the linkage is balanced about it, and friction that follows the load "
                 "would be zero there; state a preload of its gib, or an offset of the process force",
                 result.linkage.joints[static_cast<std::size_t>(guide.joint)].name));
+        if (result.images[static_cast<std::size_t>(guide.joint)])
+            continue;
+        if (const auto missing = missing_moment(result, guide))
+            result.warnings.push_back(*missing);
+    }
 }
 
 // Sums of the bearings that name the same seat; a bearing without one is its own.

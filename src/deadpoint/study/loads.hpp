@@ -8,6 +8,7 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
+#include "deadpoint/tribology/duty.hpp"
 
 #include <optional>
 #include <string>
@@ -17,12 +18,13 @@
 /// Motion, joint forces and crankshaft loads of a case over one turn at one operating point.
 namespace deadpoint::study {
 
-/// What a guide's faces carry besides the net force: both are pressed by the gib.
+/// What a guide's faces carry besides the net force: they are pressed by the gib, and by a moment on its ends.
 struct GuideLoad {
-    int joint = 0;           ///< in LoadsResult::linkage
-    double preload = 0;      ///< on each of its two faces [N]
-    double mean_normal = 0;  ///< mean of max(2 preload, |F|), the sum of both faces' normal forces [N]
-    bool balanced = false;   ///< no net force at all: symmetry carries it
+    int joint = 0;  ///< in LoadsResult::linkage
+    tribology::GuideFaces faces;
+    double mean_normal = 0;  ///< of the sum of the faces' normal forces (tribology::guide_normal_force) [N]
+    double peak_moment = 0;  ///< largest, either way; counts only with a length [N m]
+    bool balanced = false;   ///< no net force and no moment at all: symmetry carries it
 };
 
 /// Bearings that share a seat, as one.

@@ -274,11 +274,10 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
     const auto* loads = result.loads ? &*result.loads : nullptr;
     FrictionLaws friction(input, &machine, loads);
     const auto problem = describe_heat(input, machine, observer, loads, friction);
-    if (const int segment = first_running_segment(input); segment >= 0 && !input.friction.empty()) {
-        result.friction = friction.summary(input.operation[static_cast<std::size_t>(segment)]);
-        for (const auto& warning : friction_warnings(result.friction->rows))
-            observer.warn(warning);
-    }
+    if (!input.friction.empty())
+        result.friction = friction.summaries();
+    for (const auto& warning : friction.warnings(result.friction))
+        observer.warn(warning);
     for (const auto& probe : problem.probes)
         result.probes.push_back(probe.name);
     for (const auto& source : problem.sources)

@@ -41,7 +41,7 @@ struct RunResult {
     std::vector<std::string> body_heat;  ///< names, as ThermalHistory::body_heat
     std::vector<std::string> oil;        ///< circuits, as ThermalHistory::oil
     std::vector<JointHistory> joints;
-    std::optional<FrictionSummary> friction;  ///< in the first segment in which the press runs
+    std::vector<FrictionSummary> friction;  ///< at every speed and force of the operation
     std::optional<LoadsResult> loads;  ///< of the first segment in which the press runs, where the case has a linkage
     std::optional<BottomDeadPointSensitivity> sensitivity;
     std::optional<DriftSeries> drift;

@@ -57,18 +57,6 @@ double area_side_by_side(const Place& at)
     return halved(at) ? 2 * area : area;
 }
 
-double mean_force(const CycleHistory& history, const std::vector<Vec2>& force)
-{
-    double sum = 0, time = 0;
-    for (std::size_t i = 0; i < history.time.size(); ++i) {
-        const double next = i + 1 < history.time.size() ? history.time[i + 1] : history.period;
-        const double before = i > 0 ? history.time[i - 1] : history.time.back() - history.period;
-        sum += 0.5 * (next - before) * norm(force[i]);
-        time += 0.5 * (next - before);
-    }
-    return sum / time;
-}
-
 double mean_load(const LoadsResult& loads, const std::string& joint)
 {
     const auto found = std::ranges::find(loads.linkage.joints, joint, &LinkageJoint::name);
@@ -76,7 +64,7 @@ double mean_load(const LoadsResult& loads, const std::string& joint)
     for (const auto& guide : loads.guides)
         if (guide.joint == static_cast<int>(index))
             return guide.mean_normal;
-    return mean_force(loads.history, loads.history.joints.at(index).force);
+    return tribology::duty_mean(tribology::duty_of(loads.history, loads.history.joints.at(index)), 1, 0);
 }
 
 double contact_pressure(const Place& at, InterfaceConductance& result)

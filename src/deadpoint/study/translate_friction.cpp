@@ -1,12 +1,16 @@
 #include "deadpoint/study/translate_friction.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/study/translate_loads.hpp"
 #include "deadpoint/tribology/calibrated.hpp"
 #include "deadpoint/tribology/heat_law.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
+#include <sstream>
 
 namespace deadpoint::study {
 namespace {
@@ -14,7 +18,8 @@ namespace {
 using tribology::Duty;
 
 constexpr double reporting_temperature = 313.15;  // 40 degC
-constexpr double negligible = 1e-6;               // share of the largest joint force below which a joint is unloaded
+constexpr const char* reference_key = "reference";
+constexpr double negligible = 1e-6;  // share of the largest joint force below which a joint is unloaded
 
 std::string original_name(const LoadsResult& loads, std::size_t joint)
 {
@@ -22,11 +27,13 @@ std::string original_name(const LoadsResult& loads, std::size_t joint)
     return loads.images[joint] ? name.substr(0, name.size() - 1) : name;
 }
 
-// Force of a slide as the sum of its two faces, both pressed by the gib.
-void press_faces(Duty& duty, double preload)
+// Of a joint of the linkage; of a slide, the sum of its faces.
+Duty joint_duty(const LoadsResult& loads, std::size_t index, const casefile::Joint& joint)
 {
-    for (double& force : duty.force)
-        force = std::max(2 * preload, force);
+    const auto& cycle = loads.history.joints[index];
+    if (loads.linkage.joints[index].kind == LinkageJoint::Kind::slide)
+        return tribology::guide_duty(loads.history, cycle, describe_guide(joint));
+    return tribology::duty_of(loads.history, cycle);
 }
 
 // Bearings or bushes that share the joint.
@@ -59,13 +66,80 @@ bool carries_nothing(const std::vector<RubbingJoint>& joints, const LoadsResult&
                                [&](const RubbingJoint& joint) { return std::ranges::all_of(joint.duties, unloaded); });
 }
 
-double mean_power(const CycleHistory& turn, const std::vector<double>& force, const std::vector<double>& speed)
+FrictionPower friction_power(const FrictionSummary& summary, const PowerBalance& balance, double temperature,
+                             double period)
 {
+    FrictionPower power;
+    power.temperature = temperature;
+    for (const auto& row : summary.rows)
+        power.friction += row.heat(temperature).value;
+    power.motor = balance.process + power.friction;
+    power.torque = power.friction * period / (2 * std::numbers::pi);
+    if (balance.rated > 0)
+        power.share_of_motor = power.motor / balance.rated;
+    return power;
+}
+
+PowerBalance power_balance(const casefile::Case& input, const FrictionSummary& summary, const LoadsResult& loads)
+{
+    const auto& turn = loads.history;
     const auto weight = tribology::turn_weights(turn.time, turn.period);
-    double sum = 0;
-    for (std::size_t i = 0; i < weight.size(); ++i)
-        sum += weight[i] * force[i] * speed[i];
-    return sum;
+    PowerBalance balance;
+    balance.drive = loads.drive.mean_power;
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+        balance.process -= weight[i] * turn.process_force[i] * turn.slide_speed[i];
+        balance.swing += weight[i] * std::abs(turn.drive_torque[i] * turn.speed[i]);
+    }
+    if (input.crankshaft && input.crankshaft->belt)
+        balance.rated = input.crankshaft->belt->power;
+    balance.at.push_back(friction_power(summary, balance, input.machine.initial_temperature, turn.period));
+    if (input.machine.initial_temperature != reporting_temperature)
+        balance.at.push_back(friction_power(summary, balance, reporting_temperature, turn.period));
+    return balance;
+}
+
+// A warning without its numbers, which differ from one operating point to the next; names with digits stay.
+std::string without_numbers(const std::string& text)
+{
+    std::string result;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const auto first = std::ranges::find_if(word, [](unsigned char c) { return std::isalnum(c) != 0; });
+        if (first == word.end() || std::isdigit(static_cast<unsigned char>(*first)) == 0)
+            result += word + " ";
+    }
+    return result;
+}
+
+std::string operating_point(double speed, double force)
+{
+    return fmt::format("at {:.4g} rpm and {:.4g} kN", speed * 30 / std::numbers::pi, force / 1e3);
+}
+
+std::string unloaded_text(const FrictionHeat& row)
+{
+    return fmt::format("friction.{}: its joints carry no load at the reference (the linkage is balanced about them), "
+                       "so its load part follows the speed only; state a preload, or an offset of the process force",
+                       row.row);
+}
+
+std::vector<std::string> power_warnings(const FrictionSummary& summary)
+{
+    std::vector<std::string> warnings;
+    if (!summary.balance)
+        return warnings;
+    const auto& balance = *summary.balance;
+    const auto place = operating_point(summary.speed, summary.force);
+    if (balance.mismatch() > power_tolerance)
+        warnings.push_back(fmt::format("{}: without friction the drive gives {:.4g} W and the process takes {:.4g} W; "
+                                       "raise mechanism.positions",
+                                       place, balance.drive, balance.process));
+    for (const auto& power : balance.at)
+        if (power.share_of_motor && *power.share_of_motor > 1)
+            warnings.push_back(fmt::format("{}: process and friction with all joints at {:.0f} degC take {:.4g} W, but "
+                                           "crankshaft.belt.power is {:.4g} W; check the friction laws and the motor",
+                                           place, power.temperature - 273.15, power.motor, balance.rated));
+    return warnings;
 }
 
 // Errors of a law, said where they belong.
@@ -83,7 +157,25 @@ auto for_row(const std::string& row, const Action& action)
 
 FrictionLaws::FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known)
     : input_(input), machine_(machine), known_(known)
-{}
+{
+    if (known_)
+        for (const auto& warning : known_->warnings)
+            heard_.push_back(without_numbers(warning));
+}
+
+void FrictionLaws::keep_warnings(const LoadsResult& loads, bool at_reference)
+{
+    const bool first = !known_ && computed_.size() == 1;
+    for (const auto& warning : loads.warnings) {
+        const auto bare = without_numbers(warning);
+        if (std::ranges::find(heard_, bare) != heard_.end())
+            continue;
+        heard_.push_back(bare);
+        warnings_.push_back(first ? warning
+                                  : fmt::format("{}{}: {}", operating_point(loads.speed, loads.force),
+                                                at_reference ? ", a reference of friction" : "", warning));
+    }
+}
 
 const LoadsResult& FrictionLaws::compute(const std::string& key, const casefile::Case& input)
 {
@@ -95,6 +187,7 @@ const LoadsResult& FrictionLaws::compute(const std::string& key, const casefile:
                 "the driver's joint with `driver = true` and the body that carries the tool with "
                 "`mechanism.slide_body`");
         slot = std::make_unique<LoadsResult>(compute_loads(input, machine_, 0));
+        keep_warnings(*slot, key.starts_with(reference_key));
     }
     return *slot;
 }
@@ -126,9 +219,9 @@ const LoadsResult& FrictionLaws::reference(const casefile::Friction& friction)
         return loads(segment);
     }
     input.operation = {segment};
-    return compute(
-        fmt::format("reference {} {} {}", segment.speed, segment.force, friction.reference_stiffness.value_or(0)),
-        input);
+    return compute(fmt::format("{} {} {} {}", reference_key, segment.speed, segment.force,
+                               friction.reference_stiffness.value_or(0)),
+                   input);
 }
 
 std::vector<RubbingJoint> FrictionLaws::rubbing_joints(const std::string& row, const LoadsResult& loads) const
@@ -145,10 +238,7 @@ std::vector<RubbingJoint> FrictionLaws::rubbing_joints(const std::string& row, c
             for (const auto& bearing : loads.crankshaft->cycle().bearings)
                 rubbing.duties.push_back(tribology::measured(tribology::duty_of(bearing, loads.speed), measure));
         } else {
-            auto duty = tribology::duty_of(loads.history, loads.history.joints[j]);
-            if (loads.linkage.joints[j].kind == LinkageJoint::Kind::slide)
-                press_faces(duty, joint.preload);
-            duty = tribology::measured(std::move(duty), measure);
+            const auto duty = tribology::measured(joint_duty(loads, j, joint), measure);
             const auto count = element_count(joint);
             rubbing.duties.assign(count, tribology::shared(duty, 1.0 / static_cast<double>(count)));
         }
@@ -252,26 +342,38 @@ FrictionSummary FrictionLaws::summary(const casefile::Segment& segment)
         return result;
     const auto& now = loads(segment);
     contrast_bearings(result, now);
-    PowerBalance balance;
-    balance.temperature = reporting_temperature;
-    balance.drive = now.drive.mean_power;
-    balance.process = -mean_power(now.history, now.history.process_force, now.history.slide_speed);
-    for (const auto& row : result.rows)
-        balance.friction += row.heat(balance.temperature).value;
-    result.balance = balance;
+    result.balance = power_balance(input_, result, now);
     return result;
 }
 
-std::vector<std::string> friction_warnings(const std::vector<FrictionHeat>& rows)
+std::vector<FrictionSummary> FrictionLaws::summaries()
 {
-    std::vector<std::string> warnings;
-    for (const auto& row : rows)
-        if (row.unloaded)
-            warnings.push_back(fmt::format("friction.{}: its joints carry no load at the reference (the linkage is "
-                                           "balanced about them), so its load part follows the speed only; state a "
-                                           "preload, or an offset of the process force",
-                                           row.row));
-    return warnings;
+    std::vector<FrictionSummary> result;
+    for (const auto& segment : input_.operation) {
+        const auto same = [&](const FrictionSummary& other) {
+            return other.speed == segment.speed && other.force == segment.force;
+        };
+        if (segment.speed > 0 && std::ranges::none_of(result, same))
+            result.push_back(summary(segment));
+    }
+    return result;
+}
+
+std::vector<std::string> FrictionLaws::warnings(const std::vector<FrictionSummary>& summaries) const
+{
+    auto result = warnings_;
+    const auto add = [&](const std::string& text) {
+        if (std::ranges::find(result, text) == result.end())
+            result.push_back(text);
+    };
+    for (const auto& summary : summaries) {
+        for (const auto& row : summary.rows)
+            if (row.unloaded)
+                add(unloaded_text(row));
+        for (const auto& warning : power_warnings(summary))
+            add(warning);
+    }
+    return result;
 }
 
 }  // namespace deadpoint::study

@@ -6,6 +6,7 @@
 #include "deadpoint/study/friction_physics.hpp"
 #include "deadpoint/study/loads.hpp"
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,13 +35,30 @@ struct BearingContrast {
     double by_peak = 0;  ///< of max(F)^1.33 mean(|w|)
 };
 
-/// Power over the turn [W].
-struct PowerBalance {
-    double drive = 0;     ///< mean of the drive, of the linkage without friction
-    double process = 0;   ///< mean of the process
-    double friction = 0;  ///< all rows at `temperature`: what the motor gives besides
-    double temperature = 0;
+/// What friction asks of the motor with all joints at one temperature.
+struct FrictionPower {
+    double temperature = 0;                ///< [K]
+    double friction = 0;                   ///< of all rows [W]
+    double motor = 0;                      ///< friction and process together [W]
+    double torque = 0;                     ///< of friction at the crank, mean: friction over mean speed [N m]
+    std::optional<double> share_of_motor;  ///< `motor` over the motor's stated power
 };
+
+/// Powers in the mean over the turn [W]. The linkage is computed without friction, so that drive and process must
+/// agree: their difference checks the loads, while friction comes on top.
+struct PowerBalance {
+    double drive = 0;               ///< into the linkage
+    double process = 0;             ///< out of it; an elastic die gives back what it takes
+    double swing = 0;               ///< of the drive's magnitude: what comes and goes
+    double rated = 0;               ///< of the motor, as stated with the belt; 0: not stated
+    std::vector<FrictionPower> at;  ///< the case's initial temperature and 40 degC
+
+    [[nodiscard]] double mismatch() const { return swing > 0 ? std::abs(drive - process) / swing : 0; }
+};
+
+/// Of PowerBalance::mismatch, above which the loads are warned about: a force that jumps between two crank positions
+/// leaves some of it.
+constexpr double power_tolerance = 0.01;
 
 /// What friction comes to in one segment, for reports.
 struct FrictionSummary {
@@ -58,7 +76,7 @@ struct FrictionSummary {
 ///
 /// The duty of a row is that of all its joints with their images: of the driver's joint, where there is a [crankshaft],
 /// that of its bearings by the shaft model of the case; else the joint's force, shared evenly by its elements; on a
-/// slide with gib preload P the sum of both faces, max(2 P, |F|). Left out: moments on guides.
+/// slide the sum of its faces' normal forces (tribology::guide_normal_force).
 ///
 /// A calibrated row with a reference force scales its load part with sum of mean(F^1.33 |w|) (rolling) or mean(F |w|)
 /// over that at the reference: reference speed and force, flexible crankshaft, reference stiffness; its viscous part
@@ -77,12 +95,20 @@ public:
     /// All rows of a segment in which the press runs.
     FrictionSummary summary(const casefile::Segment& segment);
 
+    /// summary() of every speed and force at which the press runs in the operation, in its order.
+    std::vector<FrictionSummary> summaries();
+
+    /// Warnings of the loads computed here and not `known`, each once and with its speed and force; then what the
+    /// summaries show: rows whose joints carry no load at their reference, powers that do not agree, a motor too weak.
+    [[nodiscard]] std::vector<std::string> warnings(const std::vector<FrictionSummary>& summaries) const;
+
     /// Loads at a segment's speed (not zero) and force.
     const LoadsResult& loads(const casefile::Segment& segment);
 
 private:
     const LoadsResult& reference(const casefile::Friction& friction);
     const LoadsResult& compute(const std::string& key, const casefile::Case& input);
+    void keep_warnings(const LoadsResult& loads, bool at_reference);
     [[nodiscard]] std::vector<RubbingJoint> rubbing_joints(const std::string& row, const LoadsResult& loads) const;
     FrictionHeat calibrated(const std::string& row, const casefile::Segment& segment);
     FrictionHeat physical(const std::string& row, const casefile::Segment& segment);
@@ -92,9 +118,8 @@ private:
     const Machine* machine_;
     const LoadsResult* known_;
     std::map<std::string, std::unique_ptr<LoadsResult>> computed_;
+    std::vector<std::string> heard_;  ///< warnings of loads so far, without their numbers
+    std::vector<std::string> warnings_;
 };
-
-/// Warnings about rows whose joints carry no load at their reference, and so follow the speed only.
-std::vector<std::string> friction_warnings(const std::vector<FrictionHeat>& rows);
 
 }  // namespace deadpoint::study

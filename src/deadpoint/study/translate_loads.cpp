@@ -245,6 +245,8 @@ crankshaft::Shaft describe_shaft(const casefile::Case& input, const Linkage& lin
     return shaft;
 }
 
+tribology::GuideFaces describe_guide(const casefile::Joint& joint) { return {joint.preload, joint.guide_length}; }
+
 double belt_force(const casefile::Case& input, double speed)
 {
     if (!input.crankshaft || !input.crankshaft->belt)

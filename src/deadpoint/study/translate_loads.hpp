@@ -4,12 +4,13 @@
 #include "deadpoint/crankshaft/cycle.hpp"
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
+#include "deadpoint/tribology/duty.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-/// A case in the terms of the mechanism and crankshaft stages.
+/// A case in the terms of the stages that compute its loads.
 namespace deadpoint::study {
 
 /// Kind of process force: as stated, else "elastic" with a flexible crankshaft or none, "rectangular" with a rigid one.
@@ -45,6 +46,9 @@ std::vector<crankshaft::Section> slender_pieces(const std::vector<crankshaft::Se
 /// What acts on it over the turn: the force of all joints of the driven body but the driver, weight and belt.
 crankshaft::ShaftLoads describe_shaft_loads(const casefile::Case& input, const Linkage& linkage,
                                             const CycleHistory& history, double speed);
+/// The guide of a slide joint.
+tribology::GuideFaces describe_guide(const casefile::Joint& joint);
+
 /// Pull of the belt [N]; 0 without one.
 double belt_force(const casefile::Case& input, double speed);
 

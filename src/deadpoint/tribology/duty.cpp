@@ -81,15 +81,24 @@ Duty duty_of(const CycleHistory& turn, const JointCycle& joint)
     return duty;
 }
 
-Duty guide_duty(const CycleHistory& turn, const JointCycle& joint, double length)
+double guide_normal_force(const GuideFaces& guide, double force, double moment)
 {
-    require_positive("length of a guide [m]", length);
+    const double couple = guide.length ? moment / *guide.length : 0;
+    return std::max(guide.preload, std::abs(force / 2 + couple)) +
+           std::max(guide.preload, std::abs(force / 2 - couple));
+}
+
+Duty guide_duty(const CycleHistory& turn, const JointCycle& joint, const GuideFaces& guide)
+{
+    require_not_negative("preload of a guide [N]", guide.preload);
+    if (guide.length)
+        require_positive("length of a guide [m]", *guide.length);
     Duty duty = duty_of(turn, joint);
     if (joint.moment.size() != duty.force.size())
         throw InputError(fmt::format("duty of a guide: {} forces, but {} moments; give as many of each",
                                      duty.force.size(), joint.moment.size()));
     for (std::size_t i = 0; i < duty.force.size(); ++i)
-        duty.force[i] = std::max(duty.force[i], 2 * std::abs(joint.moment[i]) / length);
+        duty.force[i] = guide_normal_force(guide, duty.force[i], joint.moment[i]);
     check(duty);
     return duty;
 }

@@ -2,6 +2,7 @@
 
 #include "deadpoint/exchange/cycle.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,13 +39,20 @@ Duty steady_duty(double force, double speed);
 /// @throws InputError if the series differ in length or hold values that are not finite
 Duty duty_of(const CycleHistory& turn, const JointCycle& joint);
 
-/// Duty of a slide whose guide also carries a moment: over a guide of given length the force N and the moment M rest on
-/// its two ends as N/2 + M/length and N/2 - M/length, so that the pads together are pressed by max(|N|, 2 |M| /
-/// length).
-///
-/// @param length  between the pads' centres [m]
-/// @throws InputError as above, or if the length is not positive
-Duty guide_duty(const CycleHistory& turn, const JointCycle& joint, double length);
+/// A guide of a slide: two ends, each with two faces that the gib presses together.
+struct GuideFaces {
+    double preload = 0;            ///< P by which the gib presses on each of the two faces, all along the guide [N]
+    std::optional<double> length;  ///< of the two ends from each other, along the travel [m]; without it no moment
+};
+
+/// Sum of the normal forces on all faces of a guide under a side force F and a moment M [N]: each end carries F/2 +- M
+/// / length, and its faces are pressed together by P, half of the gib's 2 P, so that they carry max(P, |F/2 +- M /
+/// length|). Without a moment, or without a length, that is max(2 P, |F|).
+double guide_normal_force(const GuideFaces& guide, double force, double moment);
+
+/// Duty of a slide in its guide: guide_normal_force over the turn.
+/// @throws InputError as above, if the preload is negative or the length not positive
+Duty guide_duty(const CycleHistory& turn, const JointCycle& joint, const GuideFaces& guide);
 
 /// Duty of a crankshaft bearing at constant speed of the crank, any sign [rad/s]; its samples are even in time.
 /// @throws InputError if there is no sample or one is not finite

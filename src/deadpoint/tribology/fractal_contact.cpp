@@ -1,6 +1,7 @@
 #include "deadpoint/tribology/fractal_contact.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/tribology/root.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -29,42 +30,6 @@ void check(const FractalContact& contact, double pressure)
     require(contact.hardness > 0, "the hardness [Pa]", contact.hardness, "steel has about 2e9 Pa");
     require(contact.modulus > 0, "the contact modulus [Pa]", contact.modulus, "see contact_modulus()");
     require(pressure >= 0, "the pressure [Pa]", pressure, "give zero or more");
-}
-
-/// Root of an increasing function between two places of opposite sign: regula falsi (Illinois) kept honest by
-/// bisection.
-template <class F>
-double root_between(F&& f, double low, double high)
-{
-    double f_low = f(low);
-    double f_high = f(high);
-    if (!(f_low <= 0 && f_high >= 0))
-        throw ConvergenceError(fmt::format("fractal contact: no root between {} and {}\n  help: check the surface "
-                                           "parameters and the pressure",
-                                           low, high));
-    int side = 0;
-    for (int step = 0; step < 200 && high - low > 4e-16 * (std::abs(low) + std::abs(high)); ++step) {
-        double x = step % 4 == 3 ? (low + high) / 2 : (low * f_high - high * f_low) / (f_high - f_low);
-        if (!(x > low && x < high))
-            x = (low + high) / 2;
-        if (x == low || x == high)
-            break;
-        const double value = f(x);
-        if (value == 0)
-            return x;
-        if (value < 0) {
-            low = x;
-            f_low = value;
-            f_high = side == -1 ? f_high / 2 : f_high;
-            side = -1;
-        } else {
-            high = x;
-            f_high = value;
-            f_low = side == 1 ? f_low / 2 : f_low;
-            side = 1;
-        }
-    }
-    return (low + high) / 2;
 }
 
 /// (e^(q t) - 1) / q, which is t at q = 0.
@@ -133,7 +98,7 @@ double domain_extension(double dimension)
         const double reduced = std::expm1(-e / D * std::log1p(std::pow(psi, -D / 2))) / e;
         return grown - reduced - 1 / D;
     };
-    return root_between(equation, 1.0, 4.0);
+    return increasing_root(equation, 1.0, 4.0);
 }
 
 ContactArea fractal_area(const FractalContact& contact, double pressure)
@@ -152,7 +117,7 @@ ContactArea fractal_area(const FractalContact& contact, double pressure)
         double high = 1;  // ln P grows at least as (D/2) t, so this ends
         while (mismatch(high) < 0)
             high *= 2;
-        const double t = root_between(mismatch, 0.0, high);
+        const double t = increasing_root(mismatch, 0.0, high);
         area.share = std::exp(sums.log_share(t));
         log_spot = area.log_critical + t;
     }

@@ -8,8 +8,7 @@ namespace deadpoint::tribology {
 double guide_load_heat(const Guide& guide, const Duty& duty)
 {
     require_not_negative("friction coefficient of a guide", guide.friction);
-    require_not_negative("preload of a guide [N]", guide.preload);
-    return guide.friction * (duty_mean(duty, 1, 1) + guide.preload * duty_mean(duty, 0, 1));
+    return guide.friction * duty_mean(duty, 1, 1);
 }
 
 double guide_film_heat(const Guide& guide, const Duty& duty, double viscosity)
@@ -22,12 +21,7 @@ double guide_film_heat(const Guide& guide, const Duty& duty, double viscosity)
 
 HeatLaw guide_heat(const Guide& guide, const Duty& duty, const Lubricant& lubricant)
 {
-    const double load = guide_load_heat(guide, duty);
-    const double per_viscosity = guide_film_heat(guide, duty, 1);
-    return [load, per_viscosity, viscosity = dynamic_viscosity(lubricant)](double temperature) {
-        const LawValue eta = viscosity(temperature);
-        return LawValue{load + per_viscosity * eta.value, per_viscosity * eta.slope, eta.in_range};
-    };
+    return film_heat(guide_load_heat(guide, duty), guide_film_heat(guide, duty, 1), lubricant);
 }
 
 HeatLaw guide_heat(const Guide& guide, const Duty& duty) { return constant_heat(guide_load_heat(guide, duty)); }

@@ -3,19 +3,19 @@
 #include "deadpoint/tribology/duty.hpp"
 #include "deadpoint/tribology/lubricant.hpp"
 
-/// Friction of a slide in its guides: Coulomb friction under side force and gib preload, plus shear of the oil film.
+/// Friction of a slide in its guides: Coulomb friction of its faces, plus shear of the oil film.
 namespace deadpoint::tribology {
 
 struct Guide {
     double friction = 0;   ///< coefficient of Coulomb friction, 0.01 .. 0.15
-    double preload = 0;    ///< sum over the gibs of the force that presses them on, carried besides the side force [N]
     double area = 0;       ///< of all oil films together; needed with a film [m2]
     double thickness = 0;  ///< of the film [m]
 };
 
-/// friction mean((N + preload) |v|) [W], N the side force over the turn. A slide without side force and preload makes
-/// no heat: by symmetry the side forces of a mirrored press cancel, and preload (or an eccentric load) is all there is.
-/// @throws InputError if friction or preload is negative
+/// friction mean(N |v|) [W], N the sum of the faces' normal forces over the turn (guide_duty). A slide without side
+/// force, moment and preload makes no heat: by symmetry the side forces of a mirrored press cancel, and preload (or an
+/// eccentric load) is all there is.
+/// @throws InputError if the friction is negative
 double guide_load_heat(const Guide& guide, const Duty& duty);
 
 /// eta area mean(v^2) / thickness [W]: a full film of even thickness, Newtonian.

@@ -13,6 +13,14 @@ HeatLaw constant_heat(double power)
     return [power](double) { return LawValue{power, 0, true}; };
 }
 
+HeatLaw film_heat(double load, double per_viscosity, const Lubricant& lubricant)
+{
+    return [load, per_viscosity, viscosity = dynamic_viscosity(lubricant)](double temperature) {
+        const LawValue eta = viscosity(temperature);
+        return LawValue{load + per_viscosity * eta.value, per_viscosity * eta.slope, eta.in_range};
+    };
+}
+
 HeatLaw summed_heat(std::vector<HeatLaw> laws)
 {
     for (const HeatLaw& law : laws)

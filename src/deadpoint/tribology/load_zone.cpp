@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/root.hpp"
 
 #include <array>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace deadpoint::tribology {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double relative_tolerance = 1e-13;
 constexpr int quadrature_points = 32;
 
 struct Quadrature {
@@ -45,39 +45,6 @@ Quadrature gauss_legendre()
         rule.weight[i] = 1 / ((1 - x * x) * slope * slope);
     }
     return rule;
-}
-
-/// Root of an increasing function between two bounds of different sign (Illinois variant of the false position).
-template <class Function>
-double increasing_root(const Function& f, double low, double high, double width)
-{
-    double f_low = f(low);
-    double f_high = f(high);
-    if (f_low >= 0)
-        return low;
-    if (f_high <= 0)
-        return high;
-    int side = 0;
-    for (int i = 0; i < 200 && high - low > width; ++i) {
-        const double x = i % 8 == 7 ? (low + high) / 2 : (low * f_high - high * f_low) / (f_high - f_low);
-        const double value = f(x);
-        if (value == 0)
-            return x;
-        if (value < 0) {
-            low = x;
-            f_low = value;
-            if (side == -1)
-                f_high /= 2;
-            side = -1;
-        } else {
-            high = x;
-            f_high = value;
-            if (side == 1)
-                f_low /= 2;
-            side = 1;
-        }
-    }
-    return (low + high) / 2;
 }
 
 void check(const RollingRow& row, double radial)
@@ -164,7 +131,7 @@ RowApproach spread_radial(const RollingRow& row, double force, double base)
         return {base, 0};
     const double high = ample_radial(row, force, base);
     const auto excess = [&](double radial) { return radial_force(row, {base, radial}) - force; };
-    return {base, increasing_root(excess, 0, high, relative_tolerance * high)};
+    return {base, increasing_root(excess, 0, high)};
 }
 
 RowApproach spread_single(const RollingRow& row, double radial, double axial)
@@ -191,7 +158,7 @@ RowApproach spread_single(const RollingRow& row, double radial, double axial)
         double high = 1;
         while (shortfall(high) > 0)
             high *= 2;
-        base = increasing_root([&](double x) { return -shortfall(x); }, 0, high, relative_tolerance * high);
+        base = increasing_root([&](double x) { return -shortfall(x); }, 0, high);
     }
     const double size = std::pow(radial / radial_force(row, {base, 1}), 1 / row.exponent);
     return {base * size, size};
@@ -222,7 +189,7 @@ std::vector<RowApproach> spread_pair(const RollingRow& row, double radial, doubl
                 std::abs(base) + std::abs(shift) + std::pow(radial / (row.elements * row.stiffness), 1 / row.exponent);
             while (excess(high) < 0)
                 high *= 2;
-            first.radial = second.radial = increasing_root(excess, 0, high, relative_tolerance * high);
+            first.radial = second.radial = increasing_root(excess, 0, high);
         }
         return std::vector<RowApproach>{first, second};
     };
@@ -240,7 +207,7 @@ std::vector<RowApproach> spread_pair(const RollingRow& row, double radial, doubl
             fmt::format("pair of rolling rows: no equilibrium under {} N radial and {} N axial\n  help: "
                         "check contact angle and preload",
                         radial, axial));
-    auto rows = rows_at(increasing_root(excess, 0, high, relative_tolerance * high));
+    auto rows = rows_at(increasing_root(excess, 0, high));
     if (axial < 0)
         std::swap(rows[0], rows[1]);
     return rows;

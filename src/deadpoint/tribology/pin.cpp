@@ -27,12 +27,7 @@ double pin_film_heat(const Pin& pin, const Duty& duty, double viscosity)
 
 HeatLaw pin_heat(const Pin& pin, const Duty& duty, const Lubricant& lubricant)
 {
-    const double load = pin_load_heat(pin, duty);
-    const double per_viscosity = pin_film_heat(pin, duty, 1);
-    return [load, per_viscosity, viscosity = dynamic_viscosity(lubricant)](double temperature) {
-        const LawValue eta = viscosity(temperature);
-        return LawValue{load + per_viscosity * eta.value, per_viscosity * eta.slope, eta.in_range};
-    };
+    return film_heat(pin_load_heat(pin, duty), pin_film_heat(pin, duty, 1), lubricant);
 }
 
 HeatLaw pin_heat(const Pin& pin, const Duty& duty) { return constant_heat(pin_load_heat(pin, duty)); }
