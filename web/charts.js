@@ -86,7 +86,7 @@ function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = tru
     if (zero) { low = Math.min(low, 0); high = Math.max(high, 0); }
     if (low > -0.005 * high && low <= 0) low = zero ? 0 : low;
     if (high === low) { high += 0.5; low -= 0.5; }
-    const ticks = niceTicks(low, high, 6);
+    const ticks = niceTicks(low, high, 7);
     [low, high] = [ticks[0], ticks[ticks.length - 1]];
     const xs = series.flatMap((list) => [list.x[0], list.x[list.x.length - 1]]);
     const [left, right] = [Math.min(...xs), Math.max(...xs)];
@@ -106,20 +106,22 @@ function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = tru
         const places = spreadLabels(ends, 15 * perPixel, low, high);
         const marks = series.map((list, i) => Libraries.line(Array.from(list.y, (value, k) => [list.x[k], value]), {
             stroke: look[i].colour, strokeWidth: list.bold ? 3.2 : 1.9, strokeDasharray: look[i].dash || undefined,
-            strokeLinejoin: "round", ariaLabel: list.name, className: "series" }));
+            strokeLinejoin: "round", className: "series" }));
         series.forEach((list, i) => list.marks?.length && marks.push(Libraries.dot(list.marks, { x: "x", y: "y", r: 4.5,
             fill: "white", stroke: look[i].colour, strokeWidth: 1.8, symbol: look[i].symbol })));
         if (beside(width)) series.forEach((list, i) => {
-            marks.push(Libraries.line([[right, ends[i]], [right, places[i]]], { stroke: look[i].colour, strokeWidth: 0.8,
-                dx: 0, strokeOpacity: 0 }));
-            marks.push(Libraries.text([list.name], { x: () => right, y: () => places[i], dx: 10, textAnchor: "start",
-                fill: look[i].colour, fontWeight: list.bold ? "bold" : undefined, fontSize: 12.5 }));
+            const pixel = (right - left) / (width - 56 - 40 - 7.1 * longest);
+            marks.push(Libraries.line([[right + 5 * pixel, ends[i]], [right + 14 * pixel, places[i]], [right + 30 * pixel,
+                places[i]]], { stroke: look[i].colour, strokeWidth: list.bold ? 3.2 : 1.9,
+                strokeDasharray: look[i].dash || undefined }));
+            marks.push(Libraries.text([list.name], { x: () => right, y: () => places[i], dx: 34, textAnchor: "start",
+                fontWeight: list.bold ? "bold" : undefined, fontSize: 12.5 }));
         });
         if (!paper) marks.push(Libraries.tip(points, Libraries.pointer({ x: "x", y: "y", maxRadius: 50,
             title: (point) => `${series[point.i].name}\n${shown(point.y, 4)} ${yUnit} at ${shown(point.x)} ${xUnit}` })));
         const plot = Libraries.plot({
             width, height, marginTop: top, marginBottom: bottom, marginLeft: 56,
-            marginRight: beside(width) ? 26 + 7.1 * longest : 14,
+            marginRight: beside(width) ? 40 + 7.1 * longest : 14,
             ariaLabel: `${title}: lines of ${series.map((list) => list.name).join(", ")}`,
             style: { fontSize: "12px", background: "transparent", overflow: "visible" },
             x: { domain: [left, right], label: `${xName} [${xUnit}]`, labelAnchor: "right", labelArrow: "none",
@@ -133,13 +135,13 @@ function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = tru
         return [plot, ...legend];
     };
     const note = markNote && series.some((list) => list.marks?.length)
-        ? make("p", { class: "note" }, `Hollow marks: ${markNote}`) : null;
+        ? make("p", { class: "note" }, `Marks at single times: ${markNote}.`) : null;
     return figure(id, title, text, draw, make("div", {}, note, figuresTable(series, `${xName} [${xUnit}]`, yUnit)),
         level);
 }
 
 /** Steps that add up to a sum, as horizontal bars. rows: [{ name, value }] in the order in which they are shown. */
-function waterfall({ id, title, text, unit, rows, total }) {
+function waterfall({ id, title, text, unit, rows, total, note }) {
     let sum = 0;
     const bars = rows.map((row) => ({ ...row, from: sum, to: sum += row.value }));
     bars.push({ name: total, value: sum, from: 0, to: sum, total: true });
@@ -151,8 +153,11 @@ function waterfall({ id, title, text, unit, rows, total }) {
         const ends = bars.flatMap((bar) => [bar.from, bar.to]);
         const span = Math.max(...ends) - Math.min(...ends) || 1;
         const room = span * 62 / Math.max(60, width - left - right - 124);
-        const ticks = niceTicks(Math.min(...ends) - room, Math.max(...ends) + room, Math.max(3, Math.round(width / 120)));
-        const at = (value) => left + (value - ticks[0]) / (ticks[ticks.length - 1] - ticks[0]) * (width - left - right);
+        const low = Math.min(...ends) - (bars.some((bar) => bar.value < 0) ? room : 0.02 * span);
+        const high = Math.max(...ends) + (bars.some((bar) => bar.value > 0) ? room : 0.02 * span);
+        const ticks = niceTicks(low, high, Math.max(3, Math.round((width - left) / 80)))
+            .filter((tick) => tick >= low - 1e-9 * span && tick <= high + 1e-9 * span);
+        const at = (value) => left + (value - low) / (high - low) * (width - left - right);
         const drawing = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "img", class: "plain",
             "aria-label": `${title}: ${bars.map((bar) => `${bar.name} ${fixed(bar.value, 1, true)}`).join(", ")} ${unit}` });
         for (const tick of ticks) {
@@ -186,7 +191,7 @@ function waterfall({ id, title, text, unit, rows, total }) {
         });
         return drawing;
     };
-    return figure(id, title, text, draw);
+    return figure(id, title, text, draw, note ? make("p", { class: "note" }, note) : null);
 }
 
 /** Bars side by side over whole numbers, one group per number: how strong each multiple of the crank speed is. */

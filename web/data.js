@@ -53,6 +53,9 @@ function duration(seconds) {
     return `${Math.floor(minutes / 60)} h` + (rest ? ` ${String(rest).padStart(2, "0")} min` : "");
 }
 
+/** An energy in MJ with three digits. */
+const megajoules = (joules) => `${(joules / 1e6).toPrecision(3)} MJ`;
+
 const words = (name) => name.replaceAll("_", " ");
 
 /** The cells of a line of CSV (RFC 4180). */

@@ -25,7 +25,7 @@ function energies(run) {
     if (energy.to_air) place(energy.to_air > 0 ? "to the air" : "from the air", energy.to_air);
     if (energy.to_oil) place(energy.to_oil > 0 ? "to the oil" : "from the oil", energy.to_oil);
     if (energy.from_surfaces) place("held surfaces", -energy.from_surfaces);
-    if (energy.stored) place(energy.stored > 0 ? "stored in the machine" : "out of the machine's store", energy.stored);
+    if (energy.stored) place(energy.stored > 0 ? "into the machine" : "out of the machine", energy.stored);
     return { sources, sinks };
 }
 
@@ -35,17 +35,16 @@ function flowFigure(run) {
     if (!(total > 0)) return null;
     const patterns = ["url(#dotted)", "url(#crossed)", "#9fb6c6", "#d9d2c0"];
     const draw = (width) => {
-        const gap = 7, height = 340, top = 6, label = Math.min(190, width * 0.36), bar = 12;
+        const gap = 7, height = 340, top = 6, label = Math.min(230, width * 0.36), bar = 12;
         const scale = (height - 2 * top - gap * (Math.max(sources.length, sinks.length) - 1) - 40) / total;
         const drawing = svg("svg", { width, height, class: "plain", role: "img", "aria-label": "Heat of the whole run: from "
-            + sources.map((s) => `${s.name} ${shown(s.value / 1e6)} MJ`).join(", ") + "; "
-            + sinks.map((s) => `${s.name} ${shown(s.value / 1e6)} MJ`).join(", ") });
+            + sources.map((s) => `${s.name} ${megajoules(s.value)}`).join(", ") + "; "
+            + sinks.map((s) => `${s.name} ${megajoules(s.value)}`).join(", ") });
         const left = label, right = width - label, middle = (left + right) / 2;
         const trunkTop = (height - scale * total) / 2;
         const side = (list, x, anchor, toTrunk) => {
             const used = scale * list.reduce((sum, entry) => sum + entry.value, 0) + gap * (list.length - 1);
             let y = (height - used) / 2, trunk = trunkTop;
-            const places = spreadLabels(list.map((entry) => 0), 0, 0, 0);
             const wanted = [];
             list.forEach((entry, i) => {
                 const wide = scale * entry.value;
@@ -58,7 +57,6 @@ function flowFigure(run) {
                 drawing.append(svg("rect", { x: toTrunk > 0 ? x : x - bar, y, width: bar, height: Math.max(1, wide),
                     fill: toTrunk > 0 ? palette[i % palette.length] : "#555555" }));
                 wanted.push(y + wide / 2);
-                places[i] = y + wide / 2;
                 y += wide + gap;
                 trunk += wide;
             });
@@ -67,7 +65,7 @@ function flowFigure(run) {
                 const room = Math.floor(label / 6.4) - 9;
                 const name = entry.name.length > room ? entry.name.slice(0, room - 1) + "…" : entry.name;
                 const text = svg("text", { x: anchor === "end" ? x - 6 : x + 6, y: spread[i] + 4, "text-anchor": anchor });
-                text.textContent = `${name} ${shown(entry.value / 1e6)} MJ`;
+                text.textContent = `${name} ${megajoules(entry.value)}`;
                 drawing.append(text);
             });
         };

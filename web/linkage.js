@@ -37,7 +37,7 @@ function linkageFigure(motion, joints) {
     const draw = (width) => {
         const margin = 0.1 * size;
         const [w, h] = [highX - lowX + 2 * margin, highY - lowY + 2 * margin];
-        const scale = Math.min(width / w, 460 / h);
+        const scale = Math.min(width / w, (width < narrow ? 340 : 430) / h);
         const at = ([x, y]) => [(x - lowX + margin) * scale, (highY - y + margin) * scale];
         const path = (points, close = false) => "M" + points.map((p) => at(p).map((v) => v.toFixed(1)).join(" ")).join("L")
             + (close ? "Z" : "");
@@ -59,7 +59,7 @@ function linkageFigure(motion, joints) {
             const { colour, dash } = look(body);
             drawing.append(svg("path", { d: path(places, places.length > 2), fill: places.length > 2 ? colour : "none",
                 "fill-opacity": 0.18, stroke: colour, "stroke-width": body.slide ? 6 : 4, "stroke-linejoin": "round",
-                "stroke-linecap": "round", "stroke-dasharray": body.slide ? "" : dash, class: "body" }));
+                "stroke-linecap": "round", "stroke-dasharray": dash, class: "body" }));
         }
         for (const joint of pins) {
             const [x, y] = at(joint.places[now]);

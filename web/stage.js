@@ -1,6 +1,6 @@
 // The controls around the three-dimensional view.
 
-const presets = [["From the front left", [-0.75, 0.42, 1.25]], ["From the front", [0, 0, 1]], ["From the side", [1, 0, 0]],
+const presets = [["First view", undefined], ["From the front", [0, 0, 1]], ["From the side", [1, 0, 0]],
     ["From above", [0, 1, 0.001]]];
 
 /** Section with the view of a run, or null where the folder has none. */
@@ -104,7 +104,7 @@ class Stage {
             const i = "xyz".indexOf(axis.value);
             for (const element of [slider, flip]) element.classList.toggle("hidden", i < 0 || !axis.value);
             const cut = axis.value ? scene.low[i] + (scene.high[i] - scene.low[i]) * slider.value / 200 : 0;
-            text.value = axis.value ? `${shown(1000 * cut, 3)} mm` : "";
+            text.value = axis.value ? `${fixed(1000 * cut, 0)} mm` : "";
             scene.update({ axis: axis.value, cut });
         };
         return make("label", {}, "Cut", axis, slider, text, flip);
@@ -303,10 +303,10 @@ class Stage {
             return;
         }
         const { fields, state } = this.scene;
-        const { vertices, weights, part, point } = this.picked;
+        const { vertices, weights, part } = this.picked;
         const mean = (values, i = 0, block = 1) => weights.reduce((sum, w, k) => sum + w * values[block * vertices[k] + i], 0);
         const kelvin = mean(fields.at(fields.temperature, state.time));
-        let text = `${words(part.name)} at (${point.toArray().map((x) => shown(1000 * x, 3)).join(", ")}) mm after `
+        let text = `${words(part.name)} at (${this.scene.originOf(this.picked).map((x) => fixed(1000 * x, 0)).join(", ")}) mm after `
             + `${duration(state.time)}: ${fixed(kelvin - 273.15, 1)} °C, rise ${fixed(kelvin - fields.initial, 1, true)} K`;
         if (fields.displacement) {
             const u = fields.at(fields.displacement, state.time);
@@ -317,10 +317,8 @@ class Stage {
 
     makeLabels() {
         for (const { element } of this.labels) element.remove();
-        this.labels = [];
-        if (this.showProbes) for (const probe of this.scene.probes.filter((entry) => entry.vertex >= 0))
-            this.labels.push({ element: make("span", { class: "label" }), probe });
-        if (this.picked) this.labels.push({ element: make("span", { class: "label" }), point: this.picked.point.toArray() });
+        const marks = [...(this.showProbes ? this.scene.probes : []), ...(this.picked ? [this.picked] : [])];
+        this.labels = marks.map((mark) => ({ element: make("span", { class: "label" }), mark }));
         for (const { element } of this.labels) this.stage.append(element);
         this.fillLabels();
         this.placeLabels();
@@ -330,18 +328,27 @@ class Stage {
         if (this.labels.length === 0) return;
         const { fields, state } = this.scene;
         const values = fields.at(fields.temperature, state.time);
-        for (const { element, probe } of this.labels)
-            element.textContent = probe ? `● ${words(probe.name)} ${fixed(values[probe.vertex] - 273.15, 1)} °C` : "● picked";
+        for (const { element, mark } of this.labels) {
+            const kelvin = mark.weights.reduce((sum, w, k) => sum + w * values[mark.vertices[k]], 0);
+            element.textContent = `${mark.name ? words(mark.name) : "picked"} ${fixed(kelvin - 273.15, 1)} °C`;
+        }
     }
 
     placeLabels() {
         const { scene } = this;
-        for (const { element, probe, point } of this.labels) {
-            const place = scene.project(point ?? Array.from(scene.shownPositions.subarray(3 * probe.vertex,
-                3 * probe.vertex + 3)));
+        for (const { element, mark } of this.labels) {
+            const place = scene.project(scene.placeOf(mark));
             element.classList.toggle("hidden", !place || place[0] > scene.canvas.clientWidth - 20);
-            if (place) [element.style.left, element.style.top] = place.map((x) => `${x - 12}px`);
+            if (place) [element.style.left, element.style.top] = place.map((x) => `${x}px`);
         }
+        clearTimeout(this.covering);
+        this.covering = setTimeout(() => this.coverLabels(), 120);
+    }
+
+    /** Pales the labels of what lies behind something. */
+    coverLabels() {
+        for (const { element, mark } of this.labels)
+            element.classList.toggle("behind", this.scene.covered(this.scene.placeOf(mark)));
     }
 
     dispose() {

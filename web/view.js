@@ -57,12 +57,14 @@ function quantities(fields) {
             if (value < low) low = value;
             if (value > high) high = value;
         }
-        entry.ticks = niceTicks(low, Math.max(high, low + 1e-6), 9);
+        // What the modes left out must not add a band.
+        if (Math.abs(low) < 0.03 * (high - low)) low = 0;
+        entry.ticks = niceTicks(low, Math.max(high - 0.01 * (high - low), low + 1e-6), 9);
     }
     return list;
 }
 
-/** Pairs of vertices along the sharp edges (over 30 degrees) and open borders of a part. */
+/** Pairs of vertices along the sharp edges (over 30 degrees) of a part, then those along its borders. */
 function sharpEdges(positions, triangles) {
     const normals = [], edges = new Map();
     const at = (v) => [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
@@ -78,13 +80,13 @@ function sharpEdges(positions, triangles) {
             edges.set(key, [...(edges.get(key) ?? []), t / 3]);
         }
     }
-    const pairs = [];
+    const sharp = [], border = [];
     for (const [key, sides] of edges) {
         const [m, n] = sides.map((side) => normals[side]);
         if (sides.length === 1 || m[0] * n[0] + m[1] * n[1] + m[2] * n[2] < 0.87)
-            pairs.push(Math.floor(key / 65536), key % 65536);
+            (sides.length === 1 ? border : sharp).push(Math.floor(key / 65536), key % 65536);
     }
-    return pairs;
+    return { sharp, border };
 }
 
 /** The scene: parts as meshes whose corners follow the fields. */
@@ -111,12 +113,14 @@ class MachineScene {
         const offset = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
         this.materials = {
             front: new L.MeshLambertMaterial({ map: this.texture, flatShading: true, clippingPlanes, ...offset }),
-            back: new L.MeshBasicMaterial({ color: 0xb4b8bc, side: L.BackSide, clippingPlanes, ...offset }),
+            // Seen only where the cut opens a part; drawn before the edges behind it, it looks like the cut face.
+            back: new L.MeshBasicMaterial({ color: 0xb4b8bc, side: L.BackSide, clippingPlanes, polygonOffset: true,
+                polygonOffsetFactor: -0.5, polygonOffsetUnits: -4 }),
             edge: new L.LineBasicMaterial({ color: 0x30363c, transparent: true, opacity: 0.6, clippingPlanes }),
         };
         this.measure();
         this.parts = view.parts.map((part) => this.makePart(part));
-        this.probes = view.probes.map((probe) => ({ ...probe, vertex: this.nearest(probe) }));
+        this.probes = view.probes.map((probe) => this.mark(probe)).filter(Boolean);
         this.controls = new L.OrbitControls(this.camera, canvas);
         this.controls.enableDamping = false;
         this.controls.enableZoom = false;
@@ -157,38 +161,48 @@ class MachineScene {
         const lines = new L.BufferGeometry();
         lines.setAttribute("position", geometry.attributes.position);
         const own = this.fields.positions.subarray(3 * part.first_vertex, 3 * (part.first_vertex + part.vertices));
-        lines.setIndex(sharpEdges(own, outside));
+        const { sharp, border } = sharpEdges(own, outside);
+        lines.setIndex([...sharp, ...border]);
         const copies = [false, true].slice(0, this.half ? 2 : 1).map((mirrored) => {
             const group = new L.Group();
             group.matrixAutoUpdate = false;
             const front = new L.Mesh(geometry, this.materials.front);
             group.add(front, new L.Mesh(geometry, this.materials.back), new L.LineSegments(lines, this.materials.edge));
             for (const child of group.children) child.frustumCulled = false;
-            front.userData = { part: part.name };
             this.scene.add(group);
             return { group, front, mirrored };
         });
-        return { ...part, geometry, lines, copies, outside: outside.length, all: triangles.length, visible: true };
+        return { ...part, geometry, lines, copies, visible: true, range: { open: [triangles.length, Infinity],
+            mirrored: [outside.length, sharp.length] } };
     }
 
-    /** The vertex of a probe's part next to it: where its mark moves along. */
-    nearest(probe) {
+    /** A probe as a mark on the vertex of its part next to it; null where the part is not shown. */
+    mark(probe) {
         const part = this.parts.find((entry) => entry.name === probe.part);
-        if (!part) return -1;
-        let best = -1, least = Infinity;
+        if (!part) return null;
+        let best = 0, least = Infinity;
         for (let v = part.first_vertex; v < part.first_vertex + part.vertices; ++v) {
             const distance = Math.hypot(...[0, 1, 2].map((i) => this.fields.positions[3 * v + i] - probe.position_m[i]));
             if (distance < least) [best, least] = [v, distance];
         }
-        return best;
+        return { name: probe.name, vertices: [best], weights: [1], copy: part.copies[0] };
     }
 
     home(direction = [0.75, 0.42, 1.25]) {
         const middle = this.low.map((value, i) => (value + this.high[i]) / 2);
-        const length = Math.hypot(...direction);
-        const aspect = Math.min(1, this.camera.aspect || 1);
-        const distance = 0.56 * this.size / Math.tan(this.camera.fov * Math.PI / 360) / aspect;
-        this.camera.position.set(...middle.map((value, i) => value + direction[i] / length * distance));
+        const L = Libraries;
+        const back = new L.Vector3(...direction).normalize();
+        const right = new L.Vector3(0, 1, 0).cross(back).normalize();
+        const up = back.clone().cross(right);
+        // As near as all eight corners of the box around the machine allow.
+        const slope = 0.92 * Math.tan(this.camera.fov * Math.PI / 360);
+        let distance = 0;
+        for (let corner = 0; corner < 8; ++corner) {
+            const place = new L.Vector3(...middle.map((value, i) => ((corner >> i) & 1 ? this.high : this.low)[i] - value));
+            const reach = Math.max(Math.abs(place.dot(up)), Math.abs(place.dot(right)) / (this.camera.aspect || 1));
+            distance = Math.max(distance, place.dot(back) + reach / slope);
+        }
+        this.camera.position.set(...middle).addScaledVector(back, distance);
         this.camera.near = distance / 50;
         this.camera.far = distance * 10;
         this.controls.target.set(...middle);
@@ -253,7 +267,10 @@ class MachineScene {
                 uv.array[2 * v] = Math.min(0.9999, Math.max(0.0001, (values[part.first_vertex + v] - low) / (high - low)));
             position.needsUpdate = uv.needsUpdate = true;
             part.geometry.computeBoundingSphere();
-            part.geometry.setDrawRange(0, mirrored ? part.outside : part.all);
+            // The symmetry plane is no surface of the whole machine, nor is its outline an edge.
+            const [faces, edges] = mirrored ? part.range.mirrored : part.range.open;
+            part.geometry.setDrawRange(0, faces);
+            part.lines.setDrawRange(0, edges);
             for (const copy of part.copies) {
                 copy.group.visible = part.visible && (!copy.mirrored || mirrored);
                 copy.group.matrix.copy(this.pose(part.body, copy.mirrored));
@@ -291,6 +308,7 @@ class MachineScene {
         this.plane.normal.set(axis === "x" ? sign : 0, axis === "y" ? sign : 0, axis === "z" ? sign : 0);
         this.plane.constant = axis ? -sign * cut : 1e9;
         if (!axis) this.plane.normal.set(-1, 0, 0);
+        this.materials.back.visible = Boolean(axis);
     }
 
     render() {
@@ -298,19 +316,43 @@ class MachineScene {
         this.afterRender?.();
     }
 
-    /** What lies under a place of the canvas (-1..1 each way): part, vertices and weights. */
-    pick(x, y) {
-        const L = Libraries;
-        const ray = new L.Raycaster();
-        ray.setFromCamera(new L.Vector2(x, y), this.camera);
+    /** What a ray meets first of all that is shown. */
+    hit(ray) {
         const fronts = this.parts.flatMap((part) => part.copies.filter((copy) => copy.group.visible)
             .map((copy) => copy.front));
-        const hit = ray.intersectObjects(fronts, false)
-            .find((entry) => this.plane.distanceToPoint(entry.point) >= 0);
+        return ray.intersectObjects(fronts, false).find((entry) => this.plane.distanceToPoint(entry.point) >= 0);
+    }
+
+    /** What lies under a place of the canvas (-1..1 each way): part, vertices and weights. */
+    pick(x, y) {
+        const ray = new Libraries.Raycaster();
+        ray.setFromCamera(new Libraries.Vector2(x, y), this.camera);
+        const hit = this.hit(ray);
         if (!hit) return null;
-        const part = this.parts.find((entry) => entry.name === hit.object.userData.part);
-        return { part, point: hit.point, vertices: [hit.face.a, hit.face.b, hit.face.c].map((v) => v + part.first_vertex),
-            weights: hit.barycoord.toArray() };
+        const part = this.parts.find((entry) => entry.copies.some((copy) => copy.front === hit.object));
+        return { part, copy: part.copies.find((copy) => copy.front === hit.object),
+            vertices: [hit.face.a, hit.face.b, hit.face.c].map((v) => v + part.first_vertex), weights: hit.barycoord.toArray() };
+    }
+
+    /** Where a mark on the machine is now, with deformation and crank. */
+    placeOf({ vertices, weights, copy }) {
+        const place = [0, 1, 2].map((i) => weights.reduce((sum, w, k) => sum + w * this.shownPositions[3 * vertices[k] + i], 0));
+        return new Libraries.Vector3(...place).applyMatrix4(copy.group.matrix).toArray();
+    }
+
+    /** The same in the machine as it was meshed [m]. */
+    originOf({ vertices, weights, copy }) {
+        return [0, 1, 2].map((i) => (i === 0 && copy.mirrored ? -1 : 1)
+            * weights.reduce((sum, w, k) => sum + w * this.fields.positions[3 * vertices[k] + i], 0));
+    }
+
+    /** Whether something shown stands between the camera and a place in the machine. */
+    covered(point) {
+        const place = new Libraries.Vector3(...point);
+        const distance = place.distanceTo(this.camera.position);
+        const ray = new Libraries.Raycaster(this.camera.position, place.sub(this.camera.position).normalize());
+        const hit = this.hit(ray);
+        return Boolean(hit) && hit.distance < distance - 0.005 * this.size;
     }
 
     /** A place in the machine as a place on the canvas [px], or null behind the camera. */
