@@ -6,7 +6,7 @@
 #include <numbers>
 #include <unordered_map>
 
-namespace deadpoint {
+namespace deadpoint::machine {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -259,4 +259,4 @@ LightSurface light_surface(const Machine& machine, std::size_t most_triangles)
     return std::move(surface);
 }
 
-}  // namespace deadpoint
+}  // namespace deadpoint::machine

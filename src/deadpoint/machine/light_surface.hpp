@@ -3,7 +3,7 @@
 #include "deadpoint/exchange/light_surface.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
-namespace deadpoint {
+namespace deadpoint::machine {
 
 /// The exterior faces of all parts with at most so many triangles.
 ///
@@ -16,4 +16,4 @@ namespace deadpoint {
 /// @param most_triangles  at least 4 per part are used in the worst case
 LightSurface light_surface(const Machine& machine, std::size_t most_triangles);
 
-}  // namespace deadpoint
+}  // namespace deadpoint::machine

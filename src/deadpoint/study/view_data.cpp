@@ -54,13 +54,13 @@ void ViewRecorder::add(double time, const fem::Field& field)
     fields_.emplace_back(field.owned.begin(), field.owned.end());
 }
 
-ViewData ViewRecorder::finish(const Machine& machine, fem::Model& model, double reference, const CloseJoints& close)
+ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double reference, const CloseJoints& close)
 {
     ViewData view;
     auto fields = fem::field_modes(fields_, view_tolerance, view_modes);
     fields_ = {};
     view.time = std::move(times_);
-    view.surface = light_surface(machine, view_triangles);
+    view.surface = machine::light_surface(whole, view_triangles);
     view.reference = reference;
     view.coefficients = std::move(fields.coefficients);
     view.largest_rise = fields.largest_rise;
