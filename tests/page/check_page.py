@@ -115,7 +115,7 @@ def check_axis(page, history):
     """The drawn line of E_SW ends where the axis says its value is."""
     ends, ticks = page.run("""(() => {
         const drawing = document.querySelector('figure[data-chart="drift"] .drawing > svg');
-        const place = (text) => text.match(/[-0-9.e]+/g).map(Number);
+        const place = (text) => text.match(/-?\\d[\\d.]*/g).map(Number);
         const ends = [...drawing.querySelectorAll("g.series path")].map((path) => place(path.getAttribute("d")).slice(-1)[0]);
         const ticks = [...drawing.querySelectorAll('g[aria-label="y-axis tick label"] text')]
             .map((text) => [place(text.getAttribute("transform"))[1], text.textContent]);
@@ -253,8 +253,8 @@ def check_both(page, path, count):
     page.size(1280, 900)
     page.open(path)
     page.settle()
-    near(page.run("document.querySelectorAll('#side-by-side thead th').length"), count + 1, 0, "columns side by side")
-    check(page.run("document.querySelectorAll('#side-by-side tbody tr').length") > 8, "too few rows side by side")
+    near(page.run("document.querySelectorAll('#side-by-side > .wide thead th').length"), count + 1, 0, "columns side by side")
+    check(page.run("document.querySelectorAll('#side-by-side > .wide tbody tr').length") > 8, "too few rows side by side")
     options = page.run("[...document.querySelector('[data-control=compare]').options].map((o) => o.value)")
     for option in options[:3]:
         set_control(page, "compare", option)
@@ -276,7 +276,9 @@ def compute(deadpoint, source, folder):
              "operation.0.duration=30 min"],
             ["run", source + "/tests/data/cli/two-blocks.toml", "-o", blocks, "--quiet"],
             ["report", press, blocks, "-o", both]):
-        subprocess.run([deadpoint, *arguments], check=True, stdout=subprocess.DEVNULL, stdin=subprocess.DEVNULL)
+        done = subprocess.run([deadpoint, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        if done.returncode != 0:
+            raise RuntimeError(f"deadpoint {' '.join(arguments)}: {done.stderr}")
     return press, both
 
 
