@@ -99,10 +99,12 @@ function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = tru
         const top = 26, bottom = 42;
         const longest = Math.max(...series.map((list) => list.name.length));
         const perPixel = (high - low) / (height - top - bottom);
-        const ends = series.map((list) => {
-            for (let k = list.y.length - 1; k >= 0; --k) if (Number.isFinite(list.y[k])) return list.y[k];
-            return low;
+        const last = series.map((list) => {
+            let k = list.y.length - 1;
+            while (k > 0 && !Number.isFinite(list.y[k])) --k;
+            return k;
         });
+        const ends = series.map((list, i) => list.y[last[i]]);
         const places = spreadLabels(ends, 15 * perPixel, low, high);
         const marks = series.map((list, i) => Libraries.line(Array.from(list.y, (value, k) => [list.x[k], value]), {
             stroke: look[i].colour, strokeWidth: list.bold ? 3.2 : 1.9, strokeDasharray: look[i].dash || undefined,
@@ -114,6 +116,9 @@ function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = tru
             marks.push(Libraries.line([[right + 5 * pixel, ends[i]], [right + 14 * pixel, places[i]], [right + 30 * pixel,
                 places[i]]], { stroke: look[i].colour, strokeWidth: list.bold ? 3.2 : 1.9,
                 strokeDasharray: look[i].dash || undefined }));
+            const from = list.x[last[i]];
+            if (from < right) marks.push(Libraries.line([[from, ends[i]], [right + 5 * pixel, ends[i]]],
+                { stroke: look[i].colour, strokeWidth: 0.7, strokeOpacity: 0.5 }));
             marks.push(Libraries.text([list.name], { x: () => right, y: () => places[i], dx: 34, textAnchor: "start",
                 fontWeight: list.bold ? "bold" : undefined, fontSize: 12.5 }));
         });

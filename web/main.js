@@ -34,14 +34,20 @@ function sideBySide() {
     row("off the reference, rms [K]", (run) => run.summary.reference && shown(run.summary.reference.rms_residual_K));
     row("process force [kN]", (run) => shown(run.loads.operation.process_force_peak_N / 1000));
     row("speed [rpm]", (run) => shown(run.loads.operation.speed_rpm));
-    row("mean drive power [kW]", (run) => shown(run.loads.drive.mean_power_W / 1000));
+    row("mean drive power [kW]", (run) => fixed(run.loads.drive.mean_power_W / 1000, 2));
     row("warnings", (run) => String(run.facts.warnings?.length ?? 0));
     row("case hash", (run) => run.facts.case?.hash);
     const overlay = (id, title, name, y, change) => lineChart({ id, title, x: ["time", "h"], y,
-        series: runs.map((run, i) => ({ name: run.name, x: run.hours, style: i, bold: false,
+        zero: y[1] !== "°C", series: runs.map((run, i) => ({ name: run.name, x: run.hours, style: i, bold: false,
             y: column(run.history, name)?.map(change ?? ((value) => value)) })) });
-    const others = [...new Set(runs.flatMap((run) => (run.history ?? []).filter((entry) => entry.name !== "time"
-        && entry.name !== "E_SW").map((entry) => `${entry.name}\n${entry.unit}`)))];
+    // What most results have comes first.
+    const counts = new Map();
+    for (const entry of runs.flatMap((run) => run.history ?? []))
+        if (!["time", "E_SW"].includes(entry.name)) {
+            const key = `${entry.name}\n${entry.unit}`;
+            counts.set(key, (counts.get(key) ?? 0) + 1);
+        }
+    const others = [...counts].sort((a, b) => b[1] - a[1]).map(([key]) => key);
     const place = make("div");
     const choose = make("select", { "aria-label": "quantity to compare", "data-control": "compare", change: () => show() },
         others.map((entry) => make("option", { value: entry }, words(entry.split("\n")[0]))));
