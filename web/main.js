@@ -101,6 +101,8 @@ function start() {
     }
     page.append(detail);
     showRun(first);
+    const pose = location.hash.match(/^#picture=(\w+)$/);
+    if (pose) current?.pose?.(pose[1]);
     document.body.dataset.ready = "true";
 }
 start();

@@ -3,6 +3,8 @@
 const presets = [["First view", undefined], ["From the front", [0, 0, 1]], ["From the side", [1, 0, 0]],
     ["From above", [0, 1, 0.001]]];
 
+const poses = { front: [0, 0, 1], side: [1, 0, 0] };
+
 /** Section with the view of a run, or null where the folder has none. */
 function viewSection(run) {
     if (!run.view) return null;
@@ -25,7 +27,7 @@ function viewSection(run) {
         return { section, dispose() {} };
     }
     const ui = new Stage(run, scene, { canvas, still, clock, scale, stage, section });
-    return { section, start: () => ui.start(), dispose: () => ui.dispose() };
+    return { section, start: () => ui.start(), pose: (name) => ui.pose(name), dispose: () => ui.dispose() };
 }
 
 class Stage {
@@ -75,7 +77,8 @@ class Stage {
             scene.home(direction); scene.render(); } }, name));
         const zoom = [["+", 1 / 1.25, "closer"], ["−", 1.25, "further away"]].map(([text, factor, label]) =>
             make("button", { type: "button", "aria-label": label, click: () => scene.zoom(factor) }, text));
-        return make("div", {}, make("div", { class: "controls" }, items), make("div", { class: "controls" }, views, zoom));
+        const save = make("button", { type: "button", click: () => this.save() }, "Save as picture");
+        return make("div", {}, make("div", { class: "controls" }, items), make("div", { class: "controls" }, views, zoom, save));
     }
 
     magnifier() {
@@ -206,6 +209,36 @@ class Stage {
     takeStill() {
         this.scene.render();
         this.still.src = this.canvas.toDataURL("image/png");
+    }
+
+    /** The view with its scale as a PNG file. */
+    async save() {
+        this.scene.render();
+        const copy = make("canvas", { width: this.canvas.width, height: this.canvas.height });
+        const context = copy.getContext("2d");
+        context.drawImage(this.canvas, 0, 0);
+        const drawing = this.scale.firstChild.cloneNode(true);
+        drawing.setAttribute("style", "font: 12.5px Helvetica, Arial, sans-serif");
+        const image = new Image();
+        image.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(new XMLSerializer().serializeToString(drawing));
+        await image.decode();
+        const ratio = this.canvas.width / this.canvas.clientWidth;
+        context.drawImage(image, 12 * ratio, copy.height - (image.height + 10) * ratio, image.width * ratio,
+            image.height * ratio);
+        const name = `${this.run.facts.case?.name ?? "machine"} ${this.clock.textContent}.png`;
+        make("a", { href: copy.toDataURL("image/png"), download: name.replace(/[^\w.-]+/g, "-") }).click();
+    }
+
+    /** Nothing but the machine, over the whole window: what `deadpoint report --pictures` takes its pictures of. */
+    pose(name) {
+        document.body.classList.add("picture");
+        const { scene } = this;
+        this.showProbes = false;
+        this.makeLabels();
+        scene.resize();
+        if (name === "cut") scene.update({ axis: "z", cut: (scene.low[2] + scene.high[2]) / 2 });
+        scene.home(poses[name]);
+        scene.render();
     }
 
     setTime(time) {

@@ -51,17 +51,19 @@ function quantities(fields) {
         list.push({ id: "moved", name: "displacement", unit: "µm", values: (time) => component(time, Math.hypot) },
             { id: "up", name: "displacement upwards", unit: "µm", values: (time) => component(time, (x, y) => y) });
     }
-    for (const entry of list) {
-        let [low, high] = [Infinity, -Infinity];
-        for (const time of fields.times) for (const value of entry.values(time)) {
-            if (value < low) low = value;
-            if (value > high) high = value;
-        }
-        // What the modes left out must not add a band.
-        if (Math.abs(low) < 0.03 * (high - low)) low = 0;
-        entry.ticks = niceTicks(low, Math.max(high - 0.01 * (high - low), low + 1e-6), 9);
-    }
     return list;
+}
+
+/** Bounds of the colours of a quantity, the same at all times so that colours can be compared. */
+function colourTicks(entry, fields) {
+    let [low, high] = [Infinity, -Infinity];
+    for (const time of fields.times) for (const value of entry.values(time)) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+    }
+    // What the modes left out must not add a band.
+    if (Math.abs(low) < 0.03 * (high - low)) low = 0;
+    return niceTicks(low, Math.max(high - 0.01 * (high - low), low + 1e-6), 9);
 }
 
 /** Pairs of vertices along the sharp edges (over 30 degrees) of a part, then those along its borders. */
@@ -238,7 +240,9 @@ class MachineScene {
 
     /** Colours for the chosen quantity: one band between each two ticks of the scale. */
     paint() {
-        const { ticks } = this.state.quantity;
+        const { quantity } = this.state;
+        quantity.ticks ??= colourTicks(quantity, this.fields);
+        const { ticks } = quantity;
         const bands = ticks.length - 1;
         const texels = new Uint8Array(4 * bands);
         for (let i = 0; i < bands; ++i)

@@ -9,7 +9,6 @@ work, that the printed page is complete, and that it fits a phone. With a folder
 import base64
 import csv
 import json
-import math
 import os
 import struct
 import subprocess
@@ -268,6 +267,16 @@ def check_both(page, path, count):
     check(page.run(PIXELS)["shown"] > 0.02, "the view of the second result is blank")
 
 
+def check_pictures(folder):
+    """The pictures for papers are PNG files of the stated size, and not white all over."""
+    for pose in ("oblique", "front", "side", "cut"):
+        with open(f"{folder}/machine-{pose}.png", "rb") as file:
+            data = file.read()
+        check(data[:8] == b"\x89PNG\r\n\x1a\n", f"picture '{pose}' is no PNG")
+        check(struct.unpack(">II", data[16:24]) == (1600, 1200), f"picture '{pose}' has a wrong size")
+        check(len(data) > 15000, f"picture '{pose}' is blank ({len(data)} bytes)")
+
+
 def compute(deadpoint, source, folder):
     """A coarse press with all that a page can show, and a plain case to set beside it."""
     press, blocks, both = folder + "/press", folder + "/blocks", folder + "/both.html"
@@ -275,6 +284,7 @@ def compute(deadpoint, source, folder):
             ["run", source + "/cases/jl75g-60/case.toml", "-o", press, "--size", "5", "--quiet", "--set",
              "operation.0.duration=30 min"],
             ["run", source + "/tests/data/cli/two-blocks.toml", "-o", blocks, "--quiet"],
+            ["report", press, "--pictures", folder + "/pictures"],
             ["report", press, blocks, "-o", both]):
         done = subprocess.run([deadpoint, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL)
         if done.returncode != 0:
@@ -292,6 +302,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="deadpoint-page-") as folder:
         press, both = compute(deadpoint, source, folder)
         report = press + "/report.html"
+        check_pictures(folder + "/pictures")
         check(os.path.getsize(report) < 10e6, "the page is over 10 MB")
         with browser.Browser(path) as page:
             for width, height in ((360, 740), (1280, 900)):
