@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/fem/session.hpp"
+#include "deadpoint/report/page.hpp"
 #include "deadpoint/report/plan_text.hpp"
 #include "deadpoint/report/result_folder.hpp"
 #include "deadpoint/report/run_files.hpp"
@@ -44,6 +45,17 @@ std::string make_folder(const RunOptions& options, bool first, std::optional<Res
     return fem::from_first_rank(folder ? folder->path().string() : std::string{});
 }
 
+/// Adds the page to finished results. Whatever is wrong with it must not cost them.
+void add_page(const ResultFolder& folder, Console& console)
+{
+    const std::vector<report::ReportSource> source{{folder.path(), folder.target().filename().string()}};
+    try {
+        report::write_report(folder.path() / "report.html", source);
+    } catch (const std::exception& error) {
+        console.warn(fmt::format("report.html is missing: {}", error.what()));
+    }
+}
+
 int run_case(const RunOptions& options, Console& console, bool first, bool& ranks_agree)
 {
     const auto input = read_case(options, console);
@@ -59,17 +71,23 @@ int run_case(const RunOptions& options, Console& console, bool first, bool& rank
 
     ranks_agree = false;
     const auto state_in = [](const std::string& place) { return place.empty() ? place : place + "/state.bin"; };
-    auto result = study::run_case(input, machine,
-                                  {state_in(options.from), state_in(path), input.output.fields ? path : std::string{},
-                                   file_comments(input, console)},
-                                  console);
+    study::RunOptions wanted;
+    wanted.start_from = state_in(options.from);
+    wanted.state_file = state_in(path);
+    wanted.field_folder = input.output.fields ? path : std::string{};
+    wanted.comments = file_comments(input, console);
+    wanted.view = true;
+    auto result = study::run_case(input, machine, wanted, console);
     result.timings.insert(result.timings.begin(), {"mesh", mesh_seconds});
     console.finish();
     if (folder) {
         report::write_run_files(folder->path(), input, machine, result, console.warnings());
+        add_page(*folder, console);
         folder->commit();
-        fmt::print("{}\nresults{} are in {}\n", report::run_text(input, result),
-                   result.thermal.interrupted ? " up to the interruption" : "", folder->target().string());
+        const auto where = folder->target().string();
+        fmt::print("{}\nresults{} are in {}\nsee them on a page: deadpoint view {}  (opens {}/report.html)\n",
+                   report::run_text(input, result), result.thermal.interrupted ? " up to the interruption" : "", where,
+                   where, where);
     }
     return result.thermal.interrupted ? interrupted_exit_code : 0;
 }

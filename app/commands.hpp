@@ -11,3 +11,5 @@ void add_loads(CLI::App& app, int& exit_code);
 void add_heat(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
+void add_report(CLI::App& app, int& exit_code);
+void add_view(CLI::App& app, int& exit_code);

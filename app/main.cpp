@@ -21,20 +21,22 @@ constexpr const char* examples = R"(Examples:
   deadpoint run my-press/case.toml -o my-press/results      warm it up and see the gap move
   deadpoint run my-press/case.toml -o fast --size 2 --set "operation.0.speed=300 rpm"
   deadpoint compare my-press/results measured.toml          how good is it against what was measured?
+  deadpoint view my-press/results                           see it as a page in the browser
+  deadpoint report a b -o a-and-b.html                      two results on one page
   mpirun -n 2 deadpoint run my-press/case.toml -o results   the same on two processes
 
 Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 file trouble, 130 stopped by Ctrl-C.)";
 
 constexpr int other_error = 1;
 
-const std::vector<std::string> subcommands{"init", "check", "mesh", "loads", "heat", "run", "compare"};
+const std::vector<std::string> subcommands{"init", "check", "mesh", "loads", "heat", "run", "compare", "report", "view"};
 
 /// Says that a word is no subcommand, and which one it may have meant.
 int refuse_subcommand(const std::string& word)
 {
     const auto meant = deadpoint::closest_name(word, subcommands);
     fmt::print(stderr, "error: there is no subcommand '{}'\n  help: {}\n", word,
-               meant.empty() ? "give one of init, check, mesh, loads, heat, run and compare"
+               meant.empty() ? "give one of init, check, mesh, loads, heat, run, compare, report and view"
                              : fmt::format("did you mean '{}'?", meant));
     return static_cast<int>(deadpoint::ErrorKind::input);
 }
@@ -53,6 +55,8 @@ int run(int argc, char** argv)
     add_heat(app, exit_code);
     add_run(app, exit_code);
     add_compare(app, exit_code);
+    add_report(app, exit_code);
+    add_view(app, exit_code);
     if (argc > 1 && argv[1][0] != '-' && std::count(subcommands.begin(), subcommands.end(), argv[1]) == 0) {
         return refuse_subcommand(argv[1]);
     }

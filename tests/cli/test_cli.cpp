@@ -481,4 +481,60 @@ TEST_CASE("compare holds a run against a reference file, and writes its tables b
     const auto foreign = deadpoint("compare " + results + " " + measured);
     CHECK(foreign.code == 2);
     CHECK(has(foreign.err, "summary.json"));
+TEST_CASE("run leaves a page beside its results and says how to open it")
+{
+    const Folder folder;
+    const auto target = folder / "results";
+    const auto result = deadpoint("run --quiet " + two_blocks + " -o " + target);
+    REQUIRE(result.code == 0);
+    CHECK(has(result.out, "deadpoint view " + target));
+    const auto page = content(target + "/report.html");
+    CHECK(has(page, "<h1>two blocks</h1>"));
+    CHECK(has(page, "</html>\n"));
+    CHECK(has(content(target + "/view.json"), "\"temperature_K\""));
+    CHECK_FALSE(has(content(target + "/view.json"), "\"displacement_m\""));  // no dimension chain, no deformation
+}
+
+TEST_CASE("report puts folders on one page, and does not replace a file unasked")
+{
+    const Folder folder;
+    REQUIRE(deadpoint("run --quiet " + two_blocks + " -o " + (folder / "a")).code == 0);
+    REQUIRE(deadpoint("loads --quiet " + crank + " -o " + (folder / "b")).code == 0);
+    const auto page = folder / "both.html";
+    const std::string both = "report " + (folder / "a") + " " + (folder / "b");
+    const auto nameless = deadpoint(both);
+    CHECK(nameless.code == 2);
+    CHECK(has(nameless.err, "-o compared.html"));
+    CHECK(deadpoint(both + " -o " + page).out == "the report is " + page + "\n");
+    CHECK(has(content(page), "<h1>two blocks, "));
+    const auto refused = deadpoint(both + " -o " + page);
+    CHECK(refused.code == 5);
+    CHECK(has(refused.err, "--force"));
+    CHECK(deadpoint(both + " --force -o " + page).code == 0);
+
+    fs::remove(folder / "a/report.html");
+    CHECK(deadpoint("report " + (folder / "a")).code == 0);  // its own page needs no name and is renewed
+    CHECK(deadpoint("report " + (folder / "a")).code == 0);
+    CHECK(fs::exists(folder / "a/report.html"));
+    const auto empty = deadpoint("report " + folder.path.string());
+    CHECK(empty.code == 2);
+    CHECK(has(empty.err, "holds no results"));
+}
+
+TEST_CASE("view makes the page where it is missing and hands it to the browser")
+{
+    const Folder folder;
+    REQUIRE(deadpoint("run --quiet " + two_blocks + " -o " + (folder / "a")).code == 0);
+    fs::remove(folder / "a/report.html");
+    const auto browser = folder / "browser";
+    std::ofstream(browser) << "#!/bin/sh\nbasename \"$1\" >\"" << (folder / "shown") << "\"\n";
+    fs::permissions(browser, fs::perms::owner_all);
+    setenv("BROWSER", browser.c_str(), 1);
+    const auto result = deadpoint("view " + (folder / "a"));
+    unsetenv("BROWSER");
+    CHECK(result.code == 0);
+    CHECK(has(result.out, "opened "));
+    CHECK(content(folder / "shown") == "report.html\n");
+    CHECK(fs::exists(folder / "a/report.html"));
+    CHECK(deadpoint("view " + (folder / "nothing")).code != 0);
 }

@@ -30,4 +30,11 @@ struct RigidMotion {
     Vec2 centre{};
 };
 
+/// By how much a rigid motion moves a point [m].
+constexpr Vec3 rigid_displacement(const RigidMotion& motion, const Vec3& x)
+{
+    return {motion.translation[0] - motion.angle * (x[1] - motion.centre[1]),
+            motion.translation[1] + motion.angle * (x[0] - motion.centre[0]), 0};
+}
+
 }  // namespace deadpoint

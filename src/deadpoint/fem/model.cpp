@@ -59,6 +59,21 @@ void require_sound(const Machine& machine, const std::vector<Material>& material
                     "' has a density, conductivity, specific heat or Young's modulus that is not positive");
 }
 
+// Entries of a divided vector of `block` values per unknown at nodes of the mesh, on all ranks.
+std::vector<double> gathered(const Discretisation& space, const std::vector<CellCorner>& corners,
+                             const std::vector<double>& owned, std::size_t block)
+{
+    std::vector<double> values(block * corners.size(), 0.0);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const auto unknown = static_cast<PetscInt>(space.vertex_unknown(corners[k].cell, corners[k].corner));
+        if (space.owns(unknown))
+            for (std::size_t i = 0; i < block; ++i)
+                values[block * k + i] = owned[block * static_cast<std::size_t>(unknown - space.first) + i];
+    }
+    sum_over_ranks(values);
+    return values;
+}
+
 }  // namespace
 
 Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer&)
@@ -179,6 +194,20 @@ std::vector<double> Model::sample(const std::vector<HeatProbe>& probes, const Fi
     return values;
 }
 
+std::vector<double> Model::at_corners(const std::vector<CellCorner>& corners, const Field& field) const
+{
+    return gathered(implementation_->space, corners, field.owned, 1);
+}
+
+std::vector<Vec3> Model::at_corners(const std::vector<CellCorner>& corners, const Displacement& displacement) const
+{
+    const auto values = gathered(implementation_->space, corners, displacement.owned, 3);
+    std::vector<Vec3> result(corners.size());
+    for (std::size_t k = 0; k < corners.size(); ++k)
+        result[k] = {values[3 * k], values[3 * k + 1], values[3 * k + 2]};
+    return result;
+}
+
 std::string Model::write_fields(const std::string& folder, const std::string& name, const Field& temperature,
                                 const Displacement* displacement, const std::vector<RigidMotion>& motion_of_part,
                                 const std::vector<int>& body_of_part, const std::vector<std::string>& comments)
@@ -210,12 +239,8 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
                 const auto dof = space.vertex_unknown(c, i);
                 celsius.push_back(static_cast<float>(rise[dof] - 273.15));
                 if (displacement) {
-                    const auto& motion = motion_of_part[machine.cells[c].part];
-                    const Vec3& x = machine.nodes[node];
-                    const std::array<double, 3> u{
-                        moved[3 * dof] + motion.translation[0] - motion.angle * (x[1] - motion.centre[1]),
-                        moved[3 * dof + 1] + motion.translation[1] + motion.angle * (x[0] - motion.centre[0]),
-                        moved[3 * dof + 2]};
+                    const Vec3 u = Vec3{moved[3 * dof], moved[3 * dof + 1], moved[3 * dof + 2]} +
+                                   rigid_displacement(motion_of_part[machine.cells[c].part], machine.nodes[node]);
                     for (const double value : u)
                         millimetre.push_back(static_cast<float>(1000 * value));
                 }

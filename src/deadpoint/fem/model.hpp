@@ -3,6 +3,7 @@
 #include "deadpoint/core/observer.hpp"
 #include "deadpoint/exchange/deformation.hpp"
 #include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/light_surface.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
 #include <functional>
@@ -91,6 +92,9 @@ public:
 
     /// Temperature at points of parts.
     std::vector<double> sample(const std::vector<HeatProbe>& probes, const Field& field);
+    /// Temperature [K] or displacement [m] at nodes of the mesh.
+    std::vector<double> at_corners(const std::vector<CellCorner>& corners, const Field& field) const;
+    std::vector<Vec3> at_corners(const std::vector<CellCorner>& corners, const Displacement& displacement) const;
     Field constant_field(double temperature) const;
     Field interpolate_field(const std::function<double(const Vec3&)>& temperature) const;
 

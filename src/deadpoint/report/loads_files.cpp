@@ -7,6 +7,7 @@
 #include "deadpoint/report/json_file.hpp"
 #include "deadpoint/report/loads_charts.hpp"
 #include "deadpoint/report/svg_chart.hpp"
+#include "deadpoint/report/view_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -351,6 +352,7 @@ void write_loads_files(const std::filesystem::path& folder, const casefile::Case
     const auto comments = head(input, loads, warnings);
     const auto& name = input.machine.name;
     write_json(folder / "loads.json", loads_json(input, loads, warnings));
+    write_json(folder / "motion.json", motion_json(loads));
     write_joints(folder / "joints.csv", loads, comments);
     write_svg(folder / "slide.svg", slide_motion_svg(name, loads), comments);
     write_svg(folder / "joints.svg", joint_forces_svg(name, loads), comments);

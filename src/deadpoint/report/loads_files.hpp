@@ -10,8 +10,8 @@
 /// The loads of a case as files and as a short text for the terminal.
 namespace deadpoint::report {
 
-/// Writes into an existing folder: loads.json, joints.csv, slide.svg, joints.svg, linkage.svg, and with a crankshaft
-/// bearings.csv, campbell.csv, bearings.svg and campbell.svg.
+/// Writes into an existing folder: loads.json, motion.json, joints.csv, slide.svg, joints.svg, linkage.svg, and with a
+/// crankshaft bearings.csv, campbell.csv, bearings.svg and campbell.svg.
 /// @param warnings  of the whole run; they stand in every file
 /// @throws IoError if a file cannot be written
 void write_loads_files(const std::filesystem::path& folder, const casefile::Case& input,

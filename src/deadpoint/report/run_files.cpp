@@ -12,6 +12,7 @@
 #include "deadpoint/report/mesh_files.hpp"
 #include "deadpoint/report/svg_chart.hpp"
 #include "deadpoint/report/table.hpp"
+#include "deadpoint/report/view_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -375,6 +376,8 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
     if (result.loads)
         write_loads_files(folder, input, *result.loads, warnings);
     write_json(folder / "summary.json", summary_json(input, machine, result, warnings));
+    if (result.view)
+        write_json(folder / "view.json", view_json(input, machine, *result.view));
     write_svg_chart(folder / "temperatures.svg", temperature_chart(input, result), comments);
     if (result.drift) {
         write_contributions(folder / "contributions.csv", input, result, comments);

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace deadpoint::study {
 namespace {
@@ -198,6 +199,29 @@ std::vector<JointHistory> joint_histories(const casefile::Case& input, const Mac
     return result;
 }
 
+// What closes the joints again after a deformation.
+struct Closing {
+    std::vector<RigidMotion> motions;  ///< per part
+    double gap = 0;                    ///< E_SW, straight from the deformation [m]
+    double opening = 0;                ///< largest distance of two centres of a joint that is left [m]
+};
+
+Closing close_joints(const Machine& machine, fem::Model& model, const Chain& chain,
+                     const fem::Displacement& displacement)
+{
+    auto wanted = chain.centres;
+    wanted.push_back(chain.growth);
+    wanted.push_back(chain.dimensions[drift::gap]);
+    auto values = model.evaluate(wanted, displacement);
+    const double gap = values.back();
+    values.pop_back();
+    const double growth = values.back();
+    values.pop_back();
+    const auto shifts = chain.shifts(values, growth);
+    const auto motion = chain.system.closing_motion(chain.system.assembled(), shifts);
+    return {motions_by_part(machine, chain.linkage, motion), gap, largest_opening(chain, shifts, motion)};
+}
+
 // Deformation and field files at the wanted times.
 class FieldWriter {
 public:
@@ -213,19 +237,10 @@ public:
         std::optional<fem::Displacement> displacement;
         if (chain_) {
             displacement = model_.displacement(field, reference_);
-            auto wanted = chain_->centres;
-            wanted.push_back(chain_->growth);
-            wanted.push_back(chain_->dimensions[drift::gap]);
-            auto values = model_.evaluate(wanted, *displacement);
-            const double gap = values.back();
-            values.pop_back();
-            const double growth = values.back();
-            values.pop_back();
-            const auto shifts = chain_->shifts(values, growth);
-            const auto motion = chain_->system.closing_motion(chain_->system.assembled(), shifts);
-            motions = motions_by_part(machine_, chain_->linkage, motion);
-            result.adjoint_check = AdjointCheck{time, model_.apply(adjoints_[drift::gap], field, reference_), gap,
-                                                largest_opening(*chain_, shifts, motion)};
+            auto closed = close_joints(machine_, model_, *chain_, *displacement);
+            motions = std::move(closed.motions);
+            result.adjoint_check =
+                AdjointCheck{time, model_.apply(adjoints_[drift::gap], field, reference_), closed.gap, closed.opening};
         }
         if (folder_.empty())
             return;
@@ -273,7 +288,7 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
     fem::Model model(machine, describe_materials(input, machine), input.numerics.order, observer);
     const auto* loads = result.loads ? &*result.loads : nullptr;
     FrictionLaws friction(input, &machine, loads);
-    const auto problem = describe_heat(input, machine, observer, loads, friction);
+    auto problem = describe_heat(input, machine, observer, loads, friction);
     if (!input.friction.empty())
         result.friction = friction.summaries();
     for (const auto& warning : friction.warnings(result.friction))
@@ -299,6 +314,11 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
         adjoints = model.adjoints(chain->dimensions);
     }
 
+    const auto written_times = problem.field_times;
+    const auto viewed_times = options.view ? view_times(problem.segments) : std::vector<double>{};
+    problem.field_times.clear();
+    std::ranges::set_union(written_times, viewed_times, std::back_inserter(problem.field_times));
+
     watch.start("heat matrices");
     model.assemble_heat(problem);
     if (!options.start_from.empty())
@@ -309,13 +329,17 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
     for (const auto& segment : problem.segments)
         end += segment.duration;
     FieldWriter writer(input, machine, model, chain ? &*chain : nullptr, adjoints, options);
+    ViewRecorder view;
     double field_seconds = 0;
     result.thermal = model.heat(
         adjoints, reference, chain ? static_cast<int>(drift::gap) : -1, observer,
         [&](double time) { observer.progress(time / end, fmt::format("t = {:.2f} h", time / 3600)); },
         [&](double time, const fem::Field& field) {
             const double before = watch.seconds();
-            writer.write(time, field, result);
+            if (std::ranges::binary_search(viewed_times, time))
+                view.add(time, field);
+            if (std::ranges::binary_search(written_times, time))
+                writer.write(time, field, result);
             field_seconds += watch.seconds() - before;
         });
     watch.stop();
@@ -326,6 +350,15 @@ RunResult run_case(const casefile::Case& input, const Machine& machine, const Ru
     result.timings.back().second -= field_seconds;
     if (field_seconds > 0)
         result.timings.emplace_back("fields", field_seconds);
+    if (!view.empty()) {
+        watch.start("view");
+        CloseJoints close;
+        if (chain)
+            close = [&](const fem::Displacement& u) { return close_joints(machine, model, *chain, u).motions; };
+        result.view = view.finish(machine, model, reference, close);
+        watch.stop();
+        result.timings.push_back(watch.times().back());
+    }
     result.elastic_iterations = model.elastic_iterations();
     result.joints = joint_histories(input, machine, problem, result.thermal, result.whole);
     if (chain)

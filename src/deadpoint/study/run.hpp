@@ -8,6 +8,7 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/loads.hpp"
 #include "deadpoint/study/translate_friction.hpp"
+#include "deadpoint/study/view_data.hpp"
 
 #include <optional>
 #include <string>
@@ -46,6 +47,7 @@ struct RunResult {
     std::optional<BottomDeadPointSensitivity> sensitivity;
     std::optional<DriftSeries> drift;
     std::optional<AdjointCheck> adjoint_check;
+    std::optional<ViewData> view;
     long long cells = 0;
     long long heat_unknowns = 0;
     int elastic_iterations = 0;
@@ -60,6 +62,7 @@ struct RunOptions {
     std::string state_file;  ///< where the state at the end is written; empty: nowhere
     std::string field_folder;                ///< existing folder for field files; empty: no field files
     std::vector<std::string> comments = {};  ///< for the head of the field files: version, case hash, warnings so far
+    bool view = false;                       ///< make RunResult::view
 };
 
 /// Computes a case on its meshed machine. Collective under MPI: all ranks call it and get the same result.

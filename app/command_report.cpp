@@ -1,0 +1,188 @@
+#include "commands.hpp"
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/report/page.hpp"
+
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <spawn.h>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+using namespace deadpoint;
+namespace fs = std::filesystem;
+
+extern char** environ;
+
+namespace {
+
+struct ReportOptions {
+    std::vector<fs::path> folders;
+    std::string file;
+    std::string pictures;
+    bool force = false;
+};
+
+/// The page of a single folder belongs to it and is renewed; a file named by the user is not overwritten unasked.
+fs::path page_file(const ReportOptions& options)
+{
+    if (options.file.empty()) {
+        if (options.folders.size() == 1) {
+            return options.folders.front() / "report.html";
+        }
+        throw InputError("a page of several folders needs a name\n  help: add '-o compared.html'");
+    }
+    if (fs::exists(options.file) && !options.force) {
+        throw IoError(
+            fmt::format("'{}' exists\n  help: choose another name, or add --force to replace it", options.file));
+    }
+    return options.file;
+}
+
+/// Runs a program of the path; false if there is none or it fails. With `quiet` it says nothing.
+bool run_program(std::vector<std::string> command, bool quiet)
+{
+    std::vector<char*> arguments;
+    for (auto& argument : command) {
+        arguments.push_back(argument.data());
+    }
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    if (quiet) {
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    }
+    pid_t child = 0;
+    const int error = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) {
+        return false;
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// Pictures of the machine at the end of the run, drawn by a browser without a window from the page itself.
+void take_pictures(const fs::path& page, const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
+        throw IoError(fmt::format("cannot create '{}': {}", folder.string(), error.message()));
+    }
+    // Its own profile: with that of a browser that is open already, it would hand over to it and draw nothing.
+    const auto profile = fs::temp_directory_path() / fmt::format("deadpoint-browser-{}", getpid());
+    for (const char* pose : {"oblique", "front", "side", "cut"}) {
+        const auto file = fs::absolute(folder / fmt::format("machine-{}.png", pose));
+        fs::remove(file, error);
+        std::vector<std::string> command{"",
+                                         "--headless=new",
+                                         "--use-gl=angle",
+                                         "--use-angle=swiftshader",
+                                         "--enable-unsafe-swiftshader",
+                                         "--hide-scrollbars",
+                                         "--force-color-profile=srgb",
+                                         "--window-size=1600,1200",
+                                         "--virtual-time-budget=2000",
+                                         "--user-data-dir=" + profile.string(),
+                                         "--screenshot=" + file.string(),
+                                         fmt::format("file://{}#picture={}", fs::absolute(page).string(), pose)};
+        if (geteuid() == 0) {
+            command.insert(command.begin() + 1, "--no-sandbox");  // it refuses to start as root otherwise
+        }
+        for (const char* browser : {"chromium", "chromium-browser", "google-chrome"}) {
+            command.front() = browser;
+            if (run_program(command, true) && fs::exists(file)) {
+                break;
+            }
+        }
+        fs::remove_all(profile, error);
+        if (!fs::exists(file)) {
+            throw IoError("pictures need Chromium, which was not found or did not start\n  help: install it (Debian: "
+                          "apt-get install chromium), or open the page and use 'Save as picture'");
+        }
+    }
+    fmt::print("pictures of the machine are in {}\n", folder.string());
+}
+
+void make_report(const ReportOptions& options)
+{
+    const auto file = page_file(options);
+    report::write_report(file, report::report_sources(options.folders));
+    fmt::print("the report is {}\n", file.string());
+    if (!options.pictures.empty()) {
+        take_pictures(file, options.pictures);
+    }
+}
+
+bool is_current(const fs::path& page, const fs::path& folder)
+{
+    if (!fs::exists(page)) {
+        return false;
+    }
+    for (const char* name : {"summary.json", "loads.json"}) {
+        if (fs::exists(folder / name) && fs::last_write_time(folder / name) > fs::last_write_time(page)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void open_report(const fs::path& folder)
+{
+    const auto page = folder / "report.html";
+    if (!is_current(page, folder)) {
+        report::write_report(page, report::report_sources(std::vector{folder}));
+    }
+    const auto shown = fs::absolute(page).lexically_normal().string();
+    std::vector<std::string> openers{"xdg-open", "open", "wslview"};
+    if (const char* browser = std::getenv("BROWSER"); browser && *browser) {
+        openers.insert(openers.begin(), browser);
+    }
+    for (const auto& opener : openers) {
+        if (run_program({opener, shown}, false)) {
+            fmt::print("opened {}\n", shown);
+            return;
+        }
+    }
+    fmt::print("found no browser to open; the page is {}\n", shown);
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& exit_code)
+{
+    auto* command = app.add_subcommand("report", "put one or several results on one page (HTML) to read and send");
+    const auto options = std::make_shared<ReportOptions>();
+    command->add_option("folders", options->folders, "folders that 'run' or 'loads' wrote")
+        ->required()
+        ->type_name("DIR...");
+    command->add_option("-o,--output", options->file, "the page; of a single folder it is DIR/report.html if not given")
+        ->type_name("FILE");
+    command
+        ->add_option("--pictures", options->pictures,
+                     "also write pictures of the machine (PNG) into this folder; needs Chromium")
+        ->type_name("DIR");
+    command->add_flag("--force", options->force, "replace the file if it exists");
+    command->callback([options, &exit_code] {
+        make_report(*options);
+        exit_code = 0;
+    });
+}
+
+void add_view(CLI::App& app, int& exit_code)
+{
+    auto* command = app.add_subcommand("view", "open the page of a results folder in the browser");
+    const auto folder = std::make_shared<fs::path>();
+    command->add_option("folder", *folder, "a folder that 'run' or 'loads' wrote")->required()->type_name("DIR");
+    command->callback([folder, &exit_code] {
+        open_report(*folder);
+        exit_code = 0;
+    });
+}

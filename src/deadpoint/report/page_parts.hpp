@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+/// The texts of web/ that the page is put together from, compiled into the program.
+namespace deadpoint::report {
+
+std::string_view page_style();
+std::string_view page_libraries();
+std::string_view page_licences();
+std::string_view page_data_script();
+std::string_view page_charts_script();
+std::string_view page_view_script();
+std::string_view page_stage_script();
+std::string_view page_linkage_script();
+std::string_view page_flow_script();
+std::string_view page_sections_script();
+std::string_view page_main_script();
+
+}  // namespace deadpoint::report

@@ -1,0 +1,81 @@
+#include "deadpoint/study/view_data.hpp"
+
+#include "deadpoint/fem/field_modes.hpp"
+#include "deadpoint/machine/light_surface.hpp"
+
+#include <algorithm>
+
+namespace deadpoint::study {
+namespace {
+
+std::vector<Vec3> closed_displacement(const LightSurface& surface, const fem::Model& model,
+                                      const fem::Displacement& displacement, const CloseJoints& close)
+{
+    auto moved = model.at_corners(surface.vertices, displacement);
+    const auto motions = close(displacement);
+    for (std::size_t p = 0; p < surface.parts.size(); ++p) {
+        const auto& part = surface.parts[p];
+        for (std::size_t v = part.first_vertex; v < part.first_vertex + part.vertex_count; ++v)
+            moved[v] = moved[v] + rigid_displacement(motions[p], surface.positions[v]);
+    }
+    return moved;
+}
+
+}  // namespace
+
+std::vector<double> view_times(const std::vector<HeatSegment>& segments)
+{
+    constexpr std::size_t wanted = 36;
+    constexpr std::size_t fewest = 3;
+    double end = 0;
+    for (const auto& segment : segments)
+        end += segment.duration;
+    std::vector<double> times{0.0};
+    if (segments.size() * fewest > wanted) {
+        for (std::size_t i = 1; i <= wanted; ++i)
+            times.push_back(end * static_cast<double>(i) / static_cast<double>(wanted));
+        return times;
+    }
+    const std::size_t each = wanted / std::max<std::size_t>(1, segments.size());
+    double start = 0;
+    for (const auto& segment : segments) {
+        for (std::size_t i = 1; i <= each; ++i) {
+            const double s = static_cast<double>(i) / static_cast<double>(each);
+            times.push_back(std::min(end, start + segment.duration * s * s));
+        }
+        start += segment.duration;
+    }
+    return times;
+}
+
+void ViewRecorder::add(double time, const fem::Field& field)
+{
+    times_.push_back(time);
+    fields_.emplace_back(field.owned.begin(), field.owned.end());
+}
+
+ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double reference, const CloseJoints& close)
+{
+    ViewData view;
+    auto fields = fem::field_modes(fields_, view_tolerance, view_modes);
+    fields_ = {};
+    view.time = std::move(times_);
+    view.surface = machine::light_surface(whole, view_triangles);
+    view.reference = reference;
+    view.coefficients = std::move(fields.coefficients);
+    view.largest_rise = fields.largest_rise;
+    view.error = fields.error;
+    view.temperature.mean = model.at_corners(view.surface.vertices, fields.mean);
+    for (const auto& mode : fields.modes)
+        view.temperature.modes.push_back(model.at_corners(view.surface.vertices, mode));
+    if (close) {
+        view.displacement.mean =
+            closed_displacement(view.surface, model, model.displacement(fields.mean, reference), close);
+        for (const auto& mode : fields.modes)
+            view.displacement.modes.push_back(
+                closed_displacement(view.surface, model, model.displacement(mode, 0.0), close));
+    }
+    return view;
+}
+
+}  // namespace deadpoint::study

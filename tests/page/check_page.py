@@ -1,0 +1,327 @@
+#!/usr/bin/env python3
+"""Looks at the pages of two results in a browser, as a reader would: check_page.py DEADPOINT SOURCE [PICTURES].
+
+Checks that nothing goes wrong on the console, that no request leaves the page, that every chart shows the data of the
+result files, that the three-dimensional view is not blank and follows time, turning, cutting and hiding, that the keys
+work, that the printed page is complete, and that it fits a phone. With a folder for PICTURES it leaves screenshots there.
+"""
+
+import base64
+import csv
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+
+import browser
+
+failures = []
+
+
+def check(holds, what):
+    if not holds:
+        failures.append(what)
+        print("FAILED:", what, flush=True)
+
+
+def near(a, b, tolerance, what):
+    check(abs(a - b) <= tolerance, f"{what}: {a} instead of {b}")
+
+
+def read_csv(path):
+    with open(path) as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    return {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
+
+
+def number(text):
+    """A number as the page shows it."""
+    return float(text.replace("−", "-").replace("+", "").split(" ")[0])
+
+
+def unpacked(array):
+    """Values of an array of view.json."""
+    raw = base64.b64decode(array["data"])
+    return [array["low"] + array["step"] * n for n in struct.unpack(f"<{len(raw) // 2}H", raw)]
+
+
+LINES = """[...document.querySelectorAll("figure[data-chart]")].map((figure) => ({
+    id: figure.dataset.chart, width: figure.getBoundingClientRect().width,
+    lines: [...figure.querySelectorAll("svg g.series path")].map((path) => path.getAttribute("d")).filter(Boolean).length,
+    drawn: figure.querySelectorAll(".drawing svg path, .drawing svg rect, .drawing svg line").length,
+    rows: [...figure.querySelectorAll("details tbody tr")].map((row) => [...row.cells].map((cell) => cell.textContent)),
+    heading: figure.querySelector("h3")?.textContent ?? "" }))"""
+
+# Share of pixels that are not white, and a sum that changes with the picture.
+PIXELS = """(() => {
+    const view = document.querySelector(".stage canvas");
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [view.width, view.height];
+    const context = copy.getContext("2d");
+    context.drawImage(view, 0, 0);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    let shown = 0, sum = 0;
+    const colours = new Set();
+    for (let i = 0; i < data.length; i += 4) {
+        if (data[i] < 250 || data[i + 1] < 250 || data[i + 2] < 250) ++shown;
+        sum = (sum * 31 + data[i] + 256 * data[i + 1] + 65536 * data[i + 2]) % 4294967291;
+        colours.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
+    }
+    return { shown: shown / (copy.width * copy.height), sum, colours: colours.size };
+})()"""
+
+
+def set_control(page, name, value):
+    page.run(f"""(() => {{ const control = document.querySelector('[data-control="{name}"]');
+        if (control.type === "checkbox") {{ control.checked = {json.dumps(value)}; }} else control.value = {json.dumps(value)};
+        control.dispatchEvent(new Event("input", {{ bubbles: true }}));
+        control.dispatchEvent(new Event("change", {{ bubbles: true }})); }})()""")
+    page.settle()
+
+
+def check_charts(page, folder, width):
+    history = read_csv(folder + "/history.csv")
+    charts = {chart["id"]: chart for chart in page.run(LINES)}
+    probes = [name for name in history if name.endswith("[degC]") and " temperature " not in name]
+    joints = [name for name in history if name.endswith(" temperature [degC]")]
+    heats = [name for name in history if name.endswith(" heat [W]") and max(history[name]) > 0]
+    dimensions = [name for name in history if name.endswith("[um]")]
+    wanted = {"probes": len(probes), "joints": min(10, len(joints)), "joint-heat": min(8, len(heats)), "balance": 4,
+              "drift": len(dimensions), "slide": 1, "joint-forces": 7, "bearings": 6}
+    for name, count in wanted.items():
+        check(name in charts, f"{width} px: chart '{name}' is missing")
+        if name in charts:
+            near(charts[name]["lines"], count, 0, f"{width} px: lines in '{name}'")
+            near(len(charts[name]["rows"]), count, 0, f"{width} px: rows of figures in '{name}'")
+    for name in ("waterfall-end", "flow", "orders", "linkage"):
+        check(charts.get(name, {}).get("drawn", 0) > 5, f"{width} px: chart '{name}' is missing or empty")
+    for chart in charts.values():
+        check(chart["heading"] != "", f"chart '{chart['id']}' has no heading")
+        check(chart["width"] <= width, f"{width} px: chart '{chart['id']}' is too wide")
+    for row in charts["drift"]["rows"]:
+        values = history[f"{row[0]} [um]"]
+        near(number(row[4]), values[-1], 5e-4 * abs(values[-1]) + 1e-3, f"end of {row[0]}")
+    for row, name in zip(charts["probes"]["rows"], probes):
+        rise = history[name][-1] - history[name][0]
+        near(number(row[4]), rise, 5e-4 * abs(rise) + 1e-3, f"rise of {name}")
+    check_axis(page, history)
+    check_waterfall(page, history)
+
+
+def check_axis(page, history):
+    """The drawn line of E_SW ends where the axis says its value is."""
+    ends, ticks = page.run("""(() => {
+        const drawing = document.querySelector('figure[data-chart="drift"] .drawing > svg');
+        const place = (text) => text.match(/-?\\d[\\d.]*/g).map(Number);
+        const ends = [...drawing.querySelectorAll("g.series path")].map((path) => place(path.getAttribute("d")).slice(-1)[0]);
+        const ticks = [...drawing.querySelectorAll('g[aria-label="y-axis tick label"] text')]
+            .map((text) => [place(text.getAttribute("transform"))[1], text.textContent]);
+        return [ends, ticks]; })()""")
+    (y0, low), (y1, high) = [(y, number(text)) for y, text in (ticks[0], ticks[-1])]
+    names = [name for name in history if name.endswith("[um]")]
+    for name, end in zip(names, ends):
+        near(low + (end - y0) / (y1 - y0) * (high - low), history[name][-1], 0.01 * (high - low), f"line of {name}")
+
+
+def check_waterfall(page, history):
+    text = page.run("""document.querySelector('figure[data-chart="waterfall-end"] svg').getAttribute("aria-label")""")
+    steps = [piece.rsplit(" ", 1) for piece in text.split(": ", 1)[1].rsplit(" ", 1)[0].split(", ")]
+    near(number(steps[-1][1]), history["E_SW [um]"][-1], 0.15, "total of the waterfall")
+    near(sum(number(value) for _, value in steps[:-1]), number(steps[-1][1]), 0.06 * len(steps), "sum of the waterfall")
+
+
+def check_view(page, folder):
+    with open(folder + "/view.json") as file:
+        view = json.load(file)
+    first = page.run(PIXELS)
+    check(first["shown"] > 0.05, f"the view is blank: {first}")
+    check(first["colours"] > 20, f"the view has no colours: {first}")
+    # The page decodes as Python does.
+    mean, mode = unpacked(view["temperature_K"]["mean"]), unpacked(view["temperature_K"]["modes"][0])
+    modes = [unpacked(entry) for entry in view["temperature_K"]["modes"]]
+    ours = [mean[i] + sum(c[-1] * m[i] for c, m in zip(view["coefficients"], modes)) for i in range(0, len(mode), 97)]
+    theirs = page.run("(() => { const f = new Fields(runs[0].view); const t = f.at(f.temperature, f.end);"
+                      " return Array.from(t).filter((_, i) => i % 97 === 0); })()")
+    for a, b in zip(ours, theirs):
+        near(b, a, 1e-3, "temperature at a vertex")
+    check(sum(part["triangles"] for part in view["parts"]) <= 30000, "too many triangles")
+    check(view["error_of_modes_K"] <= 0.005 * view["largest_rise_K"], "the modes are not good enough")
+
+    def changes(action, what):
+        before = page.run(PIXELS)["sum"]
+        action()
+        page.settle()
+        check(page.run(PIXELS)["sum"] != before, f"the view does not change by {what}")
+
+    changes(lambda: set_control(page, "time", 100), "the time slider")
+    changes(lambda: set_control(page, "magnification", 20), "the deformation's slider")
+    changes(lambda: set_control(page, "quantity", "up"), "the choice of colours")
+    changes(lambda: set_control(page, "slice", "z"), "cutting")
+    changes(lambda: set_control(page, "slice", ""), "closing the cut")
+    changes(lambda: set_control(page, "crank", 90), "the crank")
+    changes(lambda: set_control(page, "Mirrored half", False), "taking the mirrored half away")
+    page.run("document.querySelector('.stage canvas').focus()")
+    for key in ("ArrowLeft", "ArrowUp", "+", "Home"):
+        changes(lambda pressed=key: page.key(pressed), f"the key {key}")
+    changes(lambda: [page.key(".") for _ in range(10)], "stepping in time")
+    # The wheel of time runs by itself, also in calm steps.
+    for wish in ("no-preference", "reduce"):
+        page.prefer(prefers_reduced_motion=wish)
+        set_control(page, "time", 0)
+        page.run("document.querySelector('.stage canvas').focus()")
+        page.key(" ")
+        page.until("Number(document.querySelector('[data-control=time]').value) > 20")
+        page.key(" ")
+    page.prefer(prefers_reduced_motion="no-preference")
+    check_picking(page, view)
+    for state, least, most in ((False, -1, 1e-9), (True, 0.01, 1)):
+        page.run(f"""document.querySelectorAll("[data-body]").forEach((box) => {{ box.checked = {json.dumps(state)};
+            box.dispatchEvent(new Event("change")); }})""")
+        page.settle()
+        share = page.run(PIXELS)["shown"]
+        check(least <= share <= most, f"parts {'shown' if state else 'hidden'}: {share} of the view is not white")
+
+
+def check_picking(page, view):
+    page.run("[...document.querySelectorAll('button')].find((b) => b.textContent === 'First view').click()")
+    set_control(page, "crank", 0)
+    set_control(page, "time", 1000)
+    page.key("p")
+    page.settle()
+    by_key = page.run("document.querySelector('.picked').textContent")
+    check("°C" in by_key and " mm after " in by_key, f"the key P tells nothing: '{by_key}'")
+    rise = number(by_key.split("rise ")[1].split(" K")[0])
+    check(-1 <= rise <= view["largest_rise_K"] * 1.01, f"a picked rise of {rise} K cannot be")
+    page.run("document.querySelector('.stage').scrollIntoView({ behavior: 'instant' })")
+    box = page.run("(() => { const b = document.querySelector('.stage canvas').getBoundingClientRect();"
+                   " return [b.x + b.width / 2, b.y + b.height / 2]; })()")
+    page.click(*box)
+    page.settle()
+    by_mouse = page.run("document.querySelector('.picked').textContent")
+    check(by_mouse.split(" at ")[0] == by_key.split(" at ")[0], f"a click tells '{by_mouse}', the key '{by_key}'")
+    near(page.run("document.querySelectorAll('figure[data-chart=picked] g.series path').length"), 1, 0,
+         "lines of the picked point")
+
+
+def check_structure(page):
+    levels = page.run("[...document.querySelectorAll('h1,h2,h3,h4')].map((h) => [Number(h.tagName[1]), h.textContent])")
+    check([level for level, _ in levels].count(1) == 1, "there is not exactly one h1")
+    for (before, _), (level, text) in zip(levels, levels[1:]):
+        check(level <= before + 1, f"the heading '{text}' skips a level")
+    sections = [text for level, text in levels if level == 2]
+    for word in ("three dimensions", "gap", "Temperatures", "Heat", "Loads", "published", "Warnings", "citation"):
+        check(any(word in text for text in sections), f"no section about '{word}'")
+    unnamed = page.run("""[...document.querySelectorAll("input, select, button, canvas")].filter((control) =>
+        !control.getAttribute("aria-label") && !control.closest("label") && !control.textContent.trim()).length""")
+    near(unnamed, 0, 0, "controls without a name")
+    check(page.run("document.documentElement.lang") == "en", "the page's language is not stated")
+    text = page.run("document.body.innerText")
+    for word in ("Predicting no rise at all", "Cite as", "case hash", "energy balance"):
+        check(word in text, f"the page does not say '{word}'")
+
+
+def check_print(page, pictures):
+    page.size(1280, 900)
+    page.settle()
+    with tempfile.TemporaryDirectory() as folder:
+        page.pdf(folder + "/page.pdf")
+        check(os.path.getsize(folder + "/page.pdf") > 50000, "the printed page is too small to be complete")
+    page.call("Emulation.setEmulatedMedia", media="print")
+    page.run("dispatchEvent(new Event('beforeprint'))")
+    page.settle()
+    state = page.run("""({ still: getComputedStyle(document.querySelector(".still")).display,
+        canvas: getComputedStyle(document.querySelector(".stage canvas")).display,
+        size: document.querySelector(".still").naturalWidth,
+        controls: [...document.querySelectorAll(".controls, button")].filter((e) => e.offsetParent).length,
+        charts: [...document.querySelectorAll("figure[data-chart] .drawing > svg")].map((s) => Number(s.getAttribute("width"))) })""")
+    check(state["still"] == "block" and state["size"] > 100, f"print: no still of the view: {state}")
+    check(state["canvas"] == "none", "print: the live view is not replaced")
+    near(state["controls"], 0, 0, "print: visible controls")
+    check(len(state["charts"]) >= 12 and max(state["charts"]) <= 680, f"print: charts {state['charts']}")
+    if pictures:
+        page.size(720, 1000)
+        page.settle()
+        page.picture(pictures + "/print.png")
+    page.call("Emulation.setEmulatedMedia", media="")
+    page.run("dispatchEvent(new Event('afterprint'))")
+
+
+def check_both(page, path, count):
+    page.size(1280, 900)
+    page.open(path)
+    page.settle()
+    near(page.run("document.querySelectorAll('#side-by-side > .wide thead th').length"), count + 1, 0, "columns side by side")
+    check(page.run("document.querySelectorAll('#side-by-side > .wide tbody tr').length") > 8, "too few rows side by side")
+    options = page.run("[...document.querySelector('[data-control=compare]').options].map((o) => o.value)")
+    for option in options[:3]:
+        set_control(page, "compare", option)
+        check(page.run("document.querySelectorAll('figure[data-chart=compared] g.series path').length") >= 1,
+              f"nothing to compare for {option!r}")
+    before = page.run("document.querySelector('#detail').innerText")
+    page.run("""(() => { const choose = document.querySelector('[data-control="run"]'); choose.selectedIndex = 1;
+        choose.dispatchEvent(new Event("change")); })()""")
+    page.settle()
+    check(page.run("document.querySelector('#detail').innerText") != before, "the second result is not shown in full")
+    check(page.run(PIXELS)["shown"] > 0.02, "the view of the second result is blank")
+
+
+def check_pictures(folder):
+    """The pictures for papers are PNG files of the stated size, and not white all over."""
+    for pose in ("oblique", "front", "side", "cut"):
+        with open(f"{folder}/machine-{pose}.png", "rb") as file:
+            data = file.read()
+        check(data[:8] == b"\x89PNG\r\n\x1a\n", f"picture '{pose}' is no PNG")
+        check(struct.unpack(">II", data[16:24]) == (1600, 1200), f"picture '{pose}' has a wrong size")
+        check(len(data) > 15000, f"picture '{pose}' is blank ({len(data)} bytes)")
+
+
+def compute(deadpoint, source, folder):
+    """A coarse press with all that a page can show, and a plain case to set beside it."""
+    press, blocks, both = folder + "/press", folder + "/blocks", folder + "/both.html"
+    for arguments in (
+            ["run", source + "/cases/jl75g-60/case.toml", "-o", press, "--size", "5", "--quiet", "--set",
+             "operation.0.duration=30 min"],
+            ["run", source + "/tests/data/cli/two-blocks.toml", "-o", blocks, "--quiet"],
+            ["report", press, "--pictures", folder + "/pictures"],
+            ["report", press, blocks, "-o", both]):
+        done = subprocess.run([deadpoint, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        if done.returncode != 0:
+            raise RuntimeError(f"deadpoint {' '.join(arguments)}: {done.stderr}")
+    return press, both
+
+
+def main():
+    deadpoint, source = sys.argv[1:3]
+    pictures = sys.argv[3] if len(sys.argv) > 3 else None
+    path = browser.find()
+    if path is None:
+        print("skipped: there is no Chromium; scripts/install-dependencies installs it")
+        return 77
+    with tempfile.TemporaryDirectory(prefix="deadpoint-page-") as folder:
+        press, both = compute(deadpoint, source, folder)
+        report = press + "/report.html"
+        check_pictures(folder + "/pictures")
+        check(os.path.getsize(report) < 10e6, "the page is over 10 MB")
+        with browser.Browser(path) as page:
+            for width, height in ((360, 740), (1280, 900)):
+                page.size(width, height, phone=width < 500)
+                page.open(report)
+                page.settle()
+                near(page.run("document.documentElement.scrollWidth"), width, 0, f"{width} px: width of the page")
+                check_charts(page, press, width)
+                if pictures:
+                    page.picture(f"{pictures}/page-{width}.png")
+            check_structure(page)
+            check_view(page, press)
+            check_print(page, pictures)
+            check_both(page, both, 2)
+            for problem in page.problems:
+                check(False, problem)
+    print("all well" if not failures else f"{len(failures)} checks failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,137 @@
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/report/page.hpp"
+#include "deadpoint/report/view_file.hpp"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <sstream>
+
+using namespace deadpoint;
+using namespace deadpoint::report;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("deadpoint-page-" + std::to_string(std::random_device{}()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+};
+
+void put(const fs::path& path, const std::string& text)
+{
+    fs::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+}
+
+std::string content(const fs::path& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+}
+
+std::string encoded(const std::string& text)
+{
+    return base64(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("quantised values are off by at most half a step, and the ends by nothing")
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> somewhere(-3e-5, 2e-4);
+    std::vector<double> values(5000);
+    for (auto& value : values)
+        value = somewhere(random);
+    const auto [low, high] = std::ranges::minmax(values);
+    const auto q = quantise(values);
+    CHECK(q.step == doctest::Approx((high - low) / 65535));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        REQUIRE(std::abs(q.low + q.step * q.numbers[i] - values[i]) <= 0.5000001 * q.step);
+    CHECK(*std::ranges::max_element(q.numbers) == 65535);
+    CHECK(*std::ranges::min_element(q.numbers) == 0);
+}
+
+TEST_CASE("equal values quantise to themselves, none to nothing, and what is not finite is refused")
+{
+    const auto same = quantise(std::vector<double>{293.15, 293.15});
+    CHECK(same.low == 293.15);
+    CHECK(same.step == 0);
+    CHECK(same.numbers == std::vector<std::uint16_t>{0, 0});
+    CHECK(quantise(std::vector<double>{}).numbers.empty());
+    CHECK_THROWS_AS(quantise(std::vector<double>{1, std::numeric_limits<double>::infinity()}), DomainError);
+    CHECK_THROWS_AS(quantise(std::vector<double>{std::nan("")}), DomainError);
+}
+
+TEST_CASE("base64 gives the test vectors of RFC 4648")
+{
+    CHECK(encoded("") == "");
+    CHECK(encoded("f") == "Zg==");
+    CHECK(encoded("fo") == "Zm8=");
+    CHECK(encoded("foo") == "Zm9v");
+    CHECK(encoded("foob") == "Zm9vYg==");
+    CHECK(encoded("fooba") == "Zm9vYmE=");
+    CHECK(encoded("foobar") == "Zm9vYmFy");
+    CHECK(encoded("\xff\xfe\xfd") == "//79");
+}
+
+TEST_CASE("a long table is thinned evenly, with comments, header, first and last row")
+{
+    std::string text = "# one\n# two\ntime [s],x\n";
+    for (int i = 0; i <= 100; ++i)
+        text += std::to_string(i) + "," + std::to_string(2 * i) + "\n";
+    CHECK(thinned_csv(text, 5) == "# one\n# two\ntime [s],x\n0,0\n25,50\n50,100\n75,150\n100,200\n");
+    CHECK(thinned_csv(text, 101) == text);
+    CHECK(thinned_csv(text, 5000) == text);
+    CHECK(thinned_csv("a,b\n1,2", 10) == "a,b\n1,2\n");
+    CHECK(thinned_csv("", 10) == "");
+}
+
+TEST_CASE("folders of one name are told apart by their paths")
+{
+    const std::vector<fs::path> alike{"a/results/", "b/results"};
+    const auto sources = report_sources(alike);
+    CHECK(sources[0].name == "a/results/");
+    CHECK(sources[1].name == "b/results");
+    const std::vector<fs::path> different{"a/cold/", "b/warm"};
+    CHECK(report_sources(different)[0].name == "cold");
+    CHECK(report_sources(different)[1].name == "warm");
+}
+
+TEST_CASE("names from a case cannot end the page's data or title")
+{
+    const Folder folder;
+    put(folder.path / "r/summary.json",
+        R"({"version": "1", "case": {"name": "</script><b>&", "hash": "1"}, "warnings": ["<!-- <script>"]})");
+    const std::vector<fs::path> folders{folder.path / "r"};
+    write_report(folder.path / "page.html", report_sources(folders));
+    const auto page = content(folder.path / "page.html");
+    CHECK(has(page, "<h1>&lt;/script&gt;&lt;b&gt;&amp;</h1>"));
+    CHECK(has(page, "\\u003c/script>\\u003cb>&"));
+    const auto data = page.find("id=\"data\">");
+    const auto end = page.find("</script>", data);
+    CHECK(page.find('<', data + 1) == end);
+    CHECK(has(page, "Content-Security-Policy"));
+    CHECK(has(page, "Mike Bostock"));  // the libraries' licences travel with them
+    CHECK(has(page, "three.js authors"));
+}
+
+TEST_CASE("a folder without results, and one with a broken file, are refused with the remedy")
+{
+    const Folder folder;
+    const std::vector<fs::path> empty{folder.path};
+    CHECK_THROWS_WITH_AS(write_report(folder.path / "page.html", report_sources(empty)),
+                         doctest::Contains("give a folder that 'deadpoint run'"), InputError);
+    put(folder.path / "summary.json", "{\"version\": ");
+    CHECK_THROWS_WITH_AS(write_report(folder.path / "page.html", report_sources(empty)),
+                         doctest::Contains("summary.json' is not the JSON"), InputError);
+    CHECK(!fs::exists(folder.path / "page.html"));
+}
