@@ -1,37 +1,29 @@
-#include "case_options.hpp"
 #include "commands.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/report/plan_text.hpp"
-#include "deadpoint/report/result_folder.hpp"
 #include "deadpoint/report/run_files.hpp"
 #include "deadpoint/study/run.hpp"
 #include "errors.hpp"
 #include "interrupt.hpp"
+#include "result_options.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
 #include <memory>
-#include <optional>
 
 using namespace deadpoint;
 using report::ResultFolder;
 
 namespace {
 
-struct RunOptions : CaseOptions {
-    std::string folder;
-    bool force = false;
-};
-
 /// Makes the result folder on the first rank. All ranks get its path, or the same error.
-std::string make_folder(const RunOptions& options, bool first, std::optional<ResultFolder>& folder)
+std::string make_folder(const ResultOptions& options, bool first, std::unique_ptr<ResultFolder>& folder)
 {
     std::string error;
     if (first) {
         try {
-            folder.emplace(options.folder,
-                           options.force ? ResultFolder::IfExists::replace : ResultFolder::IfExists::refuse);
+            folder = start_folder(options);
         } catch (const IoError& reason) {
             error = reason.what();
         }
@@ -43,10 +35,10 @@ std::string make_folder(const RunOptions& options, bool first, std::optional<Res
     return fem::from_first_rank(folder ? folder->path().string() : std::string{});
 }
 
-int run_case(const RunOptions& options, Console& console, bool first, bool& ranks_agree)
+int run_case(const ResultOptions& options, Console& console, bool first, bool& ranks_agree)
 {
     const auto input = read_case(options, console);
-    std::optional<ResultFolder> folder;
+    std::unique_ptr<ResultFolder> folder;
     const auto path = make_folder(options, first, folder);
 
     const auto start = std::chrono::steady_clock::now();
@@ -72,7 +64,7 @@ int run_case(const RunOptions& options, Console& console, bool first, bool& rank
 
 /// On several ranks an error that all meet is shown by the first; one that a single rank may have met ends them all,
 /// since the others would wait for it for ever.
-int start_run(RunOptions options)
+int start_run(ResultOptions options)
 {
     int argc = 0;
     char** argv = nullptr;
@@ -102,11 +94,7 @@ int start_run(RunOptions options)
 void add_run(CLI::App& app, int& exit_code)
 {
     auto* command = app.add_subcommand("run", "compute a case and write the results into a new folder");
-    const auto options = std::make_shared<RunOptions>();
-    add_case_options(*command, *options);
-    command->add_option("-o,--output", options->folder, "the folder for the results; it must not exist")
-        ->required()
-        ->type_name("DIR");
-    command->add_flag("--force", options->force, "replace the folder if it exists, once the results are complete");
+    const auto options = std::make_shared<ResultOptions>();
+    add_result_options(*command, *options);
     command->callback([options, &exit_code] { exit_code = start_run(*options); });
 }
