@@ -1,9 +1,8 @@
-#include "case_options.hpp"
 #include "commands.hpp"
 #include "deadpoint/report/heat_files.hpp"
-#include "deadpoint/report/result_folder.hpp"
 #include "deadpoint/study/heat_tables.hpp"
 #include "deadpoint/study/loads.hpp"
+#include "result_options.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,12 +12,6 @@
 using namespace deadpoint;
 
 namespace {
-
-struct HeatOptions : CaseOptions {
-    std::string folder;
-    int segment = -1;
-    bool force = false;
-};
 
 std::optional<study::LoadsResult> loads_of(const casefile::Case& input, const Machine* machine, Console& console)
 {
@@ -34,14 +27,12 @@ std::optional<study::LoadsResult> loads_of(const casefile::Case& input, const Ma
     return loads;
 }
 
-void compute(const HeatOptions& options)
+void compute(const SegmentOptions& options)
 {
-    using report::ResultFolder;
     Console console(options.console);
     const auto input = read_case(options, console);
     const int segment = options.segment >= 0 ? options.segment : std::max(0, study::first_running_segment(input));
-    ResultFolder folder(options.folder,
-                        options.force ? ResultFolder::IfExists::replace : ResultFolder::IfExists::refuse);
+    const auto folder = start_folder(options);
     std::optional<Machine> machine;
     if (!input.parts.empty()) {
         machine = mesh_case(input, options, console);
@@ -52,9 +43,9 @@ void compute(const HeatOptions& options)
     for (const auto& warning : tables.warnings) {
         console.warn(warning);
     }
-    report::write_heat_files(folder.path(), input, tables, console.warnings());
-    folder.commit();
-    fmt::print("{}\nheat tables are in {}\n", report::heat_text(input, tables), folder.target().string());
+    report::write_heat_files(folder->path(), input, tables, console.warnings());
+    folder->commit();
+    fmt::print("{}\nheat tables are in {}\n", report::heat_text(input, tables), folder->target().string());
 }
 
 }  // namespace
@@ -63,17 +54,8 @@ void add_heat(CLI::App& app, int& exit_code)
 {
     auto* command =
         app.add_subcommand("heat", "show friction heat, conductances and film coefficients without solving the field");
-    const auto options = std::make_shared<HeatOptions>();
-    add_case_options(*command, *options);
-    command->add_option("-o,--output", options->folder, "the folder to write into; it must not exist")
-        ->required()
-        ->type_name("DIR");
-    command
-        ->add_option("--segment", options->segment,
-                     "segment of the operation, counted from 0; else the first in which the press runs")
-        ->type_name("N")
-        ->check(CLI::Range(0, 9999));
-    command->add_flag("--force", options->force, "replace the folder if it exists");
+    const auto options = std::make_shared<SegmentOptions>();
+    add_segment_options(*command, *options);
     command->callback([options, &exit_code] {
         compute(*options);
         exit_code = 0;

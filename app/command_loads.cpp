@@ -1,9 +1,8 @@
-#include "case_options.hpp"
 #include "commands.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/loads_files.hpp"
-#include "deadpoint/report/result_folder.hpp"
 #include "deadpoint/study/loads.hpp"
+#include "result_options.hpp"
 
 #include <fmt/format.h>
 #include <memory>
@@ -13,13 +12,7 @@ using namespace deadpoint;
 
 namespace {
 
-struct LoadsOptions : CaseOptions {
-    std::string folder;
-    int segment = -1;
-    bool force = false;
-};
-
-int segment_of(const LoadsOptions& options, const casefile::Case& input)
+int segment_of(const SegmentOptions& options, const casefile::Case& input)
 {
     if (options.segment >= 0) {
         return options.segment;
@@ -31,14 +24,12 @@ int segment_of(const LoadsOptions& options, const casefile::Case& input)
     return first;
 }
 
-void compute(const LoadsOptions& options)
+void compute(const SegmentOptions& options)
 {
-    using report::ResultFolder;
     Console console(options.console);
     const auto input = read_case(options, console);
     const int segment = segment_of(options, input);
-    ResultFolder folder(options.folder,
-                        options.force ? ResultFolder::IfExists::replace : ResultFolder::IfExists::refuse);
+    const auto folder = start_folder(options);
     std::optional<Machine> machine;
     if (study::loads_need_machine(input)) {
         machine = mesh_case(input, options, console);
@@ -49,9 +40,9 @@ void compute(const LoadsOptions& options)
     for (const auto& warning : loads.warnings) {
         console.warn(warning);
     }
-    report::write_loads_files(folder.path(), input, loads, console.warnings());
-    folder.commit();
-    fmt::print("{}\nloads are in {}\n", report::loads_text(input, loads), folder.target().string());
+    report::write_loads_files(folder->path(), input, loads, console.warnings());
+    folder->commit();
+    fmt::print("{}\nloads are in {}\n", report::loads_text(input, loads), folder->target().string());
 }
 
 }  // namespace
@@ -59,17 +50,8 @@ void compute(const LoadsOptions& options)
 void add_loads(CLI::App& app, int& exit_code)
 {
     auto* command = app.add_subcommand("loads", "compute motion, joint forces and crankshaft loads over a turn");
-    const auto options = std::make_shared<LoadsOptions>();
-    add_case_options(*command, *options);
-    command->add_option("-o,--output", options->folder, "the folder to write into; it must not exist")
-        ->required()
-        ->type_name("DIR");
-    command
-        ->add_option("--segment", options->segment,
-                     "segment of the operation, counted from 0; else the first in which the press runs")
-        ->type_name("N")
-        ->check(CLI::Range(0, 9999));
-    command->add_flag("--force", options->force, "replace the folder if it exists");
+    const auto options = std::make_shared<SegmentOptions>();
+    add_segment_options(*command, *options);
     command->callback([options, &exit_code] {
         compute(*options);
         exit_code = 0;

@@ -1,39 +1,34 @@
-#include "case_options.hpp"
 #include "commands.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/plan_text.hpp"
-#include "deadpoint/report/result_folder.hpp"
 #include "deadpoint/report/run_files.hpp"
 #include "deadpoint/study/run.hpp"
 #include "errors.hpp"
 #include "interrupt.hpp"
+#include "result_options.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
 #include <memory>
-#include <optional>
 
 using namespace deadpoint;
 using report::ResultFolder;
 
 namespace {
 
-struct RunOptions : CaseOptions {
-    std::string folder;
-    bool force = false;
+struct RunOptions : ResultOptions {
     std::string from;  ///< result folder whose final temperatures are the start
 };
 
 /// Makes the result folder on the first rank. All ranks get its path, or the same error.
-std::string make_folder(const RunOptions& options, bool first, std::optional<ResultFolder>& folder)
+std::string make_folder(const ResultOptions& options, bool first, std::unique_ptr<ResultFolder>& folder)
 {
     std::string error;
     if (first) {
         try {
-            folder.emplace(options.folder,
-                           options.force ? ResultFolder::IfExists::replace : ResultFolder::IfExists::refuse);
+            folder = start_folder(options);
         } catch (const IoError& reason) {
             error = reason.what();
         }
@@ -59,7 +54,7 @@ void add_page(const ResultFolder& folder, Console& console)
 int run_case(const RunOptions& options, Console& console, bool first, bool& ranks_agree)
 {
     const auto input = read_case(options, console);
-    std::optional<ResultFolder> folder;
+    std::unique_ptr<ResultFolder> folder;
     const auto path = make_folder(options, first, folder);
 
     const auto start = std::chrono::steady_clock::now();
@@ -125,12 +120,8 @@ void add_run(CLI::App& app, int& exit_code)
 {
     auto* command = app.add_subcommand("run", "compute a case and write the results into a new folder");
     const auto options = std::make_shared<RunOptions>();
-    add_case_options(*command, *options);
-    command->add_option("-o,--output", options->folder, "the folder for the results; it must not exist")
-        ->required()
-        ->type_name("DIR");
+    add_result_options(*command, *options);
     command->add_option("--from", options->from, "a result folder to go on from: its final temperatures are the start")
         ->type_name("DIR");
-    command->add_flag("--force", options->force, "replace the folder if it exists, once the results are complete");
     command->callback([options, &exit_code] { exit_code = start_run(*options); });
 }

@@ -1,10 +1,12 @@
 /// Requirement: a run tells friction heat row by row, its load part, and what the shaft model changes.
 #include "deadpoint/report/friction_text.hpp"
+#include "messages.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
 using namespace deadpoint;
+using messages::has;
 
 namespace {
 
@@ -30,8 +32,6 @@ study::FrictionSummary example()
     summary.balance = balance;
     return summary;
 }
-
-bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
 
 }  // namespace
 

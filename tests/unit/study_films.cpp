@@ -1,6 +1,5 @@
 /// Requirement: interfaces and surfaces that name a law get the library's values for what the case says.
 #include "deadpoint/casefile/read.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/study/heat_tables.hpp"
 #include "deadpoint/study/prepare.hpp"
 #include "deadpoint/study/surface_geometry.hpp"
@@ -10,6 +9,7 @@
 #include "deadpoint/surroundings/paper_film.hpp"
 #include "deadpoint/tribology/bearing_conductance.hpp"
 #include "deadpoint/tribology/fractal_contact.hpp"
+#include "messages.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,8 @@
 
 using namespace deadpoint;
 using doctest::Approx;
+using messages::error_of;
+using messages::has;
 
 namespace {
 
@@ -63,18 +65,6 @@ study::SurfaceFilm film_of(const std::string& surface)
 {
     return study::surface_film(*press().input.surfaces.at(surface).film, press().machine, surface, &press().loads);
 }
-
-std::string error_of(const auto& action)
-{
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
 
 casefile::Conductance fractal()
 {

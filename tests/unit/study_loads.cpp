@@ -8,6 +8,7 @@
 #include "deadpoint/study/translate_linkage.hpp"
 #include "deadpoint/study/translate_loads.hpp"
 #include "mechanism_balance.hpp"
+#include "messages.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -19,6 +20,7 @@
 
 using namespace deadpoint;
 using doctest::Approx;
+using messages::has;
 
 namespace {
 
@@ -44,15 +46,8 @@ study::LoadsResult loads_of(const casefile::Case& input, int segment = 0)
 
 std::string error_of(const casefile::Case& input, int segment = 0)
 {
-    try {
-        loads_of(input, segment);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return messages::error_of<InputError>([&] { loads_of(input, segment); });
 }
-
-bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
 
 /// Case files, in contrast to the files they include.
 std::vector<fs::path> shipped_cases()

@@ -12,6 +12,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 // What must hold for every friction law, and the single laws' own rules.
@@ -45,6 +46,17 @@ Duty swing(double force, double speed)
 PalmgrenBearing crank_bearing(BearingType type)
 {
     return palmgren_bearing(type, OilSupply::bath, 25 * degree, 0.215, 220e3);
+}
+
+BallBearing crank_balls()
+{
+    BallBearing bearing;
+    bearing.balls = 20;
+    bearing.rows = 2;
+    bearing.ball_diameter = 0.024;
+    bearing.pitch_diameter = 0.215;
+    bearing.contact_angle = 25 * degree;
+    return bearing;
 }
 
 struct Law {
@@ -93,6 +105,60 @@ std::vector<Law> laws()
                             BearingType::needle_roller, BearingType::tapered_roller, BearingType::spherical_roller})
         all.push_back(
             {"Palmgren " + std::to_string(static_cast<int>(type)), palmgren(type), 1, drag, true, branch_step});
+    all.push_back({"angular contact pair with spin",
+                   [=](const Duty& duty) {
+                       return summed_heat({palmgren(BearingType::angular_contact_ball_pair)(duty),
+                                           constant_heat(spin_heat(crank_balls(), 0.06, {}, duty))});
+                   },
+                   1, drag, true, branch_step});
+    return all;
+}
+
+/// A law split in the part of the load and that of the oil, and the powers that its documentation states.
+struct Powers {
+    std::string name;
+    std::function<HeatLaw(const Duty&, const Lubricant&)> heat;
+    double load;       ///< of the load in the load part
+    double speed;      ///< of the speed in the viscous part
+    double viscosity;  ///< of the viscosity in the viscous part
+};
+
+std::vector<Powers> powers()
+{
+    const Pin pin{0.07, 0.14, 40e-6, 0.01};
+    const Guide guide{0.05, 0, 0.2, 30e-6};
+    std::vector<Powers> all{
+        {"pin", [=](const Duty& duty, const Lubricant& oil) { return pin_heat(pin, duty, oil); }, 1, 2, 1},
+        {"guide", [=](const Duty& duty, const Lubricant& oil) { return guide_heat(guide, duty, oil); }, 1, 2, 1},
+        {"spin",
+         [](const Duty& duty, const Lubricant&) { return constant_heat(spin_heat(crank_balls(), 0.06, {}, duty)); },
+         4.0 / 3, 0, 0},
+    };
+    const auto add = [&](const char* name, BearingType type, double load) {
+        all.push_back({name,
+                       [type](const Duty& duty, const Lubricant& oil) {
+                           return palmgren_heat(crank_bearing(type), duty, 0, oil.viscosity);
+                       },
+                       load, rolling_drag_exponent, 2.0 / 3});
+    };
+    add("deep groove balls", BearingType::deep_groove_ball, 1.55);
+    add("angular contact balls", BearingType::angular_contact_ball, 1.33);
+    add("pair of angular contact balls", BearingType::angular_contact_ball_pair, 1.33);
+    add("cylindrical rollers", BearingType::cylindrical_roller, 1);
+    add("needles", BearingType::needle_roller, 1);
+    add("tapered rollers", BearingType::tapered_roller, 1);
+    add("spherical rollers", BearingType::spherical_roller, 1);
+    for (const auto& [name, kind, load, speed, p] :
+         {std::tuple{"calibrated rolling", FrictionKind::rolling, 1.33, rolling_drag_exponent, 2.0 / 3},
+          std::tuple{"calibrated pin", FrictionKind::pin, 1.0, 2.0, 1.0},
+          std::tuple{"calibrated guide", FrictionKind::guide, 1.0, 2.0, 1.0}})
+        all.push_back({name,
+                       [kind = kind, p = p](const Duty& duty, const Lubricant& oil) {
+                           const CalibratedFriction law{kind, 100, 8, p, 200 * rpm, 1};
+                           return calibrated_heat(law, oil.viscosity, 200 * rpm * peak_speed(duty) / 20,
+                                                  duty_ratio(kind, duty, steady_duty(9e3, 20)));
+                       },
+                       load, speed, p});
     return all;
 }
 
@@ -150,6 +216,33 @@ TEST_CASE("friction laws: heat grows with speed between the powers of its parts,
             CHECK(law.heat(swing(18e3, 20))(temperature).value > heat);
             CHECK(law.heat(steady_duty(9e3, 0))(temperature).value == 0.0);
         }
+    }
+}
+
+TEST_CASE("friction laws: the parts of load and oil scale with load, speed and viscosity by the stated powers")
+{
+    constexpr double thin = 60e-6;  // at 20 rad/s well above nu n = 2000 mm2/s rpm
+    const auto oil = [](double viscosity) {
+        return Lubricant{[viscosity](double) {
+                             return LawValue{viscosity, 0, true};
+                         },
+                         [](double) {
+                             return LawValue{870, 0, true};
+                         }};
+    };
+    for (const Powers& law : powers()) {
+        CAPTURE(law.name);
+        const auto heat = [&](double force, double speed, double viscosity) {
+            return law.heat(steady_duty(force, speed), oil(viscosity))(300).value;
+        };
+        const double viscous = heat(0, 20, thin);
+        const double load = heat(9e3, 20, thin) - viscous;
+        CHECK(load > 0);
+        CHECK((heat(18e3, 20, thin) - viscous) / load == doctest::Approx(std::pow(2, law.load)).epsilon(1e-9));
+        CHECK((heat(9e3, 40, thin) - heat(0, 40, thin)) / load == doctest::Approx(2).epsilon(1e-9));
+        CHECK(heat(9e3, 40, thin) - heat(9e3, 20, thin) - load ==
+              doctest::Approx(viscous * (std::pow(2, law.speed) - 1)).epsilon(1e-9));
+        CHECK(heat(0, 20, 2 * thin) == doctest::Approx(viscous * std::pow(2, law.viscosity)).epsilon(1e-12));
     }
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "case_options.hpp"
+#include "deadpoint/report/result_folder.hpp"
+
+#include <memory>
+
+/// What all subcommands that write a folder of results have in common.
+struct ResultOptions : CaseOptions {
+    std::string folder;
+    bool force = false;  ///< replace the folder if it exists
+};
+
+/// The same for one segment of the operation.
+struct SegmentOptions : ResultOptions {
+    int segment = -1;  ///< from 0; -1: the command chooses
+};
+
+/// Adds the options of a case, --output and --force.
+void add_result_options(CLI::App& command, ResultOptions& options);
+
+/// Adds --segment to these.
+void add_segment_options(CLI::App& command, SegmentOptions& options);
+
+/// Starts the folder that the options name. @throws IoError as ResultFolder
+std::unique_ptr<deadpoint::report::ResultFolder> start_folder(const ResultOptions& options);
