@@ -481,6 +481,8 @@ TEST_CASE("compare holds a run against a reference file, and writes its tables b
     const auto foreign = deadpoint("compare " + results + " " + measured);
     CHECK(foreign.code == 2);
     CHECK(has(foreign.err, "summary.json"));
+}
+
 TEST_CASE("run leaves a page beside its results and says how to open it")
 {
     const Folder folder;

@@ -256,17 +256,17 @@ TEST_CASE("what a case states of its slide and its process force without effect 
     const std::string runs = "[[operation]]\nspeed = \"60 rpm\"\n";
     const auto free = warnings(runs + "[mechanism]\nslide_body = \"crank\"\n");
     REQUIRE(free.size() == 1);
-    CHECK(holds(free[0], "no guide holds 'crank'"));
-    CHECK(holds(free[0], "case.toml:16"));
+    CHECK(has(free[0], "no guide holds 'crank'"));
+    CHECK(has(free[0], "case.toml:16"));
     const std::string works = runs + "force = \"1 kN\"\n";
     const auto elastic = warnings(works + "[process_force]\nkind = \"elastic\"\nfrom = \"200 deg\"\n");
     REQUIRE(elastic.size() == 1);
-    CHECK(holds(elastic[0], "'from' has no effect"));
-    CHECK(holds(elastic[0], "case.toml:18"));
+    CHECK(has(elastic[0], "'from' has no effect"));
+    CHECK(has(elastic[0], "case.toml:18"));
     CHECK(warnings(works + "[process_force]\nkind = \"half_sine\"\nfrom = \"200 deg\"\n").empty());
     const auto idle = warnings(runs + "[process_force]\nkind = \"half_sine\"\n");
     REQUIRE(idle.size() == 1);
-    CHECK(holds(idle[0], "every segment of [[operation]] has a force of 0"));
+    CHECK(has(idle[0], "every segment of [[operation]] has a force of 0"));
 }
 
 TEST_CASE("a case for loads needs neither parts nor materials, surfaces or durations")

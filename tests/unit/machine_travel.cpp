@@ -174,7 +174,8 @@ TEST_CASE("points that meet lie where their bodies are drawn")
     MachineDescription other = slider_on_guide(along_y({0.02}));
     other.parts[0].body = "frame";
     other.parts[1].body = "slide";
-    for (const ContactPoint& point : build(other).interfaces[0].points) {
+    const Machine guide_slides = build(other);
+    for (const ContactPoint& point : guide_slides.interfaces[0].points) {
         CHECK(std::abs(point.position_b[1] - point.position_a[1] + 0.02) < 1e-12);
     }
     // ... and one of other bodies moves nothing here

@@ -60,7 +60,8 @@ std::vector<fs::path> shipped_cases()
         std::ostringstream text;
         text << stream.rdbuf();
         // A press that only rests has no loads.
-        if (has(text.str(), "\nformat = 1") && !has(text.str(), "\nspeed = \"0 rpm\"\n"))
+        if (has(text.str(), "\nformat = 1") && has(text.str(), "\n[machine]") &&
+            !has(text.str(), "\nspeed = \"0 rpm\"\n"))
             paths.push_back(entry.path());
     }
     std::ranges::sort(paths);

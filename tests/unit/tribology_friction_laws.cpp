@@ -126,7 +126,7 @@ struct Powers {
 std::vector<Powers> powers()
 {
     const Pin pin{0.07, 0.14, 40e-6, 0.01};
-    const Guide guide{0.05, 0, 0.2, 30e-6};
+    const Guide guide{0.05, 0.2, 30e-6};
     std::vector<Powers> all{
         {"pin", [=](const Duty& duty, const Lubricant& oil) { return pin_heat(pin, duty, oil); }, 1, 2, 1},
         {"guide", [=](const Duty& duty, const Lubricant& oil) { return guide_heat(guide, duty, oil); }, 1, 2, 1},
