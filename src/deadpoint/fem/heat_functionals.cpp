@@ -164,7 +164,7 @@ void HeatSolver::prepare_interfaces()
 // sides and the oil; what falls into a part's volume stays there.
 void HeatSolver::prepare_sources()
 {
-    const std::size_t count = problem_.sources.size();
+    const std::size_t count = problem_->sources.size();
     std::vector<double> weighted_area(count, 0.0);
     for (std::size_t i = 0; i < interfaces_.size(); ++i)
         if (const auto& law = (*laws_)[i]; law.source >= 0)
@@ -269,7 +269,7 @@ void HeatSolver::prepare_load_zone(std::size_t i)
 void HeatSolver::prepare_body_heat()
 {
     const auto& machine = space_.machine;
-    for (const auto& heat : problem_.body_heat) {
+    for (const auto& heat : problem_->body_heat) {
         SparseFunctional load;
         double whole = 0;
         for (const int part : heat.parts)
@@ -296,12 +296,12 @@ void HeatSolver::prepare_body_heat()
 void HeatSolver::prepare_films()
 {
     const auto& machine = space_.machine;
-    for (const auto& condition : problem_.surfaces) {
+    for (const auto& condition : problem_->surfaces) {
         if (condition.kind == SurfaceCondition::Kind::temperature)
             continue;
         Film film;
         film.condition = &condition;
-        film.index = static_cast<std::size_t>(&condition - problem_.surfaces.data());
+        film.index = static_cast<std::size_t>(&condition - problem_->surfaces.data());
         std::vector<std::pair<PetscInt, double>> entries;
         const bool variable = condition.kind == SurfaceCondition::Kind::film && depends_on_temperature(condition);
         variable_films_ = variable_films_ || variable;
@@ -325,7 +325,7 @@ void HeatSolver::prepare_prescribed()
 {
     std::map<PetscInt, std::pair<Vec3, const SurfaceCondition*>> found;
     PointShape shape;
-    for (const auto& condition : problem_.surfaces) {
+    for (const auto& condition : problem_->surfaces) {
         if (condition.kind != SurfaceCondition::Kind::temperature)
             continue;
         for (const auto& [index, fraction] : space_.machine.surfaces[condition.surface].faces) {
@@ -365,7 +365,7 @@ void HeatSolver::prepare_observers(const std::vector<Adjoint>& adjoints, double 
     reference_ = reference;
     attribution_ = attribution;
     PointShape shape;
-    for (const auto& probe : problem_.probes) {
+    for (const auto& probe : problem_->probes) {
         space_.evaluate_in_part(probe.part, probe.position, shape);
         std::vector<std::pair<PetscInt, double>> entries;
         append(entries, shape, 1);

@@ -16,17 +16,17 @@ ThermalHistory HeatSolver::empty_history() const
     history.part_means.resize(part_means_.size());
     history.functionals.resize(adjoints_->size());
     history.contributions.resize(attribution_ >= 0 ? part_means_.size() : 0);
-    history.source_heat.resize(problem_.sources.size());
-    history.source_temperature.resize(problem_.sources.size());
-    history.body_heat.resize(problem_.body_heat.size());
-    history.oil.resize(problem_.oil.size());
-    history.film_out_of_range.assign(problem_.surfaces.size(), false);
+    history.source_heat.resize(problem_->sources.size());
+    history.source_temperature.resize(problem_->sources.size());
+    history.body_heat.resize(problem_->body_heat.size());
+    history.oil.resize(problem_->oil.size());
+    history.film_out_of_range.assign(problem_->surfaces.size(), false);
     return history;
 }
 
 void HeatSolver::write_fields_until(double from, double dt, const FieldCallback& on_field)
 {
-    const auto& times = problem_.field_times;
+    const auto& times = problem_->field_times;
     while (next_field_ < times.size() && times[next_field_] <= from + dt * (1 + 1e-12)) {
         const double s = std::clamp((times[next_field_] - from) / dt, 0.0, 1.0);
         hermite(now_, slope_now_, next_, slope_next_, dt, s, work_);

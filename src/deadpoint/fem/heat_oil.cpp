@@ -19,7 +19,7 @@ double HeatSolver::oil_outlet(std::size_t circuit, double inlet, const HeatRate&
 {
     const double flow = segment_->oil_flow[circuit];
     double oil = inlet;
-    for (const auto& joint : problem_.oil[circuit].joints) {
+    for (const auto& joint : problem_->oil[circuit].joints) {
         double heat = 0;
         for (const int i : joint) {
             const double g = (*laws_)[i].oil;
@@ -39,9 +39,9 @@ std::vector<double> HeatSolver::follow_oil(HeatRate& rate, double time, double f
                                            const std::vector<double>& known) const
 {
     auto reaches = oil_temperature_;
-    rate.oil.resize(problem_.oil.size());
-    for (std::size_t k = 0; k < problem_.oil.size(); ++k) {
-        const auto& circuit = problem_.oil[k];
+    rate.oil.resize(problem_->oil.size());
+    for (std::size_t k = 0; k < problem_->oil.size(); ++k) {
+        const auto& circuit = problem_->oil[k];
         const double flow = segment_->oil_flow[k], loss = circuit.sump_loss, capacity = circuit.sump_capacity;
         const double step = capacity > 0 ? factor : 1;
         const double gains = capacity * known[k] + step * loss * segment_->ambient(time);
@@ -88,7 +88,7 @@ double HeatSolver::set_oil(const std::vector<double>& temperature)
 void HeatSolver::settle_oil(double time)
 {
     rate_now_ = rate(time, now_);
-    if (problem_.oil.empty())
+    if (problem_->oil.empty())
         return;
     for (int i = 0; i < 100; ++i) {
         const auto reaches = follow_oil(rate_now_, time, 0, sump_);

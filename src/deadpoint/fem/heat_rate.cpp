@@ -15,7 +15,7 @@ double HeatSolver::ambient(const SurfaceCondition& condition, double time) const
 FilmLaw HeatSolver::film_at(const SurfaceCondition& c, double surroundings) const
 {
     if (!c.laws.empty())
-        return c.laws[static_cast<std::size_t>(segment_ - problem_.segments.data())](surroundings);
+        return c.laws[static_cast<std::size_t>(segment_ - problem_->segments.data())](surroundings);
     return [value = c.coefficient](double) { return LawValue{value, 0, true}; };
 }
 
@@ -35,7 +35,7 @@ double HeatSolver::film_slope(const LawValue& film, double emissivity, double su
 void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature) const
 {
     const double* values = everywhere_->gather(temperature);
-    std::vector<double> sums(problem_.surfaces.size() + 1, 0.0);  // untested area per condition, then the heat lost
+    std::vector<double> sums(problem_->surfaces.size() + 1, 0.0);  // untested area per condition, then the heat lost
     for (const auto& film : films_) {
         if (film.points.empty())
             continue;
@@ -79,12 +79,12 @@ double HeatSolver::ring_difference(const HeatSource& source, const std::vector<d
 // @param mean  of both sides of each interface, then the solids' part of each source's temperature [K]
 void HeatSolver::add_sources(HeatRate& rate, const std::vector<double>& mean) const
 {
-    const std::size_t count = problem_.sources.size();
+    const std::size_t count = problem_->sources.size();
     rate.source_heat.assign(count, 0.0);
     rate.source_slope.assign(count, 0.0);
     rate.source_temperature.assign(count, 0.0);
     for (std::size_t r = 0; r < count; ++r) {
-        const auto& source = problem_.sources[r];
+        const auto& source = problem_->sources[r];
         const double start = mean[2 * interfaces_.size() + r] + source_constant_[r];
         double film = start;
         if (const auto& law = segment_->heat[r]) {
@@ -127,7 +127,7 @@ void HeatSolver::add_interfaces(HeatRate& rate, const std::vector<double>& mean)
         add_to(rate.vector, interface.mean_b, from_oil * law.film_b);
         if (law.source >= 0 && !interface.load_zone.local.empty())
             add_to(rate.vector, interface.load_zone,
-                   problem_.sources[law.source].share * segment_->zoned_heat[law.source] * interface.heat_weight_area);
+                   problem_->sources[law.source].share * segment_->zoned_heat[law.source] * interface.heat_weight_area);
     }
 }
 

@@ -48,11 +48,11 @@ OwnedVec duplicate(Vec vector)
 }
 
 HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem)
-    : space_(space), materials_(materials), problem_(problem)
+    : space_(space), materials_(materials), problem_(&problem)
 {
-    laws_ = &problem_.interfaces;
-    if (!problem_.segments.empty())
-        choose_laws(problem_.segments.front());
+    laws_ = &problem_->interfaces;
+    if (!problem_->segments.empty())
+        choose_laws(problem_->segments.front());
     prepare_parts();
     prepare_prescribed();
     prepare_interfaces();
@@ -174,7 +174,7 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
     time_ = time;
     impose(time, temperature);
     HeatRate current = rate(time, temperature);
-    if (!problem_.oil.empty()) {
+    if (!problem_->oil.empty()) {
         set_oil(follow_oil(current, time, factor, known_sump));
         current = rate(time, temperature);
     }
@@ -189,7 +189,7 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
         for (const PetscInt row : prescribed_)
             residual[row - space_.first] = 0;
         DEADPOINT_PETSC(VecRestoreArray(work_, &residual));
-        set_tolerance(1e-13, problem_.solver_tolerance);
+        set_tolerance(1e-13, problem_->solver_tolerance);
         iterations_ += solve(solver_, work_, work2_, "the temperature field");
         ++solves_;
         DEADPOINT_PETSC(VecAXPY(temperature, -1, work2_));
@@ -212,7 +212,7 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
             oil_change = std::max(oil_change, std::abs(reaches[i] - oil_temperature_[i]));
         current = std::move(updated);
         if (curvature <= largest_curvature * total && change < 1e-7 &&
-            oil_change <= oil_share_of_tolerance * problem_.time_tolerance) {
+            oil_change <= oil_share_of_tolerance * problem_->time_tolerance) {
             correct_heat(current, corrections);
             return current;
         }
@@ -294,7 +294,7 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
     Step result;
     result.from_prescribed = prescribed_heat(dt);
 
-    if (problem_.fixed_step > 0)
+    if (problem_->fixed_step > 0)
         return result;
     estimate_error(dt);
     for (const double e : evaluate(watched_, error_))
@@ -324,7 +324,7 @@ void HeatSolver::estimate_error(double dt)
         residual[row - space_.first] = 0;
     DEADPOINT_PETSC(VecRestoreArray(work_, &residual));
     // sharp enough that all numbers of ranks take the same steps
-    set_tolerance(1e-4, 1e-4 * problem_.time_tolerance);
+    set_tolerance(1e-4, 1e-4 * problem_->time_tolerance);
     iterations_ += solve(solver_, work_, error_, "the error of a time step");
 }
 
@@ -332,7 +332,7 @@ void HeatSolver::estimate_error(double dt)
 double HeatSolver::prescribed_heat(double dt)
 {
     std::vector<double> sum{0};
-    if (!problem_.surfaces.empty()) {
+    if (!problem_->surfaces.empty()) {
         DEADPOINT_PETSC(VecWAXPY(work2_, -1, now_, next_));
         DEADPOINT_PETSC(MatMult(mass_, work2_, work_));
         DEADPOINT_PETSC(VecAXPY(work_, -dt * outer_weight, rate_now_.vector));
@@ -373,18 +373,18 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
     prepare_observers(adjoints, reference_temperature, attribution);
     ThermalHistory history = empty_history();
     double time = 0;
-    for (const auto& segment : problem_.segments) {
+    for (const auto& segment : problem_->segments) {
         begin_segment(segment, time);
         const double end = time + segment.duration;
         const std::size_t start = history.time.size();
         have_previous_ = false;
         previous_dt_ = 0;
         record(history, time, rate_now_);
-        double wanted = problem_.fixed_step > 0 ? problem_.fixed_step : problem_.initial_step;
+        double wanted = problem_->fixed_step > 0 ? problem_->fixed_step : problem_->initial_step;
         while (time < end * (1 - 1e-14)) {
             const double dt = fit_step(wanted, end - time);
             const Step outcome = step(time, dt);
-            if (problem_.fixed_step <= 0 && outcome.error > problem_.time_tolerance) {
+            if (problem_->fixed_step <= 0 && outcome.error > problem_->time_tolerance) {
                 ++history.rejected_steps;
                 wanted = dt * rungs(outcome.error, -20, -1);
                 if (dt < 1e-6)
@@ -413,8 +413,8 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
                 fill_first_rates(history, start);
             if (on_step)
                 on_step(time);
-            if (problem_.fixed_step <= 0 && dt >= 0.99 * wanted)
-                wanted = std::min(wanted * rungs(outcome.error, 0, 1), problem_.max_step);
+            if (problem_->fixed_step <= 0 && dt >= 0.99 * wanted)
+                wanted = std::min(wanted * rungs(outcome.error, 0, 1), problem_->max_step);
             if (any_rank(observer.cancelled())) {
                 history.interrupted = true;
                 break;
@@ -431,51 +431,8 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
 // The factor by which a step may grow or must shrink, in whole rungs of the ladder of step sizes.
 double HeatSolver::rungs(double error, int least, int most) const
 {
-    const double allowed = 0.9 * std::cbrt(problem_.time_tolerance / std::max(error, 1e-30));
+    const double allowed = 0.9 * std::cbrt(problem_->time_tolerance / std::max(error, 1e-30));
     return std::pow(ladder, std::clamp(std::floor(std::log(allowed) / std::log(ladder)), 1.0 * least, 1.0 * most));
-}
-
-void HeatSolver::choose_laws(const HeatSegment& segment)
-{
-    laws_ = segment.interfaces.empty() ? &problem_.interfaces : &segment.interfaces;
-}
-
-void HeatSolver::begin_segment(const HeatSegment& segment, double time)
-{
-    segment_ = &segment;
-    const auto* before = laws_;
-    choose_laws(segment);
-    prepare_sources();
-    const auto same_films = [](const InterfaceLaw& a, const InterfaceLaw& b) {
-        return a.film_a == b.film_a && a.film_b == b.film_b && a.oil == b.oil;
-    };
-    if (!std::equal(before->begin(), before->end(), laws_->begin(), laws_->end(), same_films)) {
-        assemble();
-        system_factor_ = multigrid_factor_ = -1;
-    }
-    if (time == 0)
-        impose(time, now_);
-    settle_oil(time);
-}
-
-void HeatSolver::start_from(const ThermalState& state)
-{
-    double* values = nullptr;
-    DEADPOINT_PETSC(VecGetArray(now_, &values));
-    std::copy(state.temperature.owned.begin(), state.temperature.owned.end(), values);
-    DEADPOINT_PETSC(VecRestoreArray(now_, &values));
-    sump_ = state.sumps;
-}
-
-ThermalState HeatSolver::state() const
-{
-    ThermalState result;
-    const double* values = nullptr;
-    DEADPOINT_PETSC(VecGetArrayRead(now_, &values));
-    result.temperature.owned.assign(values, values + (space_.last - space_.first));
-    DEADPOINT_PETSC(VecRestoreArrayRead(now_, &values));
-    result.sumps = sump_;
-    return result;
 }
 
 }  // namespace deadpoint::fem

@@ -44,6 +44,8 @@ class HeatSolver {
 public:
     HeatSolver(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem);
 
+    /// Takes another problem over if the matrices serve it as they are. Not after run().
+    bool adopt(const HeatProblem& problem);
     void start_from(const ThermalState& state);
     /// Where the run ended.
     [[nodiscard]] ThermalState state() const;
@@ -145,7 +147,7 @@ private:
 
     const Discretisation& space_;
     const std::vector<Material>& materials_;
-    const HeatProblem& problem_;
+    const HeatProblem* problem_;
     const HeatSegment* segment_ = nullptr;
     const std::vector<InterfaceLaw>* laws_ = nullptr;  ///< of the interfaces in this segment
 

@@ -92,11 +92,13 @@ ModelSize Model::size() const
 
 void Model::assemble_heat(const HeatProblem& problem)
 {
-    implementation_->heat = std::make_unique<HeatSolver>(implementation_->space, implementation_->materials, problem);
+    auto& heat = implementation_->heat;
+    if (!heat || !heat->adopt(problem))
+        heat = std::make_unique<HeatSolver>(implementation_->space, implementation_->materials, problem);
     ThermalState start{interpolate_field(problem.initial_temperature), {}};
     for (const auto& circuit : problem.oil)
         start.sumps.push_back(circuit.sump_start);
-    implementation_->heat->start_from(start);
+    heat->start_from(start);
 }
 
 ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,

@@ -62,7 +62,8 @@ public:
 
     [[nodiscard]] ModelSize size() const;
 
-    /// Builds the matrices of a heat problem, which must outlive the next heat().
+    /// Builds the matrices of a heat problem, which must outlive the next heat(). Matrices that were built before and
+    /// not used yet are kept where they serve this problem too.
     void assemble_heat(const HeatProblem& problem);
     /// Temperature field of the assembled problem over the operation's segments: TR-BDF2 (second order, L-stable, error
     /// estimate of third order; Hosea and Shampine 1996), each stage by Newton with the joint heat's dependence on the

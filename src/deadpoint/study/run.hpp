@@ -10,6 +10,7 @@
 #include "deadpoint/study/translate_friction.hpp"
 #include "deadpoint/study/view_data.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,12 +59,35 @@ struct RunResult {
 };
 
 struct RunOptions {
-    std::string start_from;  ///< temperature state to start from instead of the initial temperature; empty: none
-    std::string state_file;  ///< where the state at the end is written; empty: nowhere
-    std::string field_folder;                ///< existing folder for field files; empty: no field files
+    std::string start_from;    ///< temperature state to start from instead of the initial temperature; empty: none
+    std::string state_file;    ///< where the state at the end is written; empty: nowhere
+    std::string field_folder;  ///< existing folder for field files; empty: no field files
     std::vector<std::string> comments = {};  ///< for the head of the field files: version, case hash, warnings so far
     bool view = false;                       ///< make RunResult::view
 };
+
+/// One machine, ready for runs of like cases: what does not change between them is made once, the unknowns, the factor
+/// of the deformation, the adjoints of the dimension chain, and, where films and conductances stay, the heat matrices.
+class SharedModel {
+public:
+    /// @param machine  must outlive this
+    explicit SharedModel(const Machine& machine);
+    ~SharedModel();
+    SharedModel(SharedModel&&) noexcept;
+
+    /// Makes all of it for a case, whose run and whose like's then start with the time steps. Errors as run_case.
+    void prepare(const casefile::Case& input, Observer& observer);
+    /// As run_case, for cases of one shared_part().
+    RunResult run(const casefile::Case& input, const RunOptions& options, Observer& observer);
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+/// The part of a case on which SharedModel rests, as text: equal for cases that can share one. Operating points, loads,
+/// friction, oil, other heat, time stepping and output may differ.
+std::string shared_part(const casefile::Case& input);
 
 /// Computes a case on its meshed machine. Collective under MPI: all ranks call it and get the same result.
 ///

@@ -1,0 +1,84 @@
+#include "deadpoint/fem/heat_solver.hpp"
+
+#include <algorithm>
+
+// Where a run, a segment of it, or a run of another problem on the same matrices begins.
+
+namespace deadpoint::fem {
+namespace {
+
+bool same_films(const InterfaceLaw& a, const InterfaceLaw& b)
+{
+    return a.film_a == b.film_a && a.film_b == b.film_b && a.oil == b.oil && a.turns_fully == b.turns_fully;
+}
+
+}  // namespace
+
+void HeatSolver::choose_laws(const HeatSegment& segment)
+{
+    laws_ = segment.interfaces.empty() ? &problem_->interfaces : &segment.interfaces;
+}
+
+bool HeatSolver::adopt(const HeatProblem& problem)
+{
+    const auto same_condition = [](const SurfaceCondition& a, const SurfaceCondition& b) {
+        return a.surface == b.surface && a.kind == b.kind && a.coefficient == b.coefficient &&
+               a.emissivity == b.emissivity && a.laws.empty() == b.laws.empty();
+    };
+    const auto same_place = [](const BodyHeat& a, const BodyHeat& b) {
+        return a.parts == b.parts && a.surface == b.surface;
+    };
+    const auto& laws =
+        problem.segments.front().interfaces.empty() ? problem.interfaces : problem.segments.front().interfaces;
+    const bool same = problem.sources.size() == problem_->sources.size() &&
+                      problem.oil.size() == problem_->oil.size() &&
+                      std::ranges::equal(problem.surfaces, problem_->surfaces, same_condition) &&
+                      std::ranges::equal(problem.body_heat, problem_->body_heat, same_place) &&
+                      std::ranges::equal(laws, *laws_, same_films);
+    if (!same)
+        return false;
+    for (auto& film : films_)
+        film.condition = &problem.surfaces[film.index];
+    for (auto& [position, condition] : prescribed_at_)
+        condition = &problem.surfaces[static_cast<std::size_t>(condition - problem_->surfaces.data())];
+    problem_ = &problem;
+    laws_ = &laws;
+    return true;
+}
+
+void HeatSolver::begin_segment(const HeatSegment& segment, double time)
+{
+    segment_ = &segment;
+    const auto* before = laws_;
+    choose_laws(segment);
+    prepare_sources();
+    if (!std::ranges::equal(*before, *laws_, same_films)) {
+        assemble();
+        system_factor_ = multigrid_factor_ = -1;
+    }
+    if (time == 0)
+        impose(time, now_);
+    settle_oil(time);
+}
+
+void HeatSolver::start_from(const ThermalState& state)
+{
+    double* values = nullptr;
+    DEADPOINT_PETSC(VecGetArray(now_, &values));
+    std::copy(state.temperature.owned.begin(), state.temperature.owned.end(), values);
+    DEADPOINT_PETSC(VecRestoreArray(now_, &values));
+    sump_ = state.sumps;
+}
+
+ThermalState HeatSolver::state() const
+{
+    ThermalState result;
+    const double* values = nullptr;
+    DEADPOINT_PETSC(VecGetArrayRead(now_, &values));
+    result.temperature.owned.assign(values, values + (space_.last - space_.first));
+    DEADPOINT_PETSC(VecRestoreArrayRead(now_, &values));
+    result.sumps = sump_;
+    return result;
+}
+
+}  // namespace deadpoint::fem
