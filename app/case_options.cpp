@@ -9,6 +9,12 @@
 
 using namespace deadpoint;
 
+void add_console_options(CLI::App& command, Console::Options& options)
+{
+    command.add_flag("-q,--quiet", options.quiet, "show warnings and results only");
+    command.add_flag("-v,--verbose", options.verbose, "show more of what is done");
+}
+
 void add_case_options(CLI::App& command, CaseOptions& options)
 {
     command.add_option("CASE", options.path, "the case file")->required()->type_name("FILE");
@@ -20,8 +26,7 @@ void add_case_options(CLI::App& command, CaseOptions& options)
     command.add_option("--size", options.size_scale, "scale all cell sizes: 2 is coarser and faster, 0.5 finer")
         ->type_name("FACTOR")
         ->check(CLI::Range(0.01, 100.0));
-    command.add_flag("-q,--quiet", options.console.quiet, "show warnings and results only");
-    command.add_flag("-v,--verbose", options.console.verbose, "show more of what is done");
+    add_console_options(command, options.console);
 }
 
 casefile::Case read_case(const CaseOptions& options, Console& console)

@@ -16,6 +16,9 @@ struct CaseOptions {
     Console::Options console;
 };
 
+/// Adds --quiet and --verbose.
+void add_console_options(CLI::App& command, Console::Options& options);
+
 /// Adds the case file, --set, --size, --quiet and --verbose.
 void add_case_options(CLI::App& command, CaseOptions& options);
 

@@ -1,12 +1,10 @@
 #include "commands.hpp"
-#include "deadpoint/core/error.hpp"
-#include "deadpoint/fem/session.hpp"
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/plan_text.hpp"
 #include "deadpoint/report/run_files.hpp"
 #include "deadpoint/study/run.hpp"
-#include "errors.hpp"
 #include "interrupt.hpp"
+#include "ranks.hpp"
 #include "result_options.hpp"
 
 #include <chrono>
@@ -22,24 +20,6 @@ struct RunOptions : ResultOptions {
     std::string from;  ///< result folder whose final temperatures are the start
 };
 
-/// Makes the result folder on the first rank. All ranks get its path, or the same error.
-std::string make_folder(const ResultOptions& options, bool first, std::unique_ptr<ResultFolder>& folder)
-{
-    std::string error;
-    if (first) {
-        try {
-            folder = start_folder(options);
-        } catch (const IoError& reason) {
-            error = reason.what();
-        }
-    }
-    error = fem::from_first_rank(error);
-    if (!error.empty()) {
-        throw IoError(error);
-    }
-    return fem::from_first_rank(folder ? folder->path().string() : std::string{});
-}
-
 /// Adds the page to finished results. Whatever is wrong with it must not cost them.
 void add_page(const ResultFolder& folder, Console& console)
 {
@@ -51,11 +31,13 @@ void add_page(const ResultFolder& folder, Console& console)
     }
 }
 
-int run_case(const RunOptions& options, Console& console, bool first, bool& ranks_agree)
+int run_case(const RunOptions& options, const OnRanks& ranks)
 {
+    auto& console = ranks.console;
     const auto input = read_case(options, console);
     std::unique_ptr<ResultFolder> folder;
-    const auto path = make_folder(options, first, folder);
+    using enum ResultFolder::IfExists;
+    const auto path = start_folder(options.folder, options.force ? replace : refuse, ranks.first, folder);
 
     const auto start = std::chrono::steady_clock::now();
     const auto machine = mesh_case(input, options, console);
@@ -64,7 +46,7 @@ int run_case(const RunOptions& options, Console& console, bool first, bool& rank
         console.warn(warning);
     }
 
-    ranks_agree = false;
+    ranks.agree = false;
     const auto state_in = [](const std::string& place) { return place.empty() ? place : place + "/state.bin"; };
     study::RunOptions wanted;
     wanted.start_from = state_in(options.from);
@@ -87,33 +69,6 @@ int run_case(const RunOptions& options, Console& console, bool first, bool& rank
     return result.thermal.interrupted ? interrupted_exit_code : 0;
 }
 
-/// On several ranks an error that all meet is shown by the first; one that a single rank may have met ends them all,
-/// since the others would wait for it for ever.
-int start_run(RunOptions options)
-{
-    int argc = 0;
-    char** argv = nullptr;
-    const fem::Session session(argc, argv);
-    catch_interrupts();  // after MPI, which has handlers of its own
-    const bool first = session.rank() == 0;
-    options.console.silent = !first;
-    Console console(options.console);
-    bool ranks_agree = true;
-    try {
-        return run_case(options, console, first, ranks_agree);
-    } catch (const Error& error) {
-        if (session.size() == 1 || (ranks_agree && first)) {
-            throw;
-        }
-        if (ranks_agree) {
-            return error.exit_code();
-        }
-        console.finish();
-        print_error(error);
-        fem::abort_ranks(error.exit_code());
-    }
-}
-
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code)
@@ -123,5 +78,7 @@ void add_run(CLI::App& app, int& exit_code)
     add_result_options(*command, *options);
     command->add_option("--from", options->from, "a result folder to go on from: its final temperatures are the start")
         ->type_name("DIR");
-    command->callback([options, &exit_code] { exit_code = start_run(*options); });
+    command->callback([options, &exit_code] {
+        exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return run_case(*options, ranks); });
+    });
 }

@@ -98,7 +98,7 @@ TEST_CASE("points give what single runs give, and the machine is meshed once")
         const auto study = four_loads();
         Listener listener;
         const auto outcomes = deadpoint::study::run_points(
-            study.points, study.cases, study.all, {workers, 1},
+            study.points, study.cases, study.all, {workers, {}},
             [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
                 write_digest(scratch.path, point, input, model);
             },
@@ -121,7 +121,7 @@ TEST_CASE("points that change the mesh or the films get their own")
     study.add("cooler", {"machine.ambient=10 degC"});
     Listener listener;
     const auto outcomes = deadpoint::study::run_points(
-        study.points, study.cases, study.all, {2, 1},
+        study.points, study.cases, study.all, {2, {}},
         [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
             write_digest(scratch.path, point, input, model);
         },
@@ -142,7 +142,7 @@ TEST_CASE("a point that fails leaves the others alone, and says why")
         study.cases[1].numerics.time_tolerance = 1e-30;  // the time step collapses
         Listener listener;
         const auto outcomes = deadpoint::study::run_points(
-            study.points, study.cases, study.all, {workers, 1},
+            study.points, study.cases, study.all, {workers, {}},
             [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
                 write_digest(scratch.path, point, input, model);
             },
@@ -160,7 +160,7 @@ TEST_CASE("a process that dies is a failed point")
     const auto study = four_loads();
     Listener listener;
     const auto outcomes = deadpoint::study::run_points(
-        study.points, study.cases, study.all, {2, 1},
+        study.points, study.cases, study.all, {2, {}},
         [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
             if (point.name == "30")
                 std::raise(SIGKILL);
@@ -178,7 +178,7 @@ TEST_CASE("a cancelled study begins no further point")
     const auto study = four_loads();
     Listener listener;
     const auto outcomes = deadpoint::study::run_points(
-        study.points, study.cases, study.all, {1, 1},
+        study.points, study.cases, study.all, {1, {}},
         [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
             write_digest(scratch.path, point, input, model);
             listener.stop = point.name == "30";

@@ -95,8 +95,10 @@ public:
         if (!prepare(queue))
             return;
         const int fit = workers_that_fit(private_share_of_memory * resident_memory());
-        workers_ = options_.workers > 0 ? options_.workers : fit;
-        if (workers_ > 1 && fem::ranks() == 1)
+        workers_ = fem::ranks() > 1 ? 1 : options_.workers > 0 ? options_.workers : fit;
+        if (options_.on_prepared)
+            options_.on_prepared(*machine_, queue.size(), workers_);
+        if (workers_ > 1)
             run_side_by_side(queue);
         else
             run_in_turn(queue);
@@ -110,8 +112,7 @@ private:
             const auto point = queue.back();
             try {
                 if (!machine_) {
-                    machine_ =
-                        std::make_unique<Machine>(prepare_machine(cases_[point], options_.size_scale, observer_));
+                    machine_ = std::make_unique<Machine>(prepare_machine(cases_[point], 1, observer_));
                 }
                 model_.emplace(*machine_);
                 model_->prepare(cases_[point], observer_);

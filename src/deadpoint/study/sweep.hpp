@@ -17,7 +17,8 @@ using PointAction = std::function<void(const SweepPoint&, const casefile::Case&,
 
 struct SweepOptions {
     int workers = 0;  ///< points at a time, on one rank; 0: as many as cores and memory hold
-    double size_scale = 1;
+    /// Called when a group of points is prepared, with their number and how many will run at a time.
+    std::function<void(const Machine&, std::size_t points, int workers)> on_prepared;
 };
 
 /// Runs points, grouped by what they share (shared_part): each group's machine is meshed and its model prepared once;

@@ -1,0 +1,52 @@
+#include "ranks.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/fem/session.hpp"
+#include "errors.hpp"
+#include "interrupt.hpp"
+
+using namespace deadpoint;
+using report::ResultFolder;
+
+int on_ranks(Console::Options options, const std::function<int(const OnRanks&)>& work)
+{
+    int argc = 0;
+    char** argv = nullptr;
+    const fem::Session session(argc, argv);
+    catch_interrupts();  // after MPI, which has handlers of its own
+    const bool first = session.rank() == 0;
+    options.silent = !first;
+    Console console(options);
+    bool agree = true;
+    try {
+        return work({console, first, agree});
+    } catch (const Error& error) {
+        if (session.size() == 1 || (agree && first)) {
+            throw;
+        }
+        if (agree) {
+            return error.exit_code();
+        }
+        console.finish();
+        print_error(error);
+        fem::abort_ranks(error.exit_code());
+    }
+}
+
+std::string start_folder(const std::filesystem::path& target, ResultFolder::IfExists if_exists, bool first,
+                         std::unique_ptr<ResultFolder>& folder)
+{
+    std::string error;
+    if (first) {
+        try {
+            folder = std::make_unique<ResultFolder>(target, if_exists);
+        } catch (const IoError& reason) {
+            error = reason.what();
+        }
+    }
+    error = fem::from_first_rank(error);
+    if (!error.empty()) {
+        throw IoError(error);
+    }
+    return fem::from_first_rank(folder ? folder->path().string() : std::string{});
+}
