@@ -139,9 +139,9 @@ def check_view(page, folder):
     check(first["shown"] > 0.05, f"the view is blank: {first}")
     check(first["colours"] > 20, f"the view has no colours: {first}")
     # The page decodes as Python does.
-    mean, mode = unpacked(view["temperature_K"]["mean"]), unpacked(view["temperature_K"]["modes"][0])
+    base, mode = unpacked(view["temperature_K"]["base"]), unpacked(view["temperature_K"]["modes"][0])
     modes = [unpacked(entry) for entry in view["temperature_K"]["modes"]]
-    ours = [mean[i] + sum(c[-1] * m[i] for c, m in zip(view["coefficients"], modes)) for i in range(0, len(mode), 97)]
+    ours = [base[i] + sum(c[-1] * m[i] for c, m in zip(view["coefficients"], modes)) for i in range(0, len(mode), 97)]
     theirs = page.run("(() => { const f = new Fields(runs[0].view); const t = f.at(f.temperature, f.end);"
                       " return Array.from(t).filter((_, i) => i % 97 === 0); })()")
     for a, b in zip(ours, theirs):

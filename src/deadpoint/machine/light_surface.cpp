@@ -75,14 +75,20 @@ std::vector<std::uint64_t> places(const Machine& machine)
 
 class Clusters {
 public:
-    explicit Clusters(const Machine& machine) : machine_(machine), place_(places(machine)), owner_(machine.nodes.size())
+    explicit Clusters(const Machine& machine)
+        : machine_(machine), place_(places(machine)), owner_(machine.nodes.size()), fineness_(machine.parts.size(), 0.0)
     {
         std::vector<bool> used(machine.nodes.size(), false);
-        for (const auto& face : machine.faces)
+        for (const auto& face : machine.faces) {
+            fineness_[face.part] += norm(area_vector(machine, face));
             for (std::size_t i = 0; i < face.node_count; ++i) {
                 owner_[face.nodes[i]] = face.part;
                 used[face.nodes[i]] = true;
             }
+        }
+        const double largest = *std::ranges::max_element(fineness_);
+        for (double& part : fineness_)
+            part = std::pow(part / largest, 0.25);
         for (std::uint32_t node = 0; node < machine.nodes.size(); ++node)
             if (used[node])
                 nodes_.push_back(node);
@@ -96,7 +102,8 @@ public:
             representative_[node] = node;
     }
 
-    // Merges the nodes of each box of edge `grid`; with `faces` only those on the same faces of the solid.
+    // Merges the nodes of each box of edge `grid`; with `faces` only those on the same faces of the solid. Boxes of
+    // small parts are smaller, with the fourth root of their area: they have fewer triangles, but more for their size.
     void merge(double grid, bool faces)
     {
         struct Cluster {
@@ -110,9 +117,10 @@ public:
         std::vector<std::size_t> cluster_of(nodes_.size());
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             const auto node = nodes_[i];
+            const double edge = grid * fineness_[owner_[node]];
             std::uint64_t key = mixed(owner_[node], faces ? place_[node] : 0);
             for (const double x : machine_.nodes[node])
-                key = mixed(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / grid))));
+                key = mixed(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / edge))));
             const auto at = index.try_emplace(key, clusters.size()).first->second;
             if (at == clusters.size())
                 clusters.emplace_back();
@@ -145,6 +153,8 @@ public:
         }
     }
 
+    [[nodiscard]] double finest() const { return *std::ranges::min_element(fineness_); }
+
     [[nodiscard]] std::size_t count() const
     {
         std::size_t result = 0;
@@ -157,6 +167,7 @@ private:
     const Machine& machine_;
     std::vector<std::uint64_t> place_;
     std::vector<std::uint32_t> owner_;  // part of each node
+    std::vector<double> fineness_;      // of each part: its boxes' edge, over that of the largest part
     std::vector<std::uint32_t> nodes_;  // on the outside
     std::vector<std::uint32_t> representative_;
 };
@@ -172,9 +183,10 @@ double coarsen(const Machine& machine, Clusters& clusters, std::size_t most)
         area += norm(area_vector(machine, face));
     for (const auto& node : machine.nodes)
         size = std::max(size, norm(node - machine.nodes.front()));
+    const double widest = 4 * size / std::max(1e-3, clusters.finest());
     for (const bool faces : {true, false}) {
         double grid = std::sqrt(2 * area / static_cast<double>(most));
-        while (grid < 4 * size) {
+        while (grid < widest) {
             clusters.merge(grid, faces);
             count = clusters.count();
             if (count <= most)
@@ -182,7 +194,7 @@ double coarsen(const Machine& machine, Clusters& clusters, std::size_t most)
             grid *= std::clamp(std::sqrt(static_cast<double>(count) / static_cast<double>(most)), 1.06, 1.6);
         }
     }
-    return 4 * size;
+    return widest;
 }
 
 // Numbers the vertices of a part as its triangles meet them.
