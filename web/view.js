@@ -61,6 +61,7 @@ function colourTicks(entry, fields) {
         if (value < low) low = value;
         if (value > high) high = value;
     }
+    if (high - low < 1e-3) return [Math.round(low), Math.round(low) + 1];  // nothing happens
     // What the modes left out must not add a band.
     if (Math.abs(low) < 0.03 * (high - low)) low = 0;
     return niceTicks(low, Math.max(high - 0.01 * (high - low), low + 1e-6), 9);
