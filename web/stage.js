@@ -168,10 +168,11 @@ class Stage {
             make("ul", { class: "keys" }, keys.map(([key, what]) => make("li", {}, make("kbd", {}, key), " ", what))),
             make("p", { class: "note" }, "The keys work while the view has the focus (Tab). Shown are "
                 + `${view.parts.reduce((sum, part) => sum + part.triangles, 0)} triangles between nodes of the mesh`
-                + (view.merged_within_m ? `, merged within ${shown(1000 * view.merged_within_m, 2)} mm` : "")
+                + (view.merged_within_m ? `, merged within ${shown(1000 * view.merged_within_m, 2)} mm and less` : "")
                 + `, and ${view.coefficients.length} modes of the field at ${view.time_s.length} times. Leaving out further `
                 + `modes changes no temperature by more than ${shown(view.error_of_modes_K, 2)} K (largest rise `
-                + `${shown(view.largest_rise_K)} K). Between the times, values are linear. Cut faces are grey: the inside is `
+                + `${shown(view.largest_rise_K)} K)` + (view.displacement_m ? `; the deformation takes the first `
+                + `${view.displacement_m.modes.length} of them and is good to about 1 %` : "") + `. Between the times, values are linear. Cut faces are grey: the inside is `
                 + "in fields.pvd, for ParaView."));
     }
 

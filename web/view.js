@@ -20,10 +20,10 @@ class Fields {
         this.displacement = view.displacement_m ? this.modal(view.displacement_m) : null;
         this.end = this.times[this.times.length - 1];
     }
-    modal(field) { return { mean: restored(field.mean), modes: field.modes.map(restored) }; }
+    modal(field) { return { base: restored(field.base), modes: field.modes.map(restored) }; }
     /** The whole field at a time [s]; linear between the times that were kept. */
     at(field, time) {
-        const values = Float32Array.from(field.mean);
+        const values = Float32Array.from(field.base);
         field.modes.forEach((mode, k) => {
             const factor = between(this.times, this.coefficients[k], time);
             for (let i = 0; i < values.length; ++i) values[i] += factor * mode[i];
@@ -33,7 +33,7 @@ class Fields {
     /** One entry over all times that were kept. */
     course(field, entry) {
         return this.times.map((_, j) => field.modes.reduce((sum, mode, k) => sum + this.coefficients[k][j] * mode[entry],
-            field.mean[entry]));
+            field.base[entry]));
     }
 }
 
@@ -61,6 +61,7 @@ function colourTicks(entry, fields) {
         if (value < low) low = value;
         if (value > high) high = value;
     }
+    if (high - low < 1e-3) return [Math.round(low), Math.round(low) + 1];  // nothing happens
     // What the modes left out must not add a band.
     if (Math.abs(low) < 0.03 * (high - low)) low = 0;
     return niceTicks(low, Math.max(high - 0.01 * (high - low), low + 1e-6), 9);

@@ -139,13 +139,12 @@ def check_view(page, folder):
     check(first["shown"] > 0.05, f"the view is blank: {first}")
     check(first["colours"] > 20, f"the view has no colours: {first}")
     # The page decodes as Python does.
-    mean, mode = unpacked(view["temperature_K"]["mean"]), unpacked(view["temperature_K"]["modes"][0])
+    base, mode = unpacked(view["temperature_K"]["base"]), unpacked(view["temperature_K"]["modes"][0])
     modes = [unpacked(entry) for entry in view["temperature_K"]["modes"]]
-    ours = [mean[i] + sum(c[-1] * m[i] for c, m in zip(view["coefficients"], modes)) for i in range(0, len(mode), 97)]
+    ours = [base[i] + sum(c[-1] * m[i] for c, m in zip(view["coefficients"], modes)) for i in range(0, len(mode), 97)]
     theirs = page.run("(() => { const f = new Fields(runs[0].view); const t = f.at(f.temperature, f.end);"
                       " return Array.from(t).filter((_, i) => i % 97 === 0); })()")
-    for a, b in zip(ours, theirs):
-        near(b, a, 1e-3, "temperature at a vertex")
+    near(max(abs(a - b) for a, b in zip(ours, theirs)), 0, 1e-3, "temperatures at vertices, largest difference")
     check(sum(part["triangles"] for part in view["parts"]) <= 30000, "too many triangles")
     check(view["error_of_modes_K"] <= 0.005 * view["largest_rise_K"], "the modes are not good enough")
 
@@ -274,7 +273,7 @@ def check_pictures(folder):
             data = file.read()
         check(data[:8] == b"\x89PNG\r\n\x1a\n", f"picture '{pose}' is no PNG")
         check(struct.unpack(">II", data[16:24]) == (1600, 1200), f"picture '{pose}' has a wrong size")
-        check(len(data) > 15000, f"picture '{pose}' is blank ({len(data)} bytes)")
+        check(len(data) > 9000, f"picture '{pose}' is blank ({len(data)} bytes)")
 
 
 def compute(deadpoint, source, folder):
@@ -284,7 +283,7 @@ def compute(deadpoint, source, folder):
             ["run", source + "/cases/jl75g-60/case.toml", "-o", press, "--size", "5", "--quiet", "--set",
              "operation.0.duration=30 min"],
             ["run", source + "/tests/data/cli/two-blocks.toml", "-o", blocks, "--quiet"],
-            ["report", press, "--pictures", folder + "/pictures"],
+            ["report", blocks, "--pictures", folder + "/pictures"],
             ["report", press, blocks, "-o", both]):
         done = subprocess.run([deadpoint, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL)
         if done.returncode != 0:

@@ -40,7 +40,7 @@ std::vector<float> snapshot(const fem::Field& field) { return {field.owned.begin
 template <class Value>
 Value sum_of(const study::ModalField<Value>& field, const study::ViewData& view, std::size_t vertex, std::size_t time)
 {
-    Value value = field.mean[vertex];
+    Value value = field.base[vertex];
     for (std::size_t k = 0; k < field.modes.size(); ++k)
         value = value + view.coefficients[k][time] * field.modes[k][vertex];
     return value;
@@ -59,6 +59,10 @@ TEST_CASE("modes: fields of rank two need two modes, whatever the number of time
     CHECK(modes.modes.size() == 2);
     // 40 K per metre at the top of the upper cap, 1.02 m up, and 15 K on the axis
     CHECK(modes.largest_rise == Approx(1.02 * 40 + 15).epsilon(1e-2));
+    REQUIRE(modes.rest.size() == 2);
+    CHECK(modes.rest[0] == Approx(1));
+    CHECK(modes.rest[1] > 0.01);  // neither shape is small beside the other
+    CHECK(modes.rest[1] < 0.7);
     CHECK(modes.error < 1e-4);  // float: 6e-8 of 330 K, a few times over
 }
 
@@ -75,7 +79,7 @@ TEST_CASE("modes: what is left out stays below the tolerance, and the error told
         double largest = 0;
         for (std::size_t j = 0; j < times.size(); ++j)
             for (std::size_t i = 0; i < fields[j].size(); ++i) {
-                double value = modes.mean.owned[i];
+                double value = modes.base.owned[i];
                 for (std::size_t k = 0; k < modes.modes.size(); ++k)
                     value += modes.coefficients[k][j] * modes.modes[k].owned[i];
                 largest = std::max(largest, std::abs(value - static_cast<double>(fields[j][i])));
@@ -93,7 +97,7 @@ TEST_CASE("modes: a field that does not change needs none")
     const auto modes = fem::field_modes({field, field}, 0.005, 10);
     CHECK(modes.modes.empty());
     CHECK(modes.largest_rise == 0);
-    CHECK(modes.mean.owned.front() == Approx(300));
+    CHECK(modes.base.owned.front() == Approx(300));
 }
 
 TEST_CASE("view: a bar that warms evenly grows by alpha dT x at every vertex and time")

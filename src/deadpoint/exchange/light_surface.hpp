@@ -33,7 +33,7 @@ struct LightSurface {
     std::vector<Vec3> positions;  ///< of the vertices [m]
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<LightPart> parts;  ///< as Machine::parts
-    double grid = 0;               ///< edge of the boxes within which nodes were merged [m]; 0: none were
+    double grid = 0;  ///< edge of the boxes within which nodes of the largest part were merged [m]; 0: none
 };
 
 }  // namespace deadpoint

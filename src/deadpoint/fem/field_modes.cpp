@@ -37,20 +37,15 @@ FieldModes field_modes(const std::vector<std::vector<float>>& snapshots, double 
         rest.col(j) = Eigen::Map<const Eigen::VectorXf>(snapshots[static_cast<std::size_t>(j)].data(), rows);
 
     FieldModes result;
-    const Eigen::VectorXd mean = rest.cast<double>().rowwise().mean();
-    result.mean.owned.assign(mean.begin(), mean.end());
-    double rise = 0, error = 0;
+    const Eigen::VectorXf base = rest.col(0);
+    result.base.owned.assign(base.begin(), base.end());
+    double rise = 0;
     for (Eigen::Index j = 0; j < times; ++j) {
+        rest.col(j) -= base;
         if (rows > 0)
-            rise = std::max(rise, static_cast<double>((rest.col(j) - rest.col(0)).cwiseAbs().maxCoeff()));
+            rise = std::max(rise, static_cast<double>(rest.col(j).cwiseAbs().maxCoeff()));
     }
-    for (Eigen::Index j = 0; j < times; ++j) {
-        rest.col(j) -= mean.cast<float>();
-        if (rows > 0)
-            error = std::max(error, static_cast<double>(rest.col(j).cwiseAbs().maxCoeff()));
-    }
-    result.largest_rise = largest_of_ranks(rise);
-    result.error = largest_of_ranks(error);
+    result.largest_rise = result.error = largest_of_ranks(rise);
 
     std::vector<double> products(static_cast<std::size_t>(times * times));
     Eigen::Map<Eigen::MatrixXd> gram(products.data(), times, times);
@@ -60,13 +55,15 @@ FieldModes field_modes(const std::vector<std::vector<float>>& snapshots, double 
     sum_over_ranks(products);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
 
+    // Of round-off, eigenvalues of what is not there may come out below zero.
+    const Eigen::VectorXd squares = solver.eigenvalues().cwiseMax(0.0);
     const auto most = std::min(static_cast<Eigen::Index>(at_most), times);
     for (Eigen::Index k = 0; k < most && result.error > tolerance * result.largest_rise; ++k) {
         const Eigen::VectorXd weight = solver.eigenvectors().col(times - 1 - k);
         Eigen::VectorXd mode = Eigen::VectorXd::Zero(rows);
         for (Eigen::Index j = 0; j < times; ++j)
             mode += weight[j] * rest.col(j).cast<double>();
-        error = 0;
+        double error = 0;
         for (Eigen::Index j = 0; j < times; ++j) {
             rest.col(j) -= (weight[j] * mode).cast<float>();
             if (rows > 0)
@@ -75,6 +72,7 @@ FieldModes field_modes(const std::vector<std::vector<float>>& snapshots, double 
         result.error = largest_of_ranks(error);
         result.modes.push_back({{mode.begin(), mode.end()}});
         result.coefficients.emplace_back(weight.begin(), weight.end());
+        result.rest.push_back(std::sqrt(squares.head(times - k).sum() / squares.sum()));
     }
     return result;
 }

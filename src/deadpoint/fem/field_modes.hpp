@@ -7,13 +7,14 @@
 
 namespace deadpoint::fem {
 
-/// Temperature fields of several times as few fields: T(t_j) = mean + sum over k of coefficient[k][j] mode[k].
+/// Temperature fields of several times as few fields: T(t_j) = base + sum over k of coefficient[k][j] mode[k].
 struct FieldModes {
-    Field mean;                ///< of the times [K]
+    Field base;                ///< of the first time [K]
     std::vector<Field> modes;  ///< [K], strongest first
     std::vector<std::vector<double>> coefficients;
-    double largest_rise = 0;  ///< of any unknown against the first time, either sign [K]
-    double error = 0;         ///< largest difference to any of the fields anywhere [K]
+    std::vector<double> rest;  ///< rms, over unknowns and times, of what the modes before k miss, over that of the rise
+    double largest_rise = 0;   ///< of any unknown against the first time, either sign [K]
+    double error = 0;          ///< largest difference to any of the fields anywhere [K]
 };
 
 /// Proper orthogonal decomposition by the method of snapshots (Sirovich 1987): modes are the eigenvectors of the

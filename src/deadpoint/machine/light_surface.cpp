@@ -75,18 +75,26 @@ std::vector<std::uint64_t> places(const Machine& machine)
 
 class Clusters {
 public:
-    explicit Clusters(const Machine& machine) : machine_(machine), place_(places(machine)), owner_(machine.nodes.size())
+    explicit Clusters(const Machine& machine)
+        : machine_(machine), place_(places(machine)), owner_(machine.nodes.size()), fineness_(machine.parts.size(), 0.0)
     {
         std::vector<bool> used(machine.nodes.size(), false);
-        for (const auto& face : machine.faces)
+        for (const auto& face : machine.faces) {
+            fineness_[face.part] += norm(area_vector(machine, face));
             for (std::size_t i = 0; i < face.node_count; ++i) {
                 owner_[face.nodes[i]] = face.part;
                 used[face.nodes[i]] = true;
             }
+        }
+        const double largest = *std::ranges::max_element(fineness_);
+        for (double& part : fineness_)
+            part = std::pow(part / largest, 0.25);
         for (std::uint32_t node = 0; node < machine.nodes.size(); ++node)
             if (used[node])
                 nodes_.push_back(node);
         representative_.resize(machine.nodes.size());
+        cluster_.resize(machine.nodes.size());
+        halvings_.resize(machine.nodes.size());
         keep_all();
     }
 
@@ -96,41 +104,16 @@ public:
             representative_[node] = node;
     }
 
-    // Merges the nodes of each box of edge `grid`; with `faces` only those on the same faces of the solid.
+    // Merges the nodes of each box of edge `grid`; with `faces` only those on the same faces of the solid. Boxes of
+    // small parts are smaller, with the fourth root of their area: they have fewer triangles, but more for their size.
+    // Where the surface would fold over, as beside a hole in a box of its size, boxes are halved until it does not.
     void merge(double grid, bool faces)
     {
-        struct Cluster {
-            Vec3 sum{};
-            std::size_t count = 0;
-            std::uint32_t best = 0;
-            double distance = std::numeric_limits<double>::infinity();
-        };
-        std::unordered_map<std::uint64_t, std::size_t> index;
-        std::vector<Cluster> clusters;
-        std::vector<std::size_t> cluster_of(nodes_.size());
-        for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            const auto node = nodes_[i];
-            std::uint64_t key = mixed(owner_[node], faces ? place_[node] : 0);
-            for (const double x : machine_.nodes[node])
-                key = mixed(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / grid))));
-            const auto at = index.try_emplace(key, clusters.size()).first->second;
-            if (at == clusters.size())
-                clusters.emplace_back();
-            clusters[at].sum = clusters[at].sum + machine_.nodes[node];
-            ++clusters[at].count;
-            cluster_of[i] = at;
-        }
-        for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            auto& cluster = clusters[cluster_of[i]];
-            const Vec3 centre = (1.0 / static_cast<double>(cluster.count)) * cluster.sum;
-            const double distance = norm(machine_.nodes[nodes_[i]] - centre);
-            if (distance < cluster.distance) {
-                cluster.distance = distance;
-                cluster.best = nodes_[i];
-            }
-        }
-        for (std::size_t i = 0; i < nodes_.size(); ++i)
-            representative_[nodes_[i]] = clusters[cluster_of[i]].best;
+        constexpr int most_halvings = 5;
+        std::ranges::fill(halvings_, 0);
+        merge_boxes(grid, faces);
+        for (int round = 0; faces && round < most_halvings && halve_at_folds(); ++round)
+            merge_boxes(grid, faces);
     }
 
     // Calls visit for each triangle of a face that has not shrunk to a line.
@@ -145,6 +128,8 @@ public:
         }
     }
 
+    [[nodiscard]] double finest() const { return *std::ranges::min_element(fineness_); }
+
     [[nodiscard]] std::size_t count() const
     {
         std::size_t result = 0;
@@ -154,11 +139,70 @@ public:
     }
 
 private:
+    struct Cluster {
+        Vec3 sum{};
+        std::size_t count = 0;
+        std::uint32_t best = 0;
+        double distance = std::numeric_limits<double>::infinity();
+    };
+
+    void merge_boxes(double grid, bool faces)
+    {
+        std::unordered_map<std::uint64_t, std::uint32_t> index;
+        std::vector<Cluster> clusters;
+        for (const auto node : nodes_) {
+            const double edge = std::ldexp(grid * fineness_[owner_[node]], -halvings_[node]);
+            std::uint64_t key =
+                mixed(owner_[node] + (static_cast<std::uint64_t>(halvings_[node]) << 32), faces ? place_[node] : 0);
+            for (const double x : machine_.nodes[node])
+                key = mixed(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / edge))));
+            const auto at = index.try_emplace(key, static_cast<std::uint32_t>(clusters.size())).first->second;
+            if (at == clusters.size())
+                clusters.emplace_back();
+            clusters[at].sum = clusters[at].sum + machine_.nodes[node];
+            ++clusters[at].count;
+            cluster_[node] = at;
+        }
+        for (const auto node : nodes_) {
+            auto& cluster = clusters[cluster_[node]];
+            const Vec3 centre = (1.0 / static_cast<double>(cluster.count)) * cluster.sum;
+            const double distance = norm(machine_.nodes[node] - centre);
+            if (distance < cluster.distance) {
+                cluster.distance = distance;
+                cluster.best = node;
+            }
+        }
+        for (const auto node : nodes_)
+            representative_[node] = clusters[cluster_[node]].best;
+    }
+
+    // Halves the boxes that meet in a triangle which faces the other way than before; whether there were any.
+    bool halve_at_folds()
+    {
+        std::vector<bool> folded(machine_.nodes.size(), false);  // by cluster
+        bool any = false;
+        for (const auto& face : machine_.faces) {
+            const Vec3 before = area_vector(machine_, face);
+            bool turned = false;
+            for_triangles(
+                face, [&](const Triangle& t) { turned = turned || dot(area_vector(machine_.nodes, t), before) < 0; });
+            for (std::size_t i = 0; turned && i < face.node_count; ++i)
+                folded[cluster_[face.nodes[i]]] = any = true;
+        }
+        for (const auto node : nodes_)
+            if (folded[cluster_[node]])
+                ++halvings_[node];
+        return any;
+    }
+
     const Machine& machine_;
     std::vector<std::uint64_t> place_;
     std::vector<std::uint32_t> owner_;  // part of each node
+    std::vector<double> fineness_;      // of each part: its boxes' edge, over that of the largest part
     std::vector<std::uint32_t> nodes_;  // on the outside
     std::vector<std::uint32_t> representative_;
+    std::vector<std::uint32_t> cluster_;
+    std::vector<int> halvings_;  // of the box of each node
 };
 
 // Widens the grid until the triangles suffice; its final edge.
@@ -172,9 +216,10 @@ double coarsen(const Machine& machine, Clusters& clusters, std::size_t most)
         area += norm(area_vector(machine, face));
     for (const auto& node : machine.nodes)
         size = std::max(size, norm(node - machine.nodes.front()));
+    const double widest = 4 * size / std::max(1e-3, clusters.finest());
     for (const bool faces : {true, false}) {
         double grid = std::sqrt(2 * area / static_cast<double>(most));
-        while (grid < 4 * size) {
+        while (grid < widest) {
             clusters.merge(grid, faces);
             count = clusters.count();
             if (count <= most)
@@ -182,7 +227,7 @@ double coarsen(const Machine& machine, Clusters& clusters, std::size_t most)
             grid *= std::clamp(std::sqrt(static_cast<double>(count) / static_cast<double>(most)), 1.06, 1.6);
         }
     }
-    return 4 * size;
+    return widest;
 }
 
 // Numbers the vertices of a part as its triangles meet them.

@@ -44,7 +44,7 @@ template <class Value>
 Json modal_json(const study::ModalField<Value>& field)
 {
     Json json;
-    json["mean"] = array_json(flat(field.mean));
+    json["base"] = array_json(flat(field.base));
     json["modes"] = Json::array();
     for (const auto& mode : field.modes)
         json["modes"].push_back(array_json(flat(mode)));
@@ -140,7 +140,7 @@ Json view_json(const casefile::Case& input, const Machine& machine, const study:
     json["vertices"] = surface.vertices.size();
     json["positions_m"] = array_json(flat(surface.positions));
     json["temperature_K"] = modal_json(view.temperature);
-    if (!view.displacement.mean.empty())
+    if (!view.displacement.base.empty())
         json["displacement_m"] = modal_json(view.displacement);
     json["parts"] = parts_json(machine, surface);
     json["probes"] = Json::array();

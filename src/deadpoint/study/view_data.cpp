@@ -4,6 +4,7 @@
 #include "deadpoint/machine/light_surface.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace deadpoint::study {
 namespace {
@@ -65,16 +66,21 @@ ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double re
     view.coefficients = std::move(fields.coefficients);
     view.largest_rise = fields.largest_rise;
     view.error = fields.error;
-    view.temperature.mean = model.at_corners(view.surface.vertices, fields.mean);
+    view.temperature.base = model.at_corners(view.surface.vertices, fields.base);
     for (const auto& mode : fields.modes)
         view.temperature.modes.push_back(model.at_corners(view.surface.vertices, mode));
-    if (close) {
-        view.displacement.mean =
-            closed_displacement(view.surface, model, model.displacement(fields.mean, reference), close);
-        for (const auto& mode : fields.modes)
-            view.displacement.modes.push_back(
-                closed_displacement(view.surface, model, model.displacement(mode, 0.0), close));
-    }
+    if (!close)
+        return view;
+    // Cases start from one temperature all over; the fields were kept as floats.
+    const bool starts_undeformed =
+        std::ranges::all_of(view.temperature.base, [&](double t) { return std::abs(t - reference) < 1e-4; });
+    view.displacement.base.resize(view.surface.vertices.size());
+    if (!starts_undeformed)
+        view.displacement.base =
+            closed_displacement(view.surface, model, model.displacement(fields.base, reference), close);
+    for (std::size_t k = 0; k < fields.modes.size() && fields.rest[k] > view_deformation_tolerance; ++k)
+        view.displacement.modes.push_back(
+            closed_displacement(view.surface, model, model.displacement(fields.modes[k], 0.0), close));
     return view;
 }
 

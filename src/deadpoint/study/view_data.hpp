@@ -16,12 +16,15 @@ namespace deadpoint::study {
 inline constexpr std::size_t view_triangles = 30000;
 inline constexpr double view_tolerance = 0.005;  ///< of the largest rise: what leaving out modes may change
 inline constexpr std::size_t view_modes = 12;    ///< at most
+/// Modes beyond which the rise differs by less than this, root mean square, move nothing: the deformation sums up what
+/// the temperature does over lengths, so that its largest error stays below about 1 % of its largest value.
+inline constexpr double view_deformation_tolerance = 0.025;
 
-/// A quantity at vertices and times: mean + sum over k of ViewData::coefficients[k] modes[k].
+/// A quantity at vertices and times: base + sum over k of ViewData::coefficients[k] modes[k].
 template <class Value>
 struct ModalField {
-    std::vector<Value> mean;
-    std::vector<std::vector<Value>> modes;
+    std::vector<Value> base;
+    std::vector<std::vector<Value>> modes;  ///< the first of the modes, perhaps not all
 };
 
 struct ViewData {
@@ -43,7 +46,7 @@ using CloseJoints = std::function<std::vector<RigidMotion>(const fem::Displaceme
 
 /// Keeps fields during the run and makes light data of them at its end.
 ///
-/// The deformation is linear in the temperature, so it is solved for the mean and each mode instead of at each time.
+/// The deformation is linear in the temperature, so it is solved for the main modes instead of at each time.
 class ViewRecorder {
 public:
     void add(double time, const fem::Field& field);
