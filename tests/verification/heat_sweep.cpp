@@ -88,6 +88,20 @@ public:
     bool stop = false;
 };
 
+/// Runs all points; each leaves its digest in the folder, after `before`.
+std::vector<PointOutcome> outcomes_of(const Study& study, int workers, const Scratch& scratch, Listener& listener,
+                                      const std::function<void(const SweepPoint&)>& before = {})
+{
+    return deadpoint::study::run_points(
+        study.points, study.cases, study.all, {workers, {}},
+        [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
+            if (before)
+                before(point);
+            write_digest(scratch.path, point, input, model);
+        },
+        listener);
+}
+
 }  // namespace
 
 TEST_CASE("points give what single runs give, and the machine is meshed once")
@@ -97,12 +111,7 @@ TEST_CASE("points give what single runs give, and the machine is meshed once")
         const Scratch scratch;
         const auto study = four_loads();
         Listener listener;
-        const auto outcomes = deadpoint::study::run_points(
-            study.points, study.cases, study.all, {workers, {}},
-            [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
-                write_digest(scratch.path, point, input, model);
-            },
-            listener);
+        const auto outcomes = outcomes_of(study, workers, scratch, listener);
         CHECK(std::ranges::count(listener.stages, "mesh") == 1);
         for (std::size_t p = 0; p < study.points.size(); ++p) {
             CHECK(outcomes[p].state == PointOutcome::State::done);
@@ -120,12 +129,7 @@ TEST_CASE("points that change the mesh or the films get their own")
     study.add("tighter", {"joints.bearing.interfaces.0.conductance.side_a=9000 W/m^2/K"});
     study.add("cooler", {"machine.ambient=10 degC"});
     Listener listener;
-    const auto outcomes = deadpoint::study::run_points(
-        study.points, study.cases, study.all, {2, {}},
-        [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
-            write_digest(scratch.path, point, input, model);
-        },
-        listener);
+    const auto outcomes = outcomes_of(study, 2, scratch, listener);
     for (const auto p : {4u, 5u, 6u}) {
         CAPTURE(study.points[p].name);
         CHECK(outcomes[p].state == PointOutcome::State::done);
@@ -141,12 +145,7 @@ TEST_CASE("a point that fails leaves the others alone, and says why")
         auto study = four_loads();
         study.cases[1].numerics.time_tolerance = 1e-30;  // the time step collapses
         Listener listener;
-        const auto outcomes = deadpoint::study::run_points(
-            study.points, study.cases, study.all, {workers, {}},
-            [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
-                write_digest(scratch.path, point, input, model);
-            },
-            listener);
+        const auto outcomes = outcomes_of(study, workers, scratch, listener);
         CHECK(outcomes[1].state == PointOutcome::State::failed);
         CHECK(outcomes[1].reason.find("the time step collapsed") != std::string::npos);
         for (const auto p : {0u, 2u, 3u})
@@ -159,14 +158,10 @@ TEST_CASE("a process that dies is a failed point")
     const Scratch scratch;
     const auto study = four_loads();
     Listener listener;
-    const auto outcomes = deadpoint::study::run_points(
-        study.points, study.cases, study.all, {2, {}},
-        [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
-            if (point.name == "30")
-                std::raise(SIGKILL);
-            write_digest(scratch.path, point, input, model);
-        },
-        listener);
+    const auto outcomes = outcomes_of(study, 2, scratch, listener, [](const SweepPoint& point) {
+        if (point.name == "30")
+            std::raise(SIGKILL);
+    });
     CHECK(outcomes[1].state == PointOutcome::State::failed);
     CHECK(outcomes[1].reason.find("signal 9") != std::string::npos);
     CHECK(outcomes[3].state == PointOutcome::State::done);
@@ -177,13 +172,8 @@ TEST_CASE("a cancelled study begins no further point")
     const Scratch scratch;
     const auto study = four_loads();
     Listener listener;
-    const auto outcomes = deadpoint::study::run_points(
-        study.points, study.cases, study.all, {1, {}},
-        [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
-            write_digest(scratch.path, point, input, model);
-            listener.stop = point.name == "30";
-        },
-        listener);
+    const auto outcomes =
+        outcomes_of(study, 1, scratch, listener, [&](const SweepPoint& point) { listener.stop = point.name == "30"; });
     CHECK(outcomes[0].state == PointOutcome::State::done);
     CHECK(outcomes[1].state == PointOutcome::State::left);
     CHECK(outcomes[2].state == PointOutcome::State::left);
