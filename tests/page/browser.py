@@ -40,7 +40,7 @@ def find():
 class Browser:
     """One page at a time. `problems` collects errors on the console and requests to the network."""
 
-    def __init__(self, path, timeout=60):
+    def __init__(self, path, timeout=120):
         self.timeout = timeout
         self.problems = []
         self.counter = 0
