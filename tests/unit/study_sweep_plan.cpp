@@ -24,10 +24,10 @@ SweepAxis axis(const std::string& name, const std::string& key, const std::vecto
     return a;
 }
 
-SweepStudy study(std::vector<SweepSet> sets)
+SweepStudy with_sets(std::vector<SweepSet> sets)
 {
     SweepStudy s;
-    s.name = "n";
+    s.name = "a study";
     s.overrides = {"numerics.size=40 mm"};
     s.sets = std::move(sets);
     return s;
@@ -57,7 +57,7 @@ const SweepAxis forces = axis("force", "force", {"0 kN", "300 kN"});
 TEST_CASE("each distinct run is computed once, and knows all its places")
 {
     const auto points = sweep_points(
-        study({{"speed", {speeds}}, {"force", {forces}}, {"both", {speeds, forces}}, {"as is", {}}}), is_base);
+        with_sets({{"speed", {speeds}}, {"force", {forces}}, {"both", {speeds, forces}}, {"as is", {}}}), is_base);
     CHECK(names(points) == std::vector<std::string>{"base", "speed=300_rpm", "force=0_kN", "speed=300_rpm,force=0_kN"});
     // speed 200 rpm, force 300 kN, both together, and the set without axes.
     REQUIRE(points[0].places.size() == 4);
@@ -74,7 +74,7 @@ TEST_CASE("the last axis changes fastest, and a value counts however it is writt
 {
     auto odd = axis("v", "speed", {"200.0  rpm", "3e2 rpm"});
     const auto points = sweep_points(
-        study({{"a", {axis("x", "x", {"1", "2"}), axis("y", "y", {"1", "2"})}}, {"b", {speeds}}, {"c", {odd}}}),
+        with_sets({{"a", {axis("x", "x", {"1", "2"}), axis("y", "y", {"1", "2"})}}, {"b", {speeds}}, {"c", {odd}}}),
         is_base);
     CHECK(names(points) ==
           std::vector<std::string>{"x=1,y=1", "x=1,y=2", "x=2,y=1", "x=2,y=2", "base", "speed=300_rpm"});
@@ -89,7 +89,7 @@ TEST_CASE("keys that change together: only what differs from the base case is se
     pair.keys = {"speed", "force"};
     pair.values = {{"200 rpm", "100 kN"}, {"200 rpm", "300 kN"}};
     pair.labels = {"half", "full"};
-    const auto points = sweep_points(study({{"p", {pair}}, {"f", {axis("force", "force", {"100 kN"})}}}), is_base);
+    const auto points = sweep_points(with_sets({{"p", {pair}}, {"f", {axis("force", "force", {"100 kN"})}}}), is_base);
     CHECK(names(points) == std::vector<std::string>{"pair=half", "base"});
     CHECK(points[0].places.size() == 2);
     CHECK(points[0].overrides.back() == "force=100 kN");
@@ -98,7 +98,7 @@ TEST_CASE("keys that change together: only what differs from the base case is se
 TEST_CASE("names of folders are safe, and differ also where letters do not count")
 {
     const auto points = sweep_points(
-        study({{"a", {axis("o/\\ il", "k", {"../x", "a b", "a  b", "A b", "\u00e4\u00f6", "\u00fc"})}}}), is_base);
+        with_sets({{"a", {axis("o/\\ il", "k", {"../x", "a b", "a  b", "A b", "\u00e4\u00f6", "\u00fc"})}}}), is_base);
     std::set<std::string> unique;
     for (const auto& point : points) {
         CHECK(point.name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+=,") ==
@@ -114,24 +114,24 @@ TEST_CASE("names of folders are safe, and differ also where letters do not count
     CHECK(points[1].name == "o_il=a_b");
     CHECK(points[2].name.starts_with("o_il=a_b-"));
     const std::string longer(300, 'x');
-    const auto two = sweep_points(study({{"a", {axis("n", "k", {longer + "1", longer + "2"})}}}), is_base);
+    const auto two = sweep_points(with_sets({{"a", {axis("n", "k", {longer + "1", longer + "2"})}}}), is_base);
     CHECK(two[0].name.size() < 120);
     CHECK(two[0].name != two[1].name);
 }
 
 TEST_CASE("sets that make no sense are refused")
 {
-    CHECK_THROWS_WITH_AS((void)sweep_points(study({{"a", {speeds, axis("v", "speed", {"1"})}}}), is_base),
+    CHECK_THROWS_WITH_AS((void)sweep_points(with_sets({{"a", {speeds, axis("v", "speed", {"1"})}}}), is_base),
                          doctest::Contains("varies 'speed' twice"), InputError);
-    CHECK_THROWS_WITH_AS((void)sweep_points(study({{"a", {speeds, axis("speed", "k", {"1"})}}}), is_base),
+    CHECK_THROWS_WITH_AS((void)sweep_points(with_sets({{"a", {speeds, axis("speed", "k", {"1"})}}}), is_base),
                          doctest::Contains("another axis of the set has this name"), InputError);
-    CHECK_THROWS_WITH_AS((void)sweep_points(study({{"a", {axis("v", "k", {})}}}), is_base),
+    CHECK_THROWS_WITH_AS((void)sweep_points(with_sets({{"a", {axis("v", "k", {})}}}), is_base),
                          doctest::Contains("it has no step"), InputError);
-    CHECK_THROWS_WITH_AS((void)sweep_points(study({{"a", {}}, {"a", {}}}), is_base),
+    CHECK_THROWS_WITH_AS((void)sweep_points(with_sets({{"a", {}}, {"a", {}}}), is_base),
                          doctest::Contains("two sets are called 'a'"), InputError);
     auto short_labels = speeds;
     short_labels.labels.pop_back();
-    CHECK_THROWS_AS((void)sweep_points(study({{"a", {short_labels}}}), is_base), InputError);
+    CHECK_THROWS_AS((void)sweep_points(with_sets({{"a", {short_labels}}}), is_base), InputError);
 }
 
 TEST_CASE("axes get numbers in SI where all their steps are quantities of one dimension")

@@ -133,7 +133,7 @@ private:
         for (const auto& [key, value] : changed) {
             all += fmt::format("{}={}\n", key, value);
         }
-        const std::string mark = "-" + stable_hash(all).substr(0, 8);
+        const std::string mark = fmt::format("-{}", stable_hash(all).substr(0, 8));
         if (name.size() > longest_name) {
             name = name.substr(0, longest_name) + mark;
         }
