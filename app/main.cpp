@@ -57,6 +57,7 @@ int run(int argc, char** argv)
     add_heat(app, exit_code);
     add_run(app, exit_code);
     add_compare(app, exit_code);
+    add_sweep(app, exit_code);
     add_report(app, exit_code);
     add_view(app, exit_code);
     if (argc > 1 && argv[1][0] != '-' && std::count(subcommands.begin(), subcommands.end(), argv[1]) == 0) {

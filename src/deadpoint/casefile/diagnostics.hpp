@@ -55,6 +55,7 @@ public:
     void add(Diagnostic diagnostic) { items_.push_back(std::move(diagnostic)); }
     [[nodiscard]] std::size_t error_count() const;
     [[nodiscard]] std::size_t size() const { return items_.size(); }
+    [[nodiscard]] const std::vector<Diagnostic>& items() const { return items_; }
     /// All errors in order of place, then a line that counts them; ends without a line break.
     /// @param outcome  end of that line: which file they are in, and what did not happen
     [[nodiscard]] std::string render_errors(std::string_view outcome = "the case file; nothing was computed") const;

@@ -34,20 +34,27 @@ const Library& shipped_library()
     return library;
 }
 
-ReadResult read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides)
+Document read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides, Case& value,
+                   Diagnostics& diagnostics)
 {
-    Diagnostics diagnostics;
-    const Document document = load_document(path, overrides, diagnostics);
+    Document document = load_document(path, overrides, diagnostics);
     if (diagnostics.error_count() > 0) {
-        throw InputError(diagnostics.render_errors());
+        return document;
     }
-    ReadResult result;
-    Reader(document, diagnostics, &shipped_library()).read(result.value);
-    for (auto& finding : check_references(result.value)) {
+    Reader(document, diagnostics, &shipped_library()).read(value);
+    for (auto& finding : check_references(value)) {
         diagnostics.add({finding.warning ? Severity::warning : Severity::error, finding.code,
                          place_of(document.root, finding.path), finding.path, finding.message, finding.help,
                          std::nullopt, ""});
     }
+    return document;
+}
+
+ReadResult read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides)
+{
+    Diagnostics diagnostics;
+    ReadResult result;
+    const Document document = read_case(path, overrides, result.value, diagnostics);
     if (diagnostics.error_count() > 0) {
         throw InputError(diagnostics.render_errors());
     }

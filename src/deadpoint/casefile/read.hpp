@@ -26,4 +26,11 @@ struct ReadResult {
 /// @throws IoError if the case file cannot be read
 ReadResult read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
+class Diagnostics;
+struct Document;
+/// As read_case, with the mistakes as data; the sources of the overrides are the last ones of the document.
+/// @throws IoError if the case file cannot be read
+Document read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides, Case& value,
+                   Diagnostics& diagnostics);
+
 }  // namespace deadpoint::casefile

@@ -40,6 +40,8 @@ public:
     void quantities(const Key& key, std::vector<double>& value, Dimension dimension, const Range& range) override;
     void quantities(const Key& key, std::map<std::string, double>& value, Dimension dimension) override;
     void texts(const Key& key, std::vector<std::string>& value) override;
+    void setting(const Key& key, std::string& value) override;
+    void settings(const Key& key, std::vector<std::vector<std::string>>& value) override;
     void points(const Key& key, std::vector<Vec2>& value) override;
     void loops(const Key& key, std::vector<std::vector<Vec2>>& value) override;
     void curve(const Key& key, Table& value, const CurveKeys& keys) override;
@@ -82,6 +84,7 @@ private:
                        double& value);
     bool read_number(const Node& node, const std::string& path, const Range& range, double& value);
     bool in_range(const Node& node, const std::string& path, double value, Dimension dimension, const Range& range);
+    bool read_setting(const Node& node, const std::string& path, std::string& value);
     bool read_list(const Node& node, const std::string& path, Dimension dimension, const Range& range,
                    std::vector<double>& values);
     void read_vector(const Node& node, const std::string& path, Dimension dimension, std::span<double> value);

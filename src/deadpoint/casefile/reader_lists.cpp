@@ -158,6 +158,54 @@ void Reader::read_points(const Node& node, const std::string& path, std::vector<
     }
 }
 
+bool Reader::read_setting(const Node& node, const std::string& path, std::string& value)
+{
+    switch (node.kind) {
+    case Node::Kind::string:
+        value = node.text;
+        break;
+    case Node::Kind::integer:
+        value = std::to_string(node.integer);
+        break;
+    case Node::Kind::real:
+        value = format_number(node.number);
+        break;
+    case Node::Kind::boolean:
+        value = node.flag ? "true" : "false";
+        break;
+    default:
+        return is_a(node, Node::Kind::string, path, "write a value as for --set, like \"300 rpm\"");
+    }
+    if (value.empty()) {
+        report(node, "empty", path, "the text is empty", "write a value as for --set, like \"300 rpm\"");
+    }
+    return !value.empty();
+}
+
+void Reader::setting(const Key& key, std::string& value)
+{
+    if (const Node* node = take(key)) {
+        read_setting(*node, path_of(key.name), value);
+    }
+}
+
+void Reader::settings(const Key& key, std::vector<std::vector<std::string>>& value)
+{
+    const Node* node = take(key, Node::Kind::array, "write it like [\"200 rpm\", \"300 rpm\"]");
+    for (std::size_t i = 0; node != nullptr && i < node->children.size(); ++i) {
+        const Node& item = node->children[i];
+        const std::string path = fmt::format("{}.{}", path_of(key.name), i);
+        auto& texts = value.emplace_back();
+        if (item.kind != Node::Kind::array) {
+            read_setting(item, path, texts.emplace_back());
+            continue;
+        }
+        for (std::size_t k = 0; k < item.children.size(); ++k) {
+            read_setting(item.children[k], fmt::format("{}.{}", path, k), texts.emplace_back());
+        }
+    }
+}
+
 void Reader::points(const Key& key, std::vector<Vec2>& value)
 {
     if (const Node* node = take(key)) {

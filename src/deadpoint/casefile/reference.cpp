@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/library.hpp"
 #include "deadpoint/casefile/reference_file.hpp"
+#include "deadpoint/casefile/study_file.hpp"
 #include "deadpoint/casefile/visitor.hpp"
 
 #include <algorithm>
@@ -75,7 +76,8 @@ public:
     }
     void integer(const Key& key, int& value, const Range& range) override
     {
-        row(key, "a whole number" + range_suffix(range, Dimension::none), fmt::format("`{}`", value));
+        row(key, "a whole number" + range_suffix(range, Dimension::none),
+            value < range.min ? "" : fmt::format("`{}`", value));
     }
     void flag(const Key& key, bool& value) override { row(key, "true or false", value ? "`true`" : "`false`"); }
     void text(const Key& key, std::string& value) override { row(key, "text", shown(value)); }
@@ -125,6 +127,11 @@ public:
         row(key, fmt::format("`{{ name = \"{}\", ... }}`", dimension_info(dimension).example), "");
     }
     void texts(const Key& key, std::vector<std::string>&) override { row(key, "a list of texts", ""); }
+    void setting(const Key& key, std::string&) override { row(key, "text or number", ""); }
+    void settings(const Key& key, std::vector<std::vector<std::string>>&) override
+    {
+        row(key, "a list of texts or numbers, or of such lists", "");
+    }
     void points(const Key& key, std::vector<Vec2>&) override { row(key, "a list of points [a, b]", ""); }
     void loops(const Key& key, std::vector<std::vector<Vec2>>&) override { row(key, "a list of lists of points", ""); }
     void curve(const Key& key, Table&, const CurveKeys& keys) override
@@ -313,5 +320,7 @@ std::string reference_page()
 }
 
 std::string reference_file_page() { return ReferenceWriter().run<ReferenceFile>("reference file"); }
+
+std::string study_file_page() { return ReferenceWriter().run<StudyFile>("study file"); }
 
 }  // namespace deadpoint::casefile

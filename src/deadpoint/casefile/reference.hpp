@@ -11,4 +11,7 @@ std::string reference_page();
 /// The same for the reference files of `compare`: docs/reference-file.md.
 std::string reference_file_page();
 
+/// The same for the study files of `sweep`: docs/study-file.md.
+std::string study_file_page();
+
 }  // namespace deadpoint::casefile

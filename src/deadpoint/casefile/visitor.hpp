@@ -116,6 +116,10 @@ public:
     virtual void points(const Key& key, std::vector<Vec2>& value) = 0;
     virtual void loops(const Key& key, std::vector<std::vector<Vec2>>& value) = 0;
     virtual void curve(const Key& key, Table& value, const CurveKeys& keys) = 0;
+    /// A value for any key of a case, as --set takes it. Study files only.
+    virtual void setting(const Key& key, std::string& value) { (void)key, (void)value; }
+    /// A list of them; an item may be a list of its own.
+    virtual void settings(const Key& key, std::vector<std::vector<std::string>>& value) { (void)key, (void)value; }
     /// A constant quantity, or a curve over time.
     virtual void course(const Key& key, std::optional<Course>& value, Dimension dimension, const Range& range) = 0;
 

@@ -3,6 +3,7 @@
 #include "deadpoint/core/csv_table.hpp"
 #include "deadpoint/core/error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -57,6 +58,14 @@ void read_summary(const Json& json, study::RunRecord& run)
     for (const auto& [probe, rises] : json.at("probe_rises_K").items()) {
         run.probes.push_back(probe);
     }
+    if (const Json::json_pointer gap("/drift_summary/E_SW"); json.contains(gap)) {
+        const auto& course = json.at(gap);
+        run.gap = study::GapFigures{micrometre * course.at("first_hour").at("change_um").get<double>(),
+                                    micrometre * course.at("range_um").get<double>(), std::nullopt};
+        if (const auto& steady = course.at("steady_from_s"); steady.is_number()) {
+            run.gap->steady_from = steady.get<double>();
+        }
+    }
     if (!json.contains("reference")) {
         return;
     }
@@ -84,7 +93,17 @@ void read_history(const fs::path& path, study::RunRecord& run)
         }
         run.rises[probe] = std::move(rises);
     }
+    // A joint is what has both a temperature and a heat.
+    const auto has = [&](const std::string& name) {
+        return std::ranges::any_of(table.columns, [&](const auto& column) { return column.name == name; });
+    };
+    constexpr std::string_view heat = " heat";
     for (const auto& column : table.columns) {
+        const std::string joint =
+            column.name.ends_with(heat) ? column.name.substr(0, column.name.size() - heat.size()) : std::string();
+        if (!joint.empty() && column.unit == "W" && has(joint + " temperature")) {
+            run.joint_heat[joint] = table.numbers(table.column(column.name));
+        }
         if (column.unit != "um") {
             continue;
         }

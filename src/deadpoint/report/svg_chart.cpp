@@ -68,12 +68,6 @@ std::string tick_text(double value, double step)
     return value < 0 ? "\u2212" + text : text;
 }
 
-std::string text_at(double x, double y, const std::string& anchor, const std::string& style, const std::string& text)
-{
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, style,
-                       escaped(text));
-}
-
 void pad(Range& range, bool include_zero)
 {
     if (range.empty()) {
@@ -108,6 +102,10 @@ Frame make_frame(const Chart& chart)
         }
         longest = std::max(longest, display_width(series.name));
     }
+    for (const auto& tick : chart.x_ticks) {
+        frame.x.add(tick.x - chart.x_margin);
+        frame.x.add(tick.x + chart.x_margin);
+    }
     pad(frame.x, false);
     pad(frame.y, chart.include_zero);
     const auto ticks = nice_ticks(frame.y.low, frame.y.high, 6);
@@ -132,6 +130,25 @@ std::vector<double> steps_of(double low, double high, double step)
     return ticks;
 }
 
+/// Those given, or round numbers.
+std::vector<ChartTick> ticks_of_x(const Chart& chart, const Frame& frame)
+{
+    if (!chart.x_ticks.empty()) {
+        return chart.x_ticks;
+    }
+    const auto places =
+        chart.x_step > 0 ? steps_of(frame.x.low, frame.x.high, chart.x_step) : nice_ticks(frame.x.low, frame.x.high, 6);
+    const double step = places.size() > 1 ? places[1] - places[0] : 1;
+    const double margin = 1e-9 * step;
+    std::vector<ChartTick> ticks;
+    for (const double place : places) {
+        if (place >= frame.x.low - margin && place <= frame.x.high + margin) {
+            ticks.push_back({place, tick_text(place, step)});
+        }
+    }
+    return ticks;
+}
+
 std::string axes(const Chart& chart, const Frame& frame)
 {
     std::string svg;
@@ -142,25 +159,23 @@ std::string axes(const Chart& chart, const Frame& frame)
         const bool zero = std::abs(tick) < 1e-9 * y_step;
         svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n",
                            frame.left, y, frame.right, y, zero ? "#8a8a8a" : grid);
-        svg += text_at(frame.left - 8, y + 4, "end", "class=\"tick\"", tick_text(tick, y_step));
+        svg += svg_text(frame.left - 8, y + 4, "end", "class=\"tick\"", tick_text(tick, y_step));
     }
-    const auto x_ticks =
-        chart.x_step > 0 ? steps_of(frame.x.low, frame.x.high, chart.x_step) : nice_ticks(frame.x.low, frame.x.high, 6);
-    const double x_step = x_ticks.size() > 1 ? x_ticks[1] - x_ticks[0] : 1;
-    for (const double tick : x_ticks) {
-        const double margin = 1e-9 * x_step;
-        if (tick < frame.x.low - margin || tick > frame.x.high + margin) {
-            continue;
-        }
-        const double x = frame.at_x(tick);
+    double free_from = -std::numeric_limits<double>::infinity();
+    for (const auto& [place, text] : ticks_of_x(chart, frame)) {
+        const double x = frame.at_x(place);
         svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#8a8a8a\"/>\n", x,
                            frame.bottom, x, frame.bottom + 5);
-        svg += text_at(x, frame.bottom + 20, "middle", "class=\"tick\"", tick_text(tick, x_step));
+        const double half = letter * static_cast<double>(display_width(text)) / 2;
+        if (x - half >= free_from) {
+            svg += svg_text(x, frame.bottom + 20, "middle", "class=\"tick\"", text);
+            free_from = x + half + letter;
+        }
     }
     svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#8a8a8a\"/>\n",
                        frame.left, frame.bottom, frame.right, frame.bottom);
-    svg += text_at((frame.left + frame.right) / 2, frame.bottom + 42, "middle", "class=\"label\"", chart.x_label);
-    svg += text_at(20, frame.top - 14, "start", "class=\"label\"", chart.y_label);
+    svg += svg_text((frame.left + frame.right) / 2, frame.bottom + 42, "middle", "class=\"label\"", chart.x_label);
+    svg += svg_text(20, frame.top - 14, "start", "class=\"label\"", chart.y_label);
     return svg;
 }
 
@@ -229,10 +244,13 @@ std::string lines(const Chart& chart, const Frame& frame)
         const std::size_t place = series.colour < 0 ? i : static_cast<std::size_t>(series.colour);
         const char* colour = palette[place % palette.size()];
         const bool dashed = series.dashed || i / palette.size() % 2 == 1;
-        svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" "
-                           "stroke-linecap=\"round\"{}/>\n",
-                           path_of(series, frame), colour, series.emphasised ? 3.2 : 1.9,
-                           dashed ? " stroke-dasharray=\"6 4\"" : "");
+        if (series.joined) {
+            svg +=
+                fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" "
+                            "stroke-linecap=\"round\"{}/>\n",
+                            path_of(series, frame), colour, series.emphasised ? 3.2 : 1.9,
+                            dashed ? " stroke-dasharray=\"6 4\"" : "");
+        }
         for (const auto& point : series.markers) {
             svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#ffffff\" stroke=\"{}\" "
                                "stroke-width=\"1.6\"/>\n",
@@ -241,7 +259,7 @@ std::string lines(const Chart& chart, const Frame& frame)
         svg += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\" "
                            "opacity=\"0.6\"/>\n",
                            frame.right + 7, wanted[i], frame.right + 20, label_y[i], colour);
-        svg += text_at(
+        svg += svg_text(
             frame.right + 24, label_y[i] + 4, "start",
             fmt::format("class=\"name\" fill=\"{}\"{}", colour, series.emphasised ? " font-weight=\"bold\"" : ""),
             series.name);
@@ -264,9 +282,14 @@ std::vector<double> nice_ticks(double low, double high, int wanted)
     return steps_of(low, high, step);
 }
 
-std::string svg_chart(const Chart& chart)
+std::string svg_text(double x, double y, const std::string& anchor, const std::string& style, const std::string& text)
 {
-    const Frame frame = make_frame(chart);
+    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, style,
+                       escaped(text));
+}
+
+std::string svg_head(double width, double height, const std::string& title, const std::string& subtitle)
+{
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} {1:g}\" "
         "font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', "
@@ -274,18 +297,25 @@ std::string svg_chart(const Chart& chart)
         "font-weight:bold;fill:{2}}}.sub{{font-size:12.5px;fill:{3}}}.tick{{font-size:12px;fill:{3}}}"
         ".label{{font-size:12.5px;fill:{2}}}.name{{font-size:12.5px}}</style>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
-        chart.width, chart.height, ink, grey);
-    svg += text_at(20, 30, "start", "class=\"title\"", chart.title);
-    if (!chart.subtitle.empty()) {
-        svg += text_at(20, 50, "start", "class=\"sub\"", chart.subtitle);
+        width, height, ink, grey);
+    svg += svg_text(20, 30, "start", "class=\"title\"", title);
+    if (!subtitle.empty()) {
+        svg += svg_text(20, 50, "start", "class=\"sub\"", subtitle);
     }
+    return svg;
+}
+
+std::string svg_chart(const Chart& chart)
+{
+    const Frame frame = make_frame(chart);
+    std::string svg = svg_head(chart.width, chart.height, chart.title, chart.subtitle);
     svg += axes(chart, frame) + lines(chart, frame);
     if (!chart.marker_note.empty()) {
         const double x = frame.right - 6 - letter * static_cast<double>(display_width(chart.marker_note));
         svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#ffffff\" stroke=\"{}\" "
                            "stroke-width=\"1.6\"/>\n",
                            x - 10, frame.top - 18, grey);
-        svg += text_at(x, frame.top - 14, "start", "class=\"tick\"", chart.marker_note);
+        svg += svg_text(x, frame.top - 14, "start", "class=\"tick\"", chart.marker_note);
     }
     return svg + "</svg>\n";
 }

@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+namespace deadpoint::casefile {
+struct StudyFile;
+}
+
 /// A study of many runs as plain data: what is varied, and which runs that makes.
 namespace deadpoint::study {
 
@@ -58,10 +62,21 @@ struct SweepPoint {
 /// base case is one run in all sets).
 ///
 /// @param is_base  whether the base case has that value for that key
-/// @throws InputError if two axes of a set share a key, an axis has no step, or names clash
+/// @throws InputError if two axes of a set share a key or a name, two sets a name, or an axis has no step. Points
+///         whose names would clash as folders get a mark of what they set at the end of theirs
 std::vector<SweepPoint>
 sweep_points(const SweepStudy& study,
              const std::function<bool(const std::string& key, const std::string& value)>& is_base);
+
+/// The study that a file describes; an axis gets its numbers where all of its steps are quantities of one dimension
+/// (a bare kelvin counts as a difference) or plain numbers, the same for all keys of a step.
+/// @param file  as casefile::read_study returns it
+SweepStudy translate_study(const casefile::StudyFile& file);
+
+/// For sweep_points: whether the case with the study's overrides stays the same with one more. Reads the case for each
+/// value that it is asked for, once.
+/// @throws InputError, IoError if the base case cannot be read
+std::function<bool(const std::string& key, const std::string& value)> base_values(const SweepStudy& study);
 
 /// What became of a point.
 struct PointOutcome {

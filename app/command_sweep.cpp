@@ -1,0 +1,195 @@
+#include "case_options.hpp"
+#include "commands.hpp"
+#include "deadpoint/casefile/read.hpp"
+#include "deadpoint/casefile/study_file.hpp"
+#include "deadpoint/casefile/write.hpp"
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/fem/session.hpp"
+#include "deadpoint/report/read_result.hpp"
+#include "deadpoint/report/run_files.hpp"
+#include "deadpoint/report/sweep_files.hpp"
+#include "deadpoint/report/table.hpp"
+#include "deadpoint/study/sweep.hpp"
+#include "interrupt.hpp"
+#include "ranks.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+
+using namespace deadpoint;
+using report::ResultFolder;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A point of the shipped press takes about this; only to tell a long study from a short one beforehand [s].
+constexpr double seconds_per_cell = 2e-4;
+
+struct SweepOptions {
+    std::string study;
+    std::string folder;
+    double size_scale = 1;
+    int jobs = 0;
+    bool fields = false;
+    Console::Options console;
+};
+
+/// Keeps the warnings of one point for its files; says nothing.
+class PointObserver : public Observer {
+public:
+    explicit PointObserver(const Observer& study) : study_(study) {}
+    void warn(std::string_view text) override { warnings.emplace_back(text); }
+    [[nodiscard]] bool cancelled() const override { return study_.cancelled(); }
+    std::vector<std::string> warnings;
+
+private:
+    const Observer& study_;
+};
+
+std::vector<casefile::Case> read_cases(const std::vector<study::SweepPoint>& points, const SweepOptions& options,
+                                       const std::string& base)
+{
+    std::vector<casefile::Case> cases;
+    for (const auto& point : points) {
+        cases.push_back(casefile::read_case(base, point.overrides).value);
+        auto& input = cases.back();
+        input.output.fields = options.fields;
+        input.numerics.size *= options.size_scale;
+        for (auto& [name, part] : input.parts) {
+            if (part.size) {
+                *part.size *= options.size_scale;
+            }
+        }
+    }
+    return cases;
+}
+
+fs::path folder_of(const SweepOptions& options, const study::SweepPoint& point)
+{
+    return fs::path(options.folder) / "points" / point.name;
+}
+
+/// What an earlier call finished of this very case.
+std::optional<study::RunRecord> finished(const fs::path& folder, const casefile::Case& input)
+{
+    if (!fs::exists(folder / "summary.json")) {
+        return std::nullopt;
+    }
+    auto record = report::read_result(folder);
+    return record.hash == casefile::case_hash(input) && !record.interrupted ? std::optional(std::move(record))
+                                                                            : std::nullopt;
+}
+
+void require_usable(const SweepOptions& options)
+{
+    const fs::path folder = options.folder;
+    if (!fs::exists(folder) || (fs::is_directory(folder) && fs::is_empty(folder))) {
+        return;
+    }
+    if (!fs::is_directory(folder / "points")) {
+        throw IoError(
+            fmt::format("'{}' exists already and holds no study\n  help: name a new folder, or that of a study "
+                        "to go on with",
+                        options.folder));
+    }
+}
+
+study::PointAction action_of(const SweepOptions& options, const OnRanks& ranks)
+{
+    return [&options, &ranks](const study::SweepPoint& point, const casefile::Case& input, const Machine& machine,
+                              study::SharedModel& model) {
+        PointObserver observer(ranks.console);
+        std::unique_ptr<ResultFolder> folder;
+        const auto path = start_folder(folder_of(options, point), ResultFolder::IfExists::replace, ranks.first, folder);
+        study::RunOptions wanted;
+        wanted.field_folder = options.fields ? path : std::string{};
+        const auto result = model.run(input, wanted, observer);
+        if (!result.thermal.interrupted && folder) {
+            report::write_run_files(folder->path(), input, machine, result, observer.warnings);
+            folder->commit();
+        }
+    };
+}
+
+int sweep(const SweepOptions& options, const OnRanks& ranks)
+{
+    auto& console = ranks.console;
+    const auto study = study::translate_study(casefile::read_study(options.study));
+    report::SweepResult result;
+    result.study = study;
+    result.points = study::sweep_points(study, study::base_values(study));
+    const auto cases = read_cases(result.points, options, study.base);
+    if (ranks.first) {
+        fmt::print("{}", report::sweep_plan_text(study, result.points));
+        require_usable(options);
+    }
+    result.records.resize(result.points.size());
+    std::vector<std::size_t> pending;
+    for (std::size_t p = 0; p < result.points.size(); ++p) {
+        result.records[p] = finished(folder_of(options, result.points[p]), cases[p]);
+        if (!result.records[p]) {
+            pending.push_back(p);
+        }
+    }
+    if (pending.size() < result.points.size() && ranks.first) {
+        fmt::print("{} of {} points are there already\n", result.points.size() - pending.size(), result.points.size());
+    }
+    std::fflush(stdout);
+
+    ranks.agree = false;
+    study::SweepOptions how;
+    how.workers = options.jobs;
+    how.on_prepared = [&](const Machine& machine, std::size_t points, int workers) {
+        if (ranks.first) {
+            const double seconds = seconds_per_cell * static_cast<double>(machine.cells.size() * points) / workers;
+            fmt::print("{} points of {} cells, {} at a time: about {}\n", points, machine.cells.size(), workers,
+                       report::duration_text(seconds));
+            std::fflush(stdout);
+        }
+    };
+    const auto kept = result.records;
+    result.outcomes = study::run_points(result.points, cases, pending, how, action_of(options, ranks), console);
+    console.finish();
+    if (!ranks.first) {
+        return console.cancelled() ? interrupted_exit_code : 0;
+    }
+    bool failed = false;
+    for (std::size_t p = 0; p < result.points.size(); ++p) {
+        if (kept[p]) {
+            result.outcomes[p].state = study::PointOutcome::State::kept;
+        } else if (result.outcomes[p].state == study::PointOutcome::State::done) {
+            result.records[p] = report::read_result(folder_of(options, result.points[p]));
+        }
+        failed = failed || result.outcomes[p].state == study::PointOutcome::State::failed;
+    }
+    fs::create_directories(options.folder);
+    report::write_sweep_files(options.folder, result, console.warnings());
+    fmt::print("{}\nresults{} are in {}\n", report::sweep_text(result),
+               console.cancelled() ? " so far (the same command goes on)" : "", options.folder);
+    if (console.cancelled()) {
+        return interrupted_exit_code;
+    }
+    return failed ? static_cast<int>(ErrorKind::convergence) : 0;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, int& exit_code)
+{
+    auto* command = app.add_subcommand("sweep", "compute a study of many cases; a study that was stopped goes on");
+    const auto options = std::make_shared<SweepOptions>();
+    command->add_option("study", options->study, "the study file (TOML)")->required()->type_name("STUDY");
+    command->add_option("-o,--output", options->folder, "the folder to write into, new or of the same study")
+        ->required()
+        ->type_name("DIR");
+    command->add_option("--size", options->size_scale, "scales all cell sizes; 2 is coarse and quick")
+        ->check(CLI::PositiveNumber);
+    command->add_option("-j,--jobs", options->jobs, "points at a time; else as many as cores and memory hold")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--fields", options->fields, "write the fields of every point");
+    add_console_options(*command, options->console);
+    command->callback([options, &exit_code] {
+        exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return sweep(*options, ranks); });
+    });
+}
