@@ -1,5 +1,7 @@
 #include "interrupt.hpp"
 
+#include "deadpoint/study/sweep.hpp"
+
 #include <csignal>
 #include <string_view>
 #include <unistd.h>
@@ -18,6 +20,8 @@ extern "C" void on_signal(int)
     [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
+extern "C" void on_quiet_signal(int) { stop_requests = 1; }
+
 }  // namespace
 
 void catch_interrupts()
@@ -28,6 +32,8 @@ void catch_interrupts()
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    action.sa_handler = on_quiet_signal;
+    sigaction(deadpoint::study::stop_signal, &action, nullptr);
 }
 
 bool interrupted() { return stop_requests != 0; }

@@ -483,6 +483,80 @@ TEST_CASE("compare holds a run against a reference file, and writes its tables b
     CHECK(has(foreign.err, "summary.json"));
 }
 
+namespace {
+
+/// A study of two-blocks with three powers and a broken point.
+std::string study_file(const Folder& folder, const std::string& duration)
+{
+    const auto path = folder / "study.toml";
+    std::ofstream(path) << "format = 1\nname = \"blocks\"\nbase = \"" << two_blocks
+                        << "\"\nset = [\"operation.0.duration=" << duration
+                        << "\"]\n[[sets]]\nname = \"start\"\n[[sets.axes]]\n"
+                           "key = \"machine.initial_temperature\"\nvalues = [\"20 degC\", \"30 degC\", \"40 degC\"]\n"
+                           "[[sets]]\nname = \"steps\"\n[[sets.axes]]\nkey = \"numerics.time_tolerance\"\n"
+                           "values = [\"1e-30 K\"]\n";
+    return path;
+}
+
+}  // namespace
+
+TEST_CASE("sweep runs a study, records what fails, and goes on without repeating what is done")
+{
+    const Folder folder;
+    const auto target = folder / "sweep";
+    const auto study = study_file(folder, "1 h");
+    const auto first = deadpoint("sweep " + study + " -o " + target + " --jobs 2");
+    CHECK(first.code == 4);  // one point failed
+    CHECK(has(first.out, "4 distinct points"));
+    CHECK(has(first.out, "2 at a time: about"));
+    CHECK(has(first.out, "results are in " + target));
+    CHECK(has(first.err, "the time step collapsed"));
+    const auto table = content(target + "/sweep.csv");
+    CHECK(has(table, "40 degC"));
+    CHECK(has(table, "failed"));
+    const auto warm = target + "/points/initial_temperature=40_degC";
+    REQUIRE(fs::exists(warm + "/summary.json"));
+    // The same as the run by itself.
+    const auto alone = folder / "alone";
+    REQUIRE(deadpoint("run -q " + two_blocks +
+                      " --set 'operation.0.duration=1 h' --set 'output.fields=false' "
+                      "--set 'machine.initial_temperature=40 degC' -o " +
+                      alone)
+                .code == 0);
+    CHECK(content(warm + "/history.csv") == content(alone + "/history.csv"));
+
+    const auto stamp = fs::last_write_time(warm + "/summary.json");
+    const auto second = deadpoint("sweep " + study + " -o " + target);
+    CHECK(has(second.out, "3 of 4 points are there already"));
+    CHECK(fs::last_write_time(warm + "/summary.json") == stamp);
+    // Another size is another study: nothing of it is there.
+    CHECK(!has(deadpoint("sweep " + study + " -o " + target + " --size 1.5").out, "there already"));
+    CHECK(deadpoint("sweep " + study + " -o " + folder.path.string()).code == 5);  // holds other files
+}
+
+TEST_CASE("a study that is stopped keeps what is finished, and no half of a point")
+{
+    const Folder folder;
+    const auto target = folder / "sweep";
+    const auto study = study_file(folder, "100 h");
+    // 100 hours in steps of a second would take minutes; the first point ends at once.
+    std::ofstream(study, std::ios::app) << "[[sets]]\nname = \"long\"\n[[sets.axes]]\n"
+                                           "key = \"numerics.max_step\"\nvalues = [\"1 s\"]\n";
+    const auto result = interrupted("sweep " + study + " -o " + target + " --jobs 1", "max_step");
+    CHECK(result.code == 130);
+    CHECK(has(result.out, "results so far"));
+    const auto names = [&] {
+        std::vector<std::string> found;
+        for (const auto& entry : fs::directory_iterator(target + "/points"))
+            found.push_back(entry.path().filename().string());
+        return found;
+    }();
+    CHECK(std::count(names.begin(), names.end(), "initial_temperature=40_degC") == 1);
+    for (const auto& name : names)
+        CHECK_MESSAGE(name.find("partial") == std::string::npos, name);
+    CHECK(has(content(target + "/sweep.csv"), "left"));
+}
+
 TEST_CASE("run leaves a page beside its results and says how to open it")
 {
     const Folder folder;

@@ -173,6 +173,7 @@ private:
                                       points_[point].name, std::strerror(errno)));
         if (process == 0) {
             prctl(PR_SET_PDEATHSIG, SIGKILL);
+            setpgid(0, 0);  // Ctrl-C is for the parent, which passes it on
             close(ends[0]);
             _exit(work(point, ends[1]));
         }
@@ -200,9 +201,17 @@ private:
     {
         int status = 0;
         pid_t ended = 0;
-        do
-            ended = waitpid(-1, &status, 0);
-        while (ended < 0 && errno == EINTR);
+        while (ended == 0 || (ended < 0 && errno == EINTR)) {
+            ended = waitpid(-1, &status, WNOHANG);
+            if (ended != 0)
+                continue;
+            if (observer_.cancelled() && !told_to_stop_) {
+                told_to_stop_ = true;
+                for (const auto& worker : workers)
+                    kill(worker.process, stop_signal);
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
         const auto found = std::ranges::find(workers, ended, &Worker::process);
         if (found == workers.end())
             throw IoError("lost sight of the processes that run the points");
@@ -213,7 +222,7 @@ private:
             finish(worker.point, seconds_since(worker.start));
         else if (WIFEXITED(status) && WEXITSTATUS(status) != left_unfinished)
             fail(worker.point, reason);
-        else if (WIFSIGNALED(status))
+        else if (WIFSIGNALED(status) && !told_to_stop_)
             fail(worker.point,
                  fmt::format("its process was ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status))));
         return worker.point;
@@ -240,6 +249,7 @@ private:
     std::unique_ptr<Machine> machine_;
     std::optional<SharedModel> model_;
     int workers_ = 1;
+    bool told_to_stop_ = false;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "deadpoint/study/run.hpp"
 #include "deadpoint/study/sweep_plan.hpp"
 
+#include <csignal>
 #include <functional>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace deadpoint::study {
 /// Runs one case on the model it shares and leaves its results where they belong. With several workers it is called in
 /// a process of its own: what it changes in memory is lost, what it writes stays.
 using PointAction = std::function<void(const SweepPoint&, const casefile::Case&, const Machine&, SharedModel&)>;
+
+/// Asks the process of a point to stop; whoever lets an Observer be cancelled by signals handles it quietly. A process
+/// that does not is ended by it.
+inline constexpr int stop_signal = SIGUSR1;
 
 struct SweepOptions {
     int workers = 0;  ///< points at a time, on one rank; 0: as many as cores and memory hold
