@@ -5,6 +5,7 @@
 #include "deadpoint/casefile/write.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/fem/session.hpp"
+#include "deadpoint/report/plan_text.hpp"
 #include "deadpoint/report/read_result.hpp"
 #include "deadpoint/report/run_files.hpp"
 #include "deadpoint/report/sweep_files.hpp"
@@ -100,6 +101,9 @@ study::PointAction action_of(const SweepOptions& options, const OnRanks& ranks)
     return [&options, &ranks](const study::SweepPoint& point, const casefile::Case& input, const Machine& machine,
                               study::SharedModel& model) {
         PointObserver observer(ranks.console);
+        for (const auto& warning : report::plan_warnings(input, machine)) {
+            observer.warn(warning);
+        }
         std::unique_ptr<ResultFolder> folder;
         const auto path = start_folder(folder_of(options, point), ResultFolder::IfExists::replace, ranks.first, folder);
         study::RunOptions wanted;
