@@ -183,7 +183,7 @@ std::vector<std::string> file_stems(const std::vector<study::SweepSet>& sets)
     for (const auto& set : sets) {
         std::string stem = study::folder_safe(set.name);
         if (stem.starts_with('.')) {
-            stem.insert(0, "_");
+            stem = fmt::format("_{}", stem);
         }
         if (std::ranges::find(stems, stem) != stems.end()) {
             stem += fmt::format("-{}", stems.size() + 1);
