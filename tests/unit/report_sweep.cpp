@@ -217,6 +217,9 @@ TEST_CASE("windows: final drift up to 12 um allows 200 rpm at 1 kN, and what is 
     auto strict = example();
     strict.study.limits = {1e-9, {}};
     CHECK(window_text(strict.study.sets[1], sweep_windows(strict)[1]) == "no point keeps the limits");
+    auto cut_short = example();
+    cut_short.records[4]->interrupted = true;  // 200 rpm at 1 kN
+    CHECK(sweep_windows(cut_short)[1]->steps[0] == std::vector<std::size_t>{0});
     strict.study.limits = {};
     CHECK_FALSE(sweep_windows(strict)[1]);
 }
@@ -295,7 +298,7 @@ TEST_CASE("numbers that span decades stand on a logarithmic axis with their own 
     const auto chart = sweep_limit_chart(result, 1);
     REQUIRE(chart.x_ticks.size() == 4);
     CHECK(chart.x_ticks[1].x == doctest::Approx(8));
-    CHECK(chart.x_ticks[1].text == "1e+08");
+    CHECK(chart.x_ticks[1].text == "1e8");
     CHECK(chart.x_label == "speed [N/m]");
 }
 
@@ -323,6 +326,13 @@ TEST_CASE("which charts are written; without a single result there are none")
         CHECK(fs::exists(folder.path / name));
     }
     CHECK_FALSE(fs::exists(folder.path / "speed-map.svg"));
+    auto alike = example();
+    alike.study.sets[2].name = "sp/eed";
+    alike.study.sets[1].name = "sp eed";
+    const Folder twins;
+    write_sweep_files(twins.path, alike);
+    CHECK(fs::exists(twins.path / "sp_eed-drift.svg"));
+    CHECK(fs::exists(twins.path / "sp_eed-3-drift.svg"));
     const Folder empty;
     auto nothing = example();
     nothing.records.assign(nothing.points.size(), std::nullopt);

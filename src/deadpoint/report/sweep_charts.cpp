@@ -3,11 +3,12 @@
 #include "deadpoint/core/write_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <numeric>
+#include <string_view>
+#include <utility>
 
 namespace deadpoint::report {
 namespace {
@@ -41,6 +42,18 @@ double unevenness(const std::vector<double>& places)
     return largest / smallest;
 }
 
+/// "5e7" rather than "5e+07".
+std::string short_number(double number)
+{
+    std::string text = fmt::format("{:g}", number);
+    for (const auto& [from, to] : {std::pair{"e+0", "e"}, std::pair{"e+", "e"}, std::pair{"e-0", "e-"}}) {
+        if (const auto at = text.find(from); at != std::string::npos) {
+            text.replace(at, std::string_view(from).size(), to);
+        }
+    }
+    return text;
+}
+
 /// Where the steps of an axis stand: by number, by its logarithm where that spreads a wide range more evenly, or side
 /// by side.
 void place_steps(const study::SweepAxis& axis, const std::vector<std::size_t>& order, Line& line)
@@ -67,7 +80,7 @@ void place_steps(const study::SweepAxis& axis, const std::vector<std::size_t>& o
     }
     if (unevenness(logarithms) < unevenness(line.x)) {
         for (std::size_t i = 0; i < order.size(); ++i) {
-            line.ticks.push_back({logarithms[i], fmt::format("{:g}", line.x[i])});
+            line.ticks.push_back({logarithms[i], short_number(line.x[i])});
         }
         line.x = std::move(logarithms);
     }
@@ -163,16 +176,21 @@ ChartSeries limit_series(const Line& line, const std::string& name, double limit
     return series;
 }
 
-std::string file_name(const std::string& set)
+/// Names of the sets in those of their files, each once.
+std::vector<std::string> file_stems(const std::vector<study::SweepSet>& sets)
 {
-    std::string name;
-    for (const char c : set) {
-        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.';
-        if (plain || !name.ends_with('_')) {
-            name += plain ? c : '_';
+    std::vector<std::string> stems;
+    for (const auto& set : sets) {
+        std::string stem = study::folder_safe(set.name);
+        if (stem.starts_with('.')) {
+            stem = fmt::format("_{}", stem);
         }
+        if (std::ranges::find(stems, stem) != stems.end()) {
+            stem += fmt::format("-{}", stems.size() + 1);
+        }
+        stems.push_back(stem);
     }
-    return name.starts_with('.') ? "_" + name : name;
+    return stems;
 }
 
 bool has_values(const Chart& chart)
@@ -275,8 +293,9 @@ void write_sweep_charts(const std::filesystem::path& folder, const SweepResult& 
                         const std::vector<std::string>& comments)
 {
     const auto windows = sweep_windows(result);
+    const auto stems = file_stems(result.study.sets);
     for (std::size_t s = 0; s < result.study.sets.size(); ++s) {
-        const std::string stem = file_name(result.study.sets[s].name);
+        const auto& stem = stems[s];
         const auto write = [&](const char* what, const Chart& chart) {
             if (has_values(chart)) {
                 write_svg_chart(folder / fmt::format("{}-{}.svg", stem, what), chart, comments);

@@ -81,21 +81,26 @@ std::vector<std::optional<SweepFigures>> sweep_figures(const SweepResult& result
     }
     std::vector<std::optional<SweepFigures>> figures(result.points.size());
     for (std::size_t p = 0; p < figures.size(); ++p) {
-        if (result.records[p]) {
+        if (result.records[p] && !result.records[p]->interrupted) {
             figures[p] = sweep_figures(*result.records[p]);
         }
     }
     return figures;
 }
 
+std::optional<study::PointDrift> magnitudes(const SweepFigures& figures)
+{
+    if (!figures.drift) {
+        return std::nullopt;
+    }
+    return study::PointDrift{std::abs(figures.drift->largest), std::abs(figures.drift->final)};
+}
+
 std::vector<std::optional<study::DriftWindow>> sweep_windows(const SweepResult& result)
 {
     std::vector<std::optional<study::PointDrift>> drift;
     for (const auto& figures : sweep_figures(result)) {
-        drift.emplace_back();
-        if (figures && figures->drift) {
-            drift.back() = study::PointDrift{std::abs(figures->drift->largest), std::abs(figures->drift->final)};
-        }
+        drift.push_back(figures ? magnitudes(*figures) : std::nullopt);
     }
     std::vector<std::optional<study::DriftWindow>> windows;
     for (std::size_t s = 0; s < result.study.sets.size(); ++s) {

@@ -38,9 +38,12 @@ struct SweepFigures {
 };
 SweepFigures sweep_figures(const study::RunRecord& run);
 
-/// The same for all points; nothing where there is no record.
+/// The same for all points; nothing where there is no record, or that of an interrupted run.
 /// @throws DomainError if there is not one outcome and one record or gap per point
 std::vector<std::optional<SweepFigures>> sweep_figures(const SweepResult& result);
+
+/// Drift as it is held against limits.
+std::optional<study::PointDrift> magnitudes(const SweepFigures& figures);
 
 /// The best window of each set; nothing if the study has no limits.
 std::vector<std::optional<study::DriftWindow>> sweep_windows(const SweepResult& result);

@@ -43,8 +43,7 @@ bool limited(const study::DriftLimits& limits) { return limits.largest || limits
 
 bool keeps_limits(const SweepResult& result, const SweepFigures& figures)
 {
-    return figures.drift && study::keeps(result.study.limits, study::PointDrift{std::abs(figures.drift->largest),
-                                                                                std::abs(figures.drift->final)});
+    return study::keeps(result.study.limits, magnitudes(figures));
 }
 
 bool in_window(const std::optional<study::DriftWindow>& window, const std::vector<std::size_t>& steps)
@@ -330,7 +329,10 @@ Json sweep_json(const SweepResult& result, const Figures& figures, const Windows
 {
     Json json;
     json["version"] = version;
-    json["study"] = {{"name", result.study.name}, {"base", result.study.base}, {"overrides", result.study.overrides}};
+    json["study"] = {{"name", result.study.name},
+                     {"note", result.study.note},
+                     {"base", result.study.base},
+                     {"overrides", result.study.overrides}};
     json["warnings"] = warnings;
     json["limits"] = {{"largest_um", optional(result.study.limits.largest, micrometre)},
                       {"end_um", optional(result.study.limits.final, micrometre)}};

@@ -65,11 +65,7 @@ std::vector<std::string> row(const SweepResult& result, std::size_t p, const std
     cells.push_back(figures->joint_heat ? fmt::format("{:.0f}", *figures->joint_heat) : "-");
     cells.push_back(duration_text(result.outcomes[p].seconds));
     if (limited) {
-        const auto drift =
-            figures->drift
-                ? std::optional(study::PointDrift{std::abs(figures->drift->largest), std::abs(figures->drift->final)})
-                : std::nullopt;
-        cells.emplace_back(study::keeps(result.study.limits, drift) ? "kept" : "exceeded");
+        cells.emplace_back(study::keeps(result.study.limits, magnitudes(*figures)) ? "kept" : "exceeded");
     }
     return cells;
 }
@@ -138,6 +134,9 @@ std::string failures_text(const SweepResult& result)
 std::string sweep_plan_text(const study::SweepStudy& study, const std::vector<study::SweepPoint>& points)
 {
     std::string text = fmt::format("{}\n  base case {}\n", study.name, study.base);
+    if (!study.note.empty()) {
+        text += fmt::format("  {}\n", study.note);
+    }
     if (!study.overrides.empty()) {
         text += fmt::format("  in all points {}\n", fmt::join(study.overrides, ", "));
     }

@@ -58,19 +58,6 @@ void check_sets(const SweepStudy& study)
     }
 }
 
-/// Letters, digits and a few signs that no shell and no file system minds; '_' for all else, once for a row of them.
-std::string folder_safe(const std::string& text)
-{
-    std::string safe;
-    for (const char c : text) {
-        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+';
-        if (plain || !safe.ends_with('_')) {
-            safe += plain ? c : '_';
-        }
-    }
-    return safe;
-}
-
 std::string lower(std::string text)
 {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -198,6 +185,18 @@ void add_numbers(SweepAxis& axis)
 
 }  // namespace
 
+std::string folder_safe(const std::string& text)
+{
+    std::string safe;
+    for (const char c : text) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+';
+        if (plain || !safe.ends_with('_')) {
+            safe += plain ? c : '_';
+        }
+    }
+    return safe;
+}
+
 std::vector<SweepPoint> sweep_points(const SweepStudy& study, const IsBase& is_base)
 {
     check_sets(study);
@@ -216,6 +215,7 @@ SweepStudy translate_study(const casefile::StudyFile& file)
     SweepStudy study;
     study.name = file.name;
     study.base = file.base;
+    study.note = file.note;
     study.overrides = file.set;
     for (const auto& set : file.sets) {
         auto& target = study.sets.emplace_back();

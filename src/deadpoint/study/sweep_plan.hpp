@@ -42,6 +42,7 @@ struct SweepStudy {
     std::vector<std::string> overrides;  ///< "key=value" for all points
     std::vector<SweepSet> sets;
     DriftLimits limits;
+    std::string note;  ///< for reports
 };
 
 /// A place in a set: a step of each of its axes.
@@ -77,6 +78,9 @@ SweepStudy translate_study(const casefile::StudyFile& file);
 /// value that it is asked for, once.
 /// @throws InputError, IoError if the base case cannot be read
 std::function<bool(const std::string& key, const std::string& value)> base_values(const SweepStudy& study);
+
+/// Text as part of the name of a file or folder: letters, digits, '.', '-' and '+', and '_' for any row of other signs.
+std::string folder_safe(const std::string& text);
 
 /// What became of a point.
 struct PointOutcome {
