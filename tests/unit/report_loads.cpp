@@ -147,7 +147,7 @@ TEST_CASE("the vertical axis of a chart ends at its ticks")
 {
     // -138..151 with six intervals wanted: steps of 50 from -150 to 200, not of 100 below the frame.
     report::Chart chart;
-    chart.series.push_back({"a", {0, 1}, {-138, 151}, {}, false, false, -1});
+    chart.series.push_back({"a", {0, 1}, {-138, 151}, {}, false, false, true, -1});
     const auto svg = report::svg_chart(chart);
     CHECK(count(svg, ">\u2212150<") == 1);
     CHECK(count(svg, ">\u2212200<") == 0);
