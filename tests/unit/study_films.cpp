@@ -216,6 +216,30 @@ TEST_CASE("the paper's constants and enclosed air")
     CHECK(closed.law_at(1)(293.15)(303.15).value == Approx(open / (1 + open * closed.area / 2)).epsilon(exact));
 }
 
+TEST_CASE("the paper's correlations as printed, with its Table 7")
+{
+    casefile::Film film;
+    film.law = "paper_vertical";
+    film.length = 2;
+    const auto wall = study::surface_film(film, press().machine, "air_bed", nullptr);
+    // 0.13 Ra^(1/3), Ra = 9.80665 0.0262.. 8 K (2 m)^3 / nu^2 0.707 with Table 7 at 24 degC; figures of the model page
+    const auto at = wall.law_at(1)(293.15)(301.15);
+    CHECK(at.value ==
+          Approx(surroundings::compare_natural_film(surroundings::NaturalFlow::vertical, 2, 301.15, 293.15).paper)
+              .epsilon(exact));
+    CHECK(at.value == Approx(5.56).epsilon(0.01));
+    CHECK(at.slope > 0);
+    CHECK(wall.law_at(1)(293.15)(285.15).value == Approx(at.value).epsilon(exact));  // colder counts as warmer
+    CHECK(wall.law_at(1)(293.15)(293.15).value == 0);
+    film.law = "paper_rotating_cylinder";
+    film.length.reset();
+    film.diameter = 0.17;
+    const auto shaft = study::surface_film(film, press().machine, "air_crankshaft", nullptr);
+    CHECK(shaft.law_at(20.94)(293.15)(303.15).value ==
+          Approx(surroundings::compare_rotating_film(20.94, 0.17, 298.15).paper).epsilon(exact));
+    CHECK(shaft.law_at(0)(293.15)(303.15).value > 0);
+}
+
 TEST_CASE("half a plate has the length of the whole one")
 {
     auto input = casefile::read_case(DEADPOINT_TEST_DATA "/study/blocks.toml").value;

@@ -30,7 +30,11 @@ struct Material {
 struct Lubricant {
     std::string library;
     double density = 0;
-    Table viscosity;  ///< kinematic, over temperature; log-linear between the points [m2/s over K]
+    std::string law = "table";           ///< "table", "walther" or "vogel"
+    Table viscosity;                     ///< kinematic, over temperature [m2/s over K]
+    std::optional<double> vogel_factor;  ///< [m2/s]
+    std::optional<double> vogel_b;       ///< [K]
+    double vogel_pole = 178.15;          ///< [K]
     std::string source;
 };
 

@@ -55,7 +55,7 @@ struct Conductance {
 struct Film {
     std::optional<double> coefficient;  ///< [W/m2/K]
     std::string law;               ///< "vertical", "horizontal_up", "horizontal_down", "cylinder", "rotating_cylinder",
-                                   ///< "rotating_disk", "moving", "enclosed", "paper"
+                                   ///< "rotating_disk", "moving", "enclosed", "paper", "paper_vertical" and the like
     std::optional<double> length;  ///< height, area / perimeter, or length along the motion [m]
     std::optional<double> diameter;  ///< of a cylinder or disk [m]
     std::optional<double> speed;     ///< root mean square, of what moves [m/s]

@@ -151,11 +151,24 @@ void describe(Visitor& v, Lubricant& l)
     v.from_library(l);
     const Need need = l.library.empty() ? required : optional;
     v.quantity({"density", "mass per volume; 0 if not known"}, l.density, D::density, non_negative);
-    v.curve({"viscosity",
-             "kinematic viscosity; log-linear between the points, going on with the end slopes (and warned about) "
-             "beyond them",
-             need},
+    choose(v,
+           {"law",
+            "`table`: log-linear between the points of `viscosity`, going on with the end slopes (and warned about) "
+            "beyond them; `walther`: the line of ASTM D341 through its two points; `vogel`: nu = vogel_factor "
+            "exp(vogel_b / (T - vogel_pole))"},
+           l.law, {"table", "walther", "vogel"});
+    v.curve({"viscosity", "kinematic viscosity of `table` and `walther`", l.law == "vogel" ? optional : need},
             l.viscosity, {"temperature", D::temperature, D::kinematic_viscosity, positive});
+    v.quantity({"vogel_factor", "of `vogel`"}, l.vogel_factor, D::kinematic_viscosity, positive);
+    v.quantity({"vogel_b", "of `vogel`"}, l.vogel_b, D::temperature_difference, positive);
+    v.quantity({"vogel_pole", "of `vogel`"}, l.vogel_pole, D::temperature, positive);
+    v.expect(l.law != "walther" || l.viscosity.x.size() == 2, "viscosity",
+             "the line of ASTM D341 goes through two points",
+             "give two temperatures, usually 40 and 100 degC, or law = \"table\"");
+    const bool vogel = l.law == "vogel";
+    v.expect(!vogel || (l.vogel_factor && l.vogel_b), "law", "`vogel` needs `vogel_factor` and `vogel_b`", "add both");
+    v.expect(vogel || !(l.vogel_factor || l.vogel_b), l.vogel_factor ? "vogel_factor" : "vogel_b",
+             "it belongs to law = \"vogel\"", "remove it, or add the law");
     v.text({"source", "where the values are from"}, l.source);
 }
 

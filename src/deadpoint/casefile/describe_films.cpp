@@ -167,10 +167,12 @@ void describe(Visitor& v, Film& f)
             "`vertical`: a wall; `horizontal_up`, `horizontal_down`: a plate by the side it faces; `cylinder`: a "
             "horizontal one at rest; `rotating_cylinder`, `rotating_disk`: turns with the crank; `moving`: by the "
             "body's root mean square speed; `enclosed`: around air that exchanges little with the room; `paper`: the "
-            "constants of Zheng et al. (2018)"},
+            "constants of Zheng et al. (2018), `paper_...`: its correlations with its Table 7 as printed, errors "
+            "included"},
            f.law,
            {"vertical", "horizontal_up", "horizontal_down", "cylinder", "rotating_cylinder", "rotating_disk", "moving",
-            "enclosed", "paper"});
+            "enclosed", "paper", "paper_vertical", "paper_horizontal_up", "paper_horizontal_down",
+            "paper_rotating_cylinder"});
     v.quantity({"length",
                 "height of a wall; area over perimeter of a horizontal plate; along its motion of what moves; "
                 "else from the geometry"},
@@ -190,8 +192,10 @@ void describe(Visitor& v, Film& f)
              "keep either `coefficient` or `law`");
     LawRules rules(v, f.law);
     rules.allowed(f.length.has_value(), "length",
-                  {"vertical", "horizontal_up", "horizontal_down", "moving", "enclosed"});
-    rules.allowed(f.diameter.has_value(), "diameter", {"cylinder", "rotating_cylinder", "rotating_disk"});
+                  {"vertical", "horizontal_up", "horizontal_down", "moving", "enclosed", "paper_vertical",
+                   "paper_horizontal_up", "paper_horizontal_down"});
+    rules.allowed(f.diameter.has_value(), "diameter",
+                  {"cylinder", "rotating_cylinder", "rotating_disk", "paper_rotating_cylinder"});
     rules.allowed(f.speed.has_value(), "speed", {"moving"});
     rules.needed(f.exchange.has_value(), "exchange", {"enclosed"});
     rules.needed(!f.constant.empty(), "constant", {"paper"});

@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/table.hpp"
+#include "deadpoint/study/viscosity.hpp"
 #include "deadpoint/tribology/ball_bearing.hpp"
 #include "deadpoint/tribology/guide.hpp"
 #include "deadpoint/tribology/heat_law.hpp"
@@ -18,12 +19,6 @@ namespace {
 using casefile::Friction;
 using tribology::Duty;
 
-tribology::ViscosityLaw viscosity_of(const casefile::Case& input, const Friction& friction)
-{
-    const auto& table = input.lubricants.at(friction.lubricant).viscosity;
-    return tribology::ViscosityCurve(table.x, table.y);
-}
-
 tribology::Lubricant lubricant_of(const casefile::Case& input, const Friction& friction)
 {
     const auto& given = input.lubricants.at(friction.lubricant);
@@ -33,7 +28,7 @@ tribology::Lubricant lubricant_of(const casefile::Case& input, const Friction& f
                                      friction.lubricant));
     tribology::OilDensity density;
     density.density = given.density;
-    return {viscosity_of(input, friction), tribology::linear_density(density)};
+    return {viscosity_law(input, friction.lubricant), tribology::linear_density(density)};
 }
 
 HeatLaw scaled(HeatLaw law, double factor)
@@ -149,7 +144,7 @@ void add_palmgren(Sum& sum, const casefile::Case& input, const Friction& frictio
     const auto bearing = palmgren_bearing(friction);
     for (const auto& duty : joint.duties) {
         sum.laws.push_back(
-            tribology::palmgren_heat(bearing, duty, friction.axial_preload, viscosity_of(input, friction)));
+            tribology::palmgren_heat(bearing, duty, friction.axial_preload, viscosity_law(input, friction.lubricant)));
         if (friction.balls > 0)
             sum.laws.push_back(tribology::constant_heat(spin_heat(friction, duty, friction.axial_preload)));
         sum.load_part += load_heat(bearing, friction, duty, friction.axial_preload);
@@ -162,7 +157,8 @@ void add_skf(Sum& sum, const casefile::Case& input, const Friction& friction, co
                              ? tribology::skf_cylindrical_roller(*friction.bore, *friction.outside_diameter)
                              : tribology::skf_angular_contact(*friction.bore, *friction.outside_diameter);
     for (const auto& duty : joint.duties)
-        sum.laws.push_back(tribology::skf_heat(bearing, duty, friction.axial_preload, viscosity_of(input, friction)));
+        sum.laws.push_back(
+            tribology::skf_heat(bearing, duty, friction.axial_preload, viscosity_law(input, friction.lubricant)));
 }
 
 // A size of a pin: by the row, else by the element, else by the interface.

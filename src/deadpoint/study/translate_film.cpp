@@ -129,6 +129,8 @@ FilmLawAt SurfaceFilm::law_at(double crank_speed) const
         return [value = *constant](double) -> FilmLaw { return [value](double) { return LawValue{value, 0, true}; }; };
     auto moved = air;
     moved.speed = speed_at(crank_speed);
+    if (as_printed)
+        return [moved](double ambient) { return surroundings::paper_film_law(moved, ambient); };
     if (!exchange)
         return [moved](double ambient) { return surroundings::film_law(moved, ambient); };
     return [moved, size = area, into_room = *exchange](double ambient) {
@@ -150,7 +152,12 @@ SurfaceFilm surface_film(const casefile::Film& film, const Machine& machine, con
         result.constant = film.constant == "frame" ? surroundings::paper_frame_coefficient
                                                    : surroundings::paper_crankshaft_coefficient;
     } else {
-        set_flow(result, film, machine, surface, loads);
+        constexpr std::string_view printed = "paper_";
+        result.as_printed = film.law.starts_with(printed);
+        auto plain = film;
+        if (result.as_printed)
+            plain.law = film.law.substr(printed.size());
+        set_flow(result, plain, machine, surface, loads);
     }
     return result;
 }

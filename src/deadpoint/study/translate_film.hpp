@@ -18,6 +18,7 @@ struct SurfaceFilm {
     std::string law;                      ///< "given" where the case states the coefficient
     std::optional<double> constant;       ///< a coefficient that follows nothing [W/m2/K]
     surroundings::AirSurface air;         ///< without speed
+    bool as_printed = false;              ///< by the paper's correlations and its Table 7
     double speed_per_turn = 0;            ///< the air surface's speed by that of the crank [- or m]
     std::optional<double> running_speed;  ///< given: the speed whenever the press runs [m/s]
     double area = 0;                      ///< of the modelled half [m2]

@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/study/translate_loads.hpp"
+#include "deadpoint/study/viscosity.hpp"
 #include "deadpoint/tribology/calibrated.hpp"
 #include "deadpoint/tribology/heat_law.hpp"
 
@@ -270,10 +271,8 @@ FrictionHeat FrictionLaws::calibrated(const std::string& row, const casefile::Se
         }
     }
     tribology::ViscosityLaw viscosity;
-    if (!given.lubricant.empty()) {
-        const auto& table = input_.lubricants.at(given.lubricant).viscosity;
-        viscosity = tribology::ViscosityCurve(table.x, table.y);
-    }
+    if (!given.lubricant.empty())
+        viscosity = viscosity_law(input_, given.lubricant);
     result.heat = tribology::calibrated_heat(law, viscosity, segment.speed, ratio);
     result.load_part = given.scale * given.load_part * ratio.load;
     return result;

@@ -102,4 +102,21 @@ FilmComparison compare_rotating_film(double speed, double diameter, double film)
             .corrected_in_range = corrected.in_range && air.in_range};
 }
 
+FilmLaw paper_film_law(const AirSurface& surface, double ambient)
+{
+    const auto value = [surface, ambient](double temperature) {
+        const double rise = std::abs(temperature - ambient);
+        if (surface.forced == ForcedFlow::rotating_cylinder && surface.speed > 0)
+            return compare_rotating_film(surface.speed, surface.forced_length, ambient + rise / 2);
+        const auto flow = surface.natural == NaturalFlow::horizontal_cylinder ? NaturalFlow::vertical : surface.natural;
+        return compare_natural_film(flow, surface.natural_length, ambient + rise, ambient);
+    };
+    return [value](double temperature) {
+        constexpr double step = 0.01;  // [K]
+        const auto at = value(temperature);
+        const double slope = (value(temperature + step).paper - value(temperature - step).paper) / (2 * step);
+        return LawValue{at.paper, slope, at.paper_in_range};
+    };
+}
+
 }  // namespace deadpoint::surroundings

@@ -62,4 +62,10 @@ FilmComparison compare_natural_film(NaturalFlow flow, double length, double surf
 /// @throws DomainError if a number has no meaning
 FilmComparison compare_rotating_film(double speed, double diameter, double film);
 
+/// The paper's coefficient of a surface over its temperature at an ambient [K]: compare_rotating_film where it turns,
+/// else compare_natural_film, a cylinder at rest as a wall of the height of its diameter. A surface colder than the air
+/// counts as one as much warmer. Slopes by differences over 0.01 K.
+/// @throws DomainError as the two
+FilmLaw paper_film_law(const AirSurface& surface, double ambient);
+
 }  // namespace deadpoint::surroundings
