@@ -7,7 +7,6 @@
 // Matrices of the heat problem; time integration is in heat_solver.cpp.
 
 namespace deadpoint::fem {
-namespace {
 
 void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns, double factor)
 {
@@ -18,8 +17,6 @@ void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns,
     DEADPOINT_PETSC(
         MatSetValues(matrix, rows.count, rows.dof.data(), columns.count, columns.dof.data(), block.data(), ADD_VALUES));
 }
-
-}  // namespace
 
 void HeatSolver::add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const
 {

@@ -72,6 +72,18 @@ void add(SparseFunctional& sum, const SparseFunctional& term, double factor)
         sum.weight.push_back(factor * weight);
 }
 
+// On a face, the shape functions of the nodes off it vanish.
+PointShape without_zeros(const PointShape& shape)
+{
+    PointShape result;
+    for (int i = 0; i < shape.count; ++i)
+        if (std::abs(shape.value[i]) > 1e-12) {
+            result.dof[result.count] = shape.dof[i];
+            result.value[result.count++] = shape.value[i];
+        }
+    return result;
+}
+
 void append(std::vector<std::pair<PetscInt, double>>& entries, const PointShape& shape, double factor)
 {
     for (int i = 0; i < shape.count; ++i)
@@ -313,7 +325,7 @@ void HeatSolver::prepare_films()
                 append(entries, shape, fraction * point.weight);
                 film.area += fraction * point.weight;
                 if (variable && mine)
-                    film.points.push_back({shape, fraction * point.weight});
+                    film.points.push_back({without_zeros(shape), fraction * point.weight});
             }
         }
         film.integral = space_.functional(entries);

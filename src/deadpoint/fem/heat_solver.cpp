@@ -149,11 +149,7 @@ void HeatSolver::build_system(double factor, Vec temperature)
                 for (int i = 0; i < point.shape.count; ++i)
                     at += point.shape.value[i] * values[point.shape.dof[i]];
                 const double slope = film_slope(law(at), film.condition->emissivity, at, surroundings);
-                for (int i = 0; i < point.shape.count; ++i)
-                    for (int j = 0; j < point.shape.count; ++j)
-                        DEADPOINT_PETSC(MatSetValue(variable_, point.shape.dof[i], point.shape.dof[j],
-                                                    slope * point.weight * point.shape.value[i] * point.shape.value[j],
-                                                    ADD_VALUES));
+                insert_block(variable_, point.shape, point.shape, slope * point.weight);
             }
         }
         DEADPOINT_PETSC(MatAssemblyBegin(variable_, MAT_FINAL_ASSEMBLY));

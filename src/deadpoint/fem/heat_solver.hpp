@@ -37,6 +37,9 @@ struct HeatRate {
 
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< [W/m2/K4]
 
+/// Adds factor * rows x columns to a matrix.
+void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns, double factor);
+
 /// A vector of the same layout, its entries not set.
 OwnedVec duplicate(Vec vector);
 
