@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/casefile/check.hpp"
 #include "deadpoint/casefile/library.hpp"
 #include "deadpoint/casefile/read.hpp"
@@ -24,27 +25,7 @@ namespace fs = std::filesystem;
 const fs::path data = fs::path(DEADPOINT_TEST_DATA) / "casefile";
 
 /// A folder that is removed with its contents at the end of the test.
-class Scratch {
-public:
-    Scratch()
-        : path_(fs::temp_directory_path() / fs::path("deadpoint-casefile-" + std::to_string(std::random_device()())))
-    {
-        fs::remove_all(path_);
-        fs::create_directories(path_);
-    }
-    ~Scratch() { fs::remove_all(path_); }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-
-    [[nodiscard]] fs::path file(const std::string& name, std::string_view text) const
-    {
-        std::ofstream(path_ / name) << text;
-        return path_ / name;
-    }
-
-private:
-    fs::path path_;
-};
+using Scratch = ScratchFolder;
 
 std::string error_of(const fs::path& path, const std::vector<std::string>& overrides = {})
 {

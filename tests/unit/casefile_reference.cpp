@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/casefile/read.hpp"
 #include "deadpoint/casefile/reference.hpp"
 #include "deadpoint/casefile/reference_file.hpp"
@@ -17,16 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Scratch {
-    fs::path path = fs::temp_directory_path() / ("deadpoint-reference-" + std::to_string(std::random_device{}()));
-    Scratch() { fs::create_directories(path); }
-    ~Scratch() { fs::remove_all(path); }
-    [[nodiscard]] fs::path file(const std::string& name, const std::string& text) const
-    {
-        std::ofstream(path / name) << text;
-        return path / name;
-    }
-};
+using Scratch = ScratchFolder;
 
 bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
 
@@ -47,14 +39,6 @@ std::string error_of(const std::string& body, const std::string& csv = "", const
         return error.what();
     }
     return "";
-}
-
-std::string content(const fs::path& path)
-{
-    std::ifstream stream(path);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
 }
 
 const std::string rise_curve = "[[curves]]\nfile = \"m.csv\"\ncolumn = \"top\"\nmeasures = \"rise\"\nprobe = \"top\"\n";

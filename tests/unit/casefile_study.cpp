@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/casefile/read.hpp"
 #include "deadpoint/casefile/reference.hpp"
 #include "deadpoint/casefile/study_file.hpp"
@@ -16,19 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Scratch {
-    fs::path path = fs::temp_directory_path() / ("deadpoint-study-" + std::to_string(std::random_device{}()));
-    Scratch()
-    {
-        fs::create_directories(path);
-        fs::copy_file(fs::path(DEADPOINT_SOURCE_DIR) / "cases/slider-crank/case.toml", path / "case.toml");
-    }
-    ~Scratch() { fs::remove_all(path); }
-    [[nodiscard]] fs::path file(const std::string& name, const std::string& text) const
-    {
-        std::ofstream(path / name) << text;
-        return path / name;
-    }
+struct Scratch : ScratchFolder {
+    Scratch() { fs::copy_file(fs::path(DEADPOINT_SOURCE_DIR) / "cases/slider-crank/case.toml", path / "case.toml"); }
 };
 
 bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
@@ -52,14 +42,6 @@ std::string error_of(const std::string& body)
         return error.what();
     }
     return "";
-}
-
-std::string content(const fs::path& path)
-{
-    std::ifstream stream(path);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
 }
 
 }  // namespace

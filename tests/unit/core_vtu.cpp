@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/vtu.hpp"
 
@@ -14,19 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("deadpoint-vtu-" + std::to_string(std::random_device{}()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-};
-
-std::string content(const fs::path& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-}
+using Folder = ScratchFolder;
 
 /// The appended values of one array, read by the format's rules and not by the writer's code.
 template <class T>

@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/compare_files.hpp"
 #include "deadpoint/report/drift_summary_text.hpp"
@@ -17,11 +18,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A result folder as a run leaves it, reduced to what is read.
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("deadpoint-compare-" + std::to_string(std::random_device{}()));
+struct Folder : ScratchFolder {
     Folder()
     {
-        fs::create_directories(path);
         put("summary.json", R"({"case": {"name": "press", "hash": "0123"}, "interrupted": false,
             "initial_temperature_degC": 20.0, "probe_rises_K": {"top": {"end": 2}},
             "reference": {"rises_K": {"top": {"computed": 2, "reference": 3}}, "time_s": 3600,
@@ -30,15 +29,8 @@ struct Folder {
                            "0,20,20,5,0,0\n3600,22,30,4,-7.5,2\n");
         put("loads.json", R"({"slide": {"stroke_mm": 80}, "seats": {"B": {"mean_N": [1, -2]}}, "text": "x"})");
     }
-    ~Folder() { fs::remove_all(path); }
-    void put(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
-    [[nodiscard]] std::string content(const std::string& name) const
-    {
-        std::ifstream in(path / name);
-        std::ostringstream out;
-        out << in.rdbuf();
-        return out.str();
-    }
+    void put(const std::string& name, const std::string& text) const { (void)file(name, text); }
+    [[nodiscard]] std::string content(const std::string& name) const { return ::content(path / name); }
 };
 
 bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }

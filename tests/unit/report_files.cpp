@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/csv.hpp"
 #include "deadpoint/report/json_file.hpp"
@@ -15,23 +16,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("deadpoint-report-" + std::to_string(std::random_device{}()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
+struct Folder : ScratchFolder {
     [[nodiscard]] std::size_t entries() const
     {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator{}));
     }
 };
-
-std::string content(const fs::path& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-}
 
 void put(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
 

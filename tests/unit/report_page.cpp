@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/view_file.hpp"
@@ -15,24 +16,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("deadpoint-page-" + std::to_string(std::random_device{}()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-};
+using Folder = ScratchFolder;
 
 void put(const fs::path& path, const std::string& text)
 {
     fs::create_directories(path.parent_path());
     std::ofstream(path) << text;
-}
-
-std::string content(const fs::path& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
 }
 
 std::string encoded(const std::string& text)

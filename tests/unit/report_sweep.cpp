@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/core/csv_table.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/read_result.hpp"
@@ -22,17 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("deadpoint-sweep-" + std::to_string(std::random_device{}()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    [[nodiscard]] std::string content(const std::string& name) const
-    {
-        std::ifstream in(path / name);
-        std::ostringstream out;
-        out << in.rdbuf();
-        return out.str();
-    }
+struct Folder : ScratchFolder {
+    [[nodiscard]] std::string content(const std::string& name) const { return ::content(path / name); }
 };
 
 bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }

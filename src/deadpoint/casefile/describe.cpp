@@ -1,5 +1,5 @@
+#include "deadpoint/casefile/choose.hpp"
 #include "deadpoint/casefile/library.hpp"
-#include "deadpoint/casefile/visitor.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,11 +13,6 @@ constexpr Need required = Need::required;
 constexpr Need optional = Need::optional;
 constexpr Range absolute_temperature = positive;
 constexpr double everywhere = 1e3;  ///< half width of a window that is not limited [m]
-
-void choose(Visitor& v, const Key& key, std::string& value, std::initializer_list<std::string_view> options)
-{
-    v.choice(key, value, std::span(options.begin(), options.size()));
-}
 
 void describe_form(Visitor& v, BoxShape& box)
 {

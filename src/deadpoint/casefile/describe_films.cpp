@@ -1,4 +1,4 @@
-#include "deadpoint/casefile/visitor.hpp"
+#include "deadpoint/casefile/choose.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,6 @@ namespace deadpoint::casefile {
 namespace {
 
 using D = Dimension;
-
-void choose(Visitor& v, const Key& key, std::string& value, std::initializer_list<std::string_view> options)
-{
-    v.choice(key, value, std::span(options.begin(), options.size()));
-}
 
 /// Rules between a law and its parameters.
 class LawRules {

@@ -1,4 +1,4 @@
-#include "deadpoint/casefile/visitor.hpp"
+#include "deadpoint/casefile/choose.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -8,11 +8,6 @@ namespace deadpoint::casefile {
 namespace {
 
 using D = Dimension;
-
-void choose(Visitor& v, const Key& key, std::string& value, std::initializer_list<std::string_view> options)
-{
-    v.choice(key, value, std::span(options.begin(), options.size()));
-}
 
 /// A key belongs to some of the laws; given with another one it is an error.
 class LawKeys {

@@ -1,4 +1,4 @@
-#include "deadpoint/casefile/visitor.hpp"
+#include "deadpoint/casefile/choose.hpp"
 
 #include <array>
 #include <initializer_list>
@@ -9,11 +9,6 @@ namespace {
 
 using D = Dimension;
 constexpr Need required = Need::required;
-
-void choose(Visitor& v, const Key& key, std::string& value, std::initializer_list<std::string_view> options)
-{
-    v.choice(key, value, std::span(options.begin(), options.size()));
-}
 
 bool within_a_turn(const Table& table)
 {

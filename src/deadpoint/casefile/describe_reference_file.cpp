@@ -1,5 +1,5 @@
+#include "deadpoint/casefile/choose.hpp"
 #include "deadpoint/casefile/reference_file.hpp"
-#include "deadpoint/casefile/visitor.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,11 +11,6 @@ namespace {
 
 using D = Dimension;
 constexpr Need required = Need::required;
-
-void choose(Visitor& v, const Key& key, std::string& value, std::initializer_list<std::string_view> options)
-{
-    v.choice(key, value, std::span(options.begin(), options.size()));
-}
 
 void describe_note(Visitor& v, ReferenceNote& n)
 {
