@@ -67,7 +67,8 @@ struct RunOptions {
 };
 
 /// One machine, ready for runs of like cases: what does not change between them is made once, the unknowns, the factor
-/// of the deformation, the adjoints of the dimension chain, and, where films and conductances stay, the heat matrices.
+/// of the deformation and the adjoints of the dimension chain. The heat matrices that prepare() makes serve the first
+/// run after it whose films and conductances are the same, in each process that takes the prepared memory over.
 class SharedModel {
 public:
     /// @param machine  must outlive this
