@@ -54,6 +54,7 @@ int run_case(const RunOptions& options, const OnRanks& ranks)
     wanted.field_folder = input.output.fields ? path : std::string{};
     wanted.comments = file_comments(input, console);
     wanted.view = true;
+    wanted.causes = true;
     auto result = study::run_case(input, machine, wanted, console);
     result.timings.insert(result.timings.begin(), {"mesh", mesh_seconds});
     console.finish();

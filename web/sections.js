@@ -94,17 +94,41 @@ function heatSection(run) {
 const dimensionNames = { E_SW: "gap between slide and table", E_BG: "bearing seats above ground", E_WG: "table above ground",
     E_CS: "slide's face below the crankshaft", E_BC: "crank off its seats' centre" };
 
-/** What each part has done to the gap at a time, largest first; the small ones as one. */
+/** What each part has done to the gap at a time, largest first. */
 function steps(run, hour) {
     const columns = run.contributions.filter((entry) => entry.unit === "um" && entry.name !== "E_SW");
     const hours = column(run.contributions, "time").map((second) => second / 3600);
-    const rows = columns.map((entry) => ({ name: words(entry.name), value: between(hours, entry.values, hour) }))
-        .sort((a, b) => Math.abs(b.value) - Math.abs(a.value));
+    return mainSteps(columns.map((entry) => ({ name: words(entry.name), value: between(hours, entry.values, hour) })),
+        "parts");
+}
+
+/** The steps of a waterfall, largest first, the small ones as one. */
+function mainSteps(steps, kind) {
+    const rows = [...steps].sort((a, b) => Math.abs(b.value) - Math.abs(a.value));
     const kept = rows.slice(0, 9).filter((row) => Math.abs(row.value) > 0.005 * Math.abs(rows[0].value));
     const rest = rows.slice(kept.length);
-    if (rest.length) kept.push({ name: rest.length === 1 ? rest[0].name : `${rest.length} other parts`,
+    if (rest.length) kept.push({ name: rest.length === 1 ? rest[0].name : `${rest.length} other ${kind}`,
         value: rest.reduce((sum, row) => sum + row.value, 0) });
     return kept;
+}
+
+/** What each heat has done to the gap at a time of the summary's list. */
+function causeSteps(entry) {
+    const named = (group, what) => Object.entries(entry[group] ?? {}).map(([name, value]) =>
+        ({ name: what ? `${what} ${words(name)}` : words(name), value }));
+    const single = { oil: "oil", air: "ambient", start: "warm start", remainder: "films over temperature" };
+    return mainSteps([...named("friction", "friction in"), ...named("heat source"), ...named("surface", "surface"),
+        ...Object.entries(single).map(([key, name]) => ({ name, value: entry[key] ?? 0 }))]
+        .filter((row) => row.value !== 0), "causes");
+}
+
+function causeFigure(entry, end) {
+    const last = Math.abs(entry.time_s - end) < 1e-6 * end;
+    return waterfall({ id: last ? "causes-end" : "causes-largest", unit: "µm", total: "gap E_SW", rows: causeSteps(entry),
+        title: last ? `Which heat causes the change at the end, after ${duration(end)}`
+            : `Which heat causes the largest change, after ${duration(entry.time_s)}`,
+        text: "Each cause counts with all that its heat does anywhere in the machine until then, with the heat of all joints "
+            + "as it was in the run. Oil and ambient count by what their temperature differs from the start.", note: null });
 }
 
 function driftSection(run) {
@@ -129,6 +153,7 @@ function driftSection(run) {
         falls.push(fall("waterfall-end", `Which part causes the change at the end, after ${duration(3600 * end)}`, end,
             drift.final_E_SW));
     }
+    for (const entry of drift.by_cause ?? []) falls.push(causeFigure(entry, 3600 * end));
     const known = lines.filter((line) => dimensionNames[line.key]);
     return make("section", { id: "gap" }, make("h2", {}, "The gap between slide and table"),
         make("p", {}, "All at bottom dead point, with the press unloaded, as changes since the start. Above zero the gap opens. "

@@ -8,7 +8,18 @@
 
 namespace {
 
-std::vector<double> solve(const std::string& name, int ranks, const std::string& overrides)
+std::vector<double> numbers(const std::filesystem::path& file)
+{
+    std::ifstream in(file);
+    std::vector<double> values;
+    for (double value = 0; in >> value;)
+        values.push_back(value);
+    return values;
+}
+
+// @param ending  of the file to read: "" for temperatures, ".causes"
+std::vector<double> solve(const std::string& name, int ranks, const std::string& overrides,
+                          const std::string& ending = "")
 {
     const auto file = std::filesystem::temp_directory_path() / ("deadpoint-ranks-" + std::to_string(ranks) + ".txt");
     std::filesystem::remove(file);
@@ -17,11 +28,9 @@ std::vector<double> solve(const std::string& name, int ranks, const std::string&
                                 DEADPOINT_VERIFICATION_CASES + "/" + name + ".toml " + file.string() + " " + overrides;
     CAPTURE(command);
     REQUIRE(std::system(command.c_str()) == 0);
-    std::ifstream result(file);
-    std::vector<double> values;
-    for (double value = 0; result >> value;)
-        values.push_back(value);
-    std::filesystem::remove(file);
+    auto values = numbers(file.string() + ending);
+    for (const auto* each : {"", ".causes"})
+        std::filesystem::remove(file.string() + each);
     return values;
 }
 
@@ -67,4 +76,20 @@ TEST_CASE("two ranks give what one gives: elements of second order")
 {
     check_agreement("two-slabs", 293.15,
                     "numerics.order=2 parts.steel_slab.size=\"1 mm\" parts.aluminium_slab.size=\"0.8 mm\"");
+}
+
+TEST_CASE("two ranks give what one gives: which heat has moved the gap")
+{
+    const std::string overrides = "numerics.size=\"90 mm\" parts.bed.size=\"120 mm\" parts.crankshaft.size=\"60 mm\" "
+                                  "output.fields=false \"operation.0.duration=30 min\" oil.journals=\"300 W/m^2/K\" "
+                                  "\"joints.crank_bearing.oil_temperature=26 degC\" numerics.solver_tolerance=1e-9";
+    const auto one = solve("../../../cases/starter/case", 1, overrides, ".causes"),
+               two = solve("../../../cases/starter/case", 2, overrides, ".causes");
+    REQUIRE(one.size() == 7);
+    REQUIRE(two.size() == one.size());
+    // Steps are the same; what differs are the linear solves.
+    for (std::size_t i = 0; i < one.size(); ++i)
+        CHECK(std::abs(one[i] - two[i]) < 1e-5);
+    CHECK(std::abs(one[0]) > 0.01);
+    CHECK(std::abs(one[4]) > 1e-4);
 }

@@ -8,7 +8,8 @@
 #include <iostream>
 
 // solve_on_ranks CASE FILE [path=value ...]: solves a case on all ranks and writes, number by number, how many they
-// are, the mismatch of the energy balance, and the last temperatures of probes, interface sides and parts.
+// are, the mismatch of the energy balance, and the last temperatures of probes, interface sides and parts. What each
+// joint, the oil and the air have done to the gap, over the gap, goes into FILE.causes.
 
 using namespace deadpoint;
 
@@ -23,6 +24,15 @@ void write(const std::string& path, const study::RunResult& result)
     for (const auto* group : {&history.probes, &history.interface_a, &history.interface_b, &history.part_means})
         for (const auto& series : *group)
             file << series.value.back() << '\n';
+    if (result.causes.empty())
+        return;
+    const auto& causes = result.causes.back();
+    std::ofstream shares(path + ".causes");
+    shares.precision(17);
+    for (const auto& [name, value] : causes.joints)
+        shares << value / causes.gap << '\n';
+    for (const double value : {causes.oil, causes.air, causes.remainder})
+        shares << value / causes.gap << '\n';
 }
 
 }  // namespace
@@ -36,7 +46,9 @@ int main(int argc, char** argv)
         const auto input = casefile::read_case(argv[1], {argv + 3, argv + argc}).value;
         Observer silent;
         const auto machine = study::prepare_machine(input, 1, silent);
-        const auto result = study::run_case(input, machine, {}, silent);
+        study::RunOptions options;
+        options.causes = true;
+        const auto result = study::run_case(input, machine, options, silent);
         if (session.rank() == 0)
             write(argv[2], result);
     } catch (const std::exception& error) {

@@ -95,7 +95,7 @@ def check_charts(page, folder, width):
         if name in charts:
             near(charts[name]["lines"], count, 0, f"{width} px: lines in '{name}'")
             near(len(charts[name]["rows"]), count, 0, f"{width} px: rows of figures in '{name}'")
-    for name in ("waterfall-end", "flow", "orders", "linkage"):
+    for name in ("waterfall-end", "causes-end", "flow", "orders", "linkage"):
         check(charts.get(name, {}).get("drawn", 0) > 5, f"{width} px: chart '{name}' is missing or empty")
     for chart in charts.values():
         check(chart["heading"] != "", f"chart '{chart['id']}' has no heading")
@@ -107,7 +107,8 @@ def check_charts(page, folder, width):
         rise = history[name][-1] - history[name][0]
         near(number(row[4]), rise, 5e-4 * abs(rise) + 1e-3, f"rise of {name}")
     check_axis(page, history)
-    check_waterfall(page, history)
+    check_waterfall(page, history, "waterfall-end")
+    check_causes(page, folder, history)
 
 
 def check_axis(page, history):
@@ -125,11 +126,27 @@ def check_axis(page, history):
         near(low + (end - y0) / (y1 - y0) * (high - low), history[name][-1], 0.01 * (high - low), f"line of {name}")
 
 
-def check_waterfall(page, history):
-    text = page.run("""document.querySelector('figure[data-chart="waterfall-end"] svg').getAttribute("aria-label")""")
-    steps = [piece.rsplit(" ", 1) for piece in text.split(": ", 1)[1].rsplit(" ", 1)[0].split(", ")]
-    near(number(steps[-1][1]), history["E_SW [um]"][-1], 0.15, "total of the waterfall")
-    near(sum(number(value) for _, value in steps[:-1]), number(steps[-1][1]), 0.06 * len(steps), "sum of the waterfall")
+def waterfall_steps(page, chart):
+    text = page.run(f"""document.querySelector('figure[data-chart="{chart}"] svg').getAttribute("aria-label")""")
+    return [piece.rsplit(" ", 1) for piece in text.split(": ", 1)[1].rsplit(" ", 1)[0].split(", ")]
+
+
+def check_waterfall(page, history, chart):
+    steps = waterfall_steps(page, chart)
+    near(number(steps[-1][1]), history["E_SW [um]"][-1], 0.15, f"total of {chart}")
+    near(sum(number(value) for _, value in steps[:-1]), number(steps[-1][1]), 0.06 * len(steps), f"sum of {chart}")
+
+
+def check_causes(page, folder, history):
+    """The strongest cause at the end is that of causes.csv."""
+    check_waterfall(page, history, "causes-end")
+    with open(folder + "/causes.csv") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))[1:]
+    strongest = max(rows, key=lambda row: abs(float(row[-1])))
+    shown = waterfall_steps(page, "causes-end")[0]
+    check(strongest[1].replace("_", " ") in shown[0], f"the strongest cause is {strongest}, the page says {shown}")
+    near(number(shown[1]), float(strongest[-1]), 0.051, "value of the strongest cause")
+    near(sum(float(row[-1]) for row in rows), history["E_SW [um]"][-1], 1e-3, "sum of causes.csv")
 
 
 def check_view(page, folder):

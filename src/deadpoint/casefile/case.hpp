@@ -154,6 +154,7 @@ struct Output {
     double history_interval = 60;
     std::vector<double> field_times;  ///< [s]; the end is always written
     bool fields = true;
+    bool causes = true;
 };
 
 struct MachineSection {

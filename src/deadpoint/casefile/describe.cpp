@@ -413,6 +413,7 @@ void describe(Visitor& v, Output& o)
     v.quantity({"history_interval", "between rows of history.csv"}, o.history_interval, D::time, positive);
     v.quantities({"field_times", "when fields are written, besides the end"}, o.field_times, D::time, non_negative);
     v.flag({"fields", "write temperature and displacement fields at all"}, o.fields);
+    v.flag({"causes", "find which heat has moved the gap; as long as the time steps. Not in a sweep"}, o.causes);
 }
 
 void describe(Visitor& v, Reference& r)

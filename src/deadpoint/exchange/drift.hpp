@@ -3,6 +3,7 @@
 #include "deadpoint/exchange/heat.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace deadpoint {
@@ -16,6 +17,20 @@ struct DriftSeries {
     Series clearance;                          ///< E_BC
     Series gap;                                ///< E_SW = E_BG - E_WG - E_CS - E_BC
     std::vector<std::vector<double>> by_part;  ///< [part][step], parts of E_SW; they sum to it
+};
+
+/// What has moved the gap until one time, by cause [m]: each the change that its heat, or its temperature above the
+/// initial one, alone would have made with everything else as the run had it. All of them sum to the gap's change.
+struct DriftCauses {
+    double time = 0;                                           ///< [s]
+    double gap = 0;                                            ///< E_SW
+    std::vector<std::pair<std::string, double>> joints;        ///< friction heat
+    std::vector<std::pair<std::string, double>> heat_sources;  ///< other heat
+    std::vector<std::pair<std::string, double>> surfaces;      ///< of prescribed temperature or flux
+    double oil = 0;                                            ///< oil that was not at the initial temperature
+    double air = 0;                                            ///< the same of the ambient
+    double start = 0;                                          ///< temperatures from which the run started
+    double remainder = 0;  ///< what is left: films that follow the temperature, and the error of the solvers
 };
 
 }  // namespace deadpoint

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 // What enters the heat balance at one time; the matrices are in heat_assembly.cpp.
 
@@ -35,7 +36,8 @@ double HeatSolver::film_slope(const LawValue& film, double emissivity, double su
 void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature) const
 {
     const double* values = everywhere_->gather(temperature);
-    std::vector<double> sums(problem_->surfaces.size() + 1, 0.0);  // untested area per condition, then the heat lost
+    const std::size_t count = problem_->surfaces.size();
+    std::vector<double> sums(2 * count, 0.0);  // untested area per condition, then the heat lost
     for (const auto& film : films_) {
         if (film.points.empty())
             continue;
@@ -48,7 +50,7 @@ void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature
             const LawValue value = law(at);
             const double flow = point.weight * film_flux(value, film.condition->emissivity, at, surroundings);
             sums[film.index] += value.in_range ? 0 : point.weight;
-            sums.back() += flow;
+            sums[count + film.index] += flow;
             for (int i = 0; i < point.shape.count; ++i)
                 DEADPOINT_PETSC(VecSetValue(rate.vector, point.shape.dof[i], -flow * point.shape.value[i], ADD_VALUES));
         }
@@ -56,8 +58,9 @@ void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature
     DEADPOINT_PETSC(VecAssemblyBegin(rate.vector));
     DEADPOINT_PETSC(VecAssemblyEnd(rate.vector));
     sum_over_ranks(sums);
-    rate.to_air += sums.back();
-    sums.pop_back();
+    rate.variable_to_air.assign(sums.begin() + static_cast<std::ptrdiff_t>(count), sums.end());
+    rate.to_air = std::accumulate(rate.variable_to_air.begin(), rate.variable_to_air.end(), rate.to_air);
+    sums.resize(count);
     rate.films_untested = std::move(sums);
 }
 
@@ -145,6 +148,8 @@ void HeatSolver::add_body_heat(HeatRate& rate, double time) const
 HeatRate HeatSolver::rate(double time, Vec temperature) const
 {
     HeatRate result;
+    result.time = time;
+    result.oil_temperature = oil_temperature_;
     result.vector = duplicate(temperature);
     DEADPOINT_PETSC(MatMult(stiffness_, temperature, result.vector));
     DEADPOINT_PETSC(VecScale(result.vector, -1));
@@ -156,6 +161,7 @@ HeatRate HeatSolver::rate(double time, Vec temperature) const
     for (std::size_t i = 0; i < films_.size(); ++i) {
         const auto& film = films_[i];
         const auto& condition = *film.condition;
+        result.film_mean.push_back(integral[i] / std::max(film.area, 1e-300));
         if (condition.kind == SurfaceCondition::Kind::flux) {
             const double flux = condition.flux(time);
             add_to(result.vector, film.integral, flux);

@@ -46,7 +46,7 @@ bool HeatSolver::adopt(const HeatProblem& problem)
     return true;
 }
 
-void HeatSolver::begin_segment(const HeatSegment& segment, double time)
+void HeatSolver::enter_segment(const HeatSegment& segment)
 {
     segment_ = &segment;
     const auto* before = laws_;
@@ -56,6 +56,11 @@ void HeatSolver::begin_segment(const HeatSegment& segment, double time)
         assemble();
         system_factor_ = multigrid_factor_ = -1;
     }
+}
+
+void HeatSolver::begin_segment(const HeatSegment& segment, double time)
+{
+    enter_segment(segment);
     if (time == 0)
         impose(time, now_);
     settle_oil(time);

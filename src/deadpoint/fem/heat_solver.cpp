@@ -129,6 +129,37 @@ void HeatSolver::build_system(double factor, Vec temperature)
 {
     if (factor == system_factor_ && !variable_films_)
         return;
+    if (variable_films_) {
+        const double* values = everywhere_->gather(temperature);
+        assemble_variable_films([&](const Film& film) -> PointCoefficient {
+            const double surroundings = ambient(*film.condition, time_);
+            return [&film, values, surroundings, law = film_at(*film.condition, surroundings)](const FilmPoint& point) {
+                double at = 0;
+                for (int i = 0; i < point.shape.count; ++i)
+                    at += point.shape.value[i] * values[point.shape.dof[i]];
+                return film_slope(law(at), film.condition->emissivity, at, surroundings);
+            };
+        });
+    }
+    combine_system(factor);
+}
+
+void HeatSolver::assemble_variable_films(const std::function<PointCoefficient(const Film&)>& coefficient_on)
+{
+    DEADPOINT_PETSC(MatZeroEntries(variable_));
+    for (const auto& film : films_) {
+        if (film.points.empty())
+            continue;
+        const auto coefficient = coefficient_on(film);
+        for (const auto& point : film.points)
+            insert_block(variable_, point.shape, point.shape, coefficient(point) * point.weight);
+    }
+    DEADPOINT_PETSC(MatAssemblyBegin(variable_, MAT_FINAL_ASSEMBLY));
+    DEADPOINT_PETSC(MatAssemblyEnd(variable_, MAT_FINAL_ASSEMBLY));
+}
+
+void HeatSolver::combine_system(double factor)
+{
     // The old multigrid still serves a matrix that changed little: with films that follow the temperature, or the next
     // step size.
     const bool reuse = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
@@ -136,26 +167,8 @@ void HeatSolver::build_system(double factor, Vec temperature)
     if (!reuse)
         multigrid_factor_ = factor;
     DEADPOINT_PETSC(MatCopy(stiffness_, system_, SAME_NONZERO_PATTERN));
-    if (variable_films_) {
-        const double* values = everywhere_->gather(temperature);
-        DEADPOINT_PETSC(MatZeroEntries(variable_));
-        for (const auto& film : films_) {
-            if (film.points.empty())
-                continue;
-            const double surroundings = ambient(*film.condition, time_);
-            const auto law = film_at(*film.condition, surroundings);
-            for (const auto& point : film.points) {
-                double at = 0;
-                for (int i = 0; i < point.shape.count; ++i)
-                    at += point.shape.value[i] * values[point.shape.dof[i]];
-                const double slope = film_slope(law(at), film.condition->emissivity, at, surroundings);
-                insert_block(variable_, point.shape, point.shape, slope * point.weight);
-            }
-        }
-        DEADPOINT_PETSC(MatAssemblyBegin(variable_, MAT_FINAL_ASSEMBLY));
-        DEADPOINT_PETSC(MatAssemblyEnd(variable_, MAT_FINAL_ASSEMBLY));
+    if (variable_films_)
         DEADPOINT_PETSC(MatAXPY(system_, 1, variable_, SUBSET_NONZERO_PATTERN));
-    }
     DEADPOINT_PETSC(MatScale(system_, factor));
     DEADPOINT_PETSC(MatAXPY(system_, 1, mass_, SUBSET_NONZERO_PATTERN));
     DEADPOINT_PETSC(MatZeroRowsColumns(system_, static_cast<PetscInt>(prescribed_.size()), prescribed_.data(), 1,
@@ -371,6 +384,10 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
     double time = 0;
     for (const auto& segment : problem_->segments) {
         begin_segment(segment, time);
+        if (!start_) {
+            start_ = duplicate(now_);
+            DEADPOINT_PETSC(VecCopy(now_, start_));
+        }
         const double end = time + segment.duration;
         const std::size_t start = history.time.size();
         have_previous_ = false;
@@ -394,6 +411,8 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
             }
             write_fields_until(time, dt, on_field);
             add_energy(history.energy, dt, outcome.from_prescribed);
+            steps_.push_back({static_cast<std::size_t>(segment_ - problem_->segments.data()), history.time.size(), dt,
+                              rate_now_, rate_middle_, rate_next_});
             std::swap(before_, now_);
             std::swap(now_, next_);
             previous_dt_ = have_previous_ ? dt : 0;

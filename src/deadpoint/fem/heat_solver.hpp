@@ -1,39 +1,13 @@
 #pragma once
 
 #include "deadpoint/fem/discretisation.hpp"
+#include "deadpoint/fem/heat_rate.hpp"
 #include "deadpoint/fem/model.hpp"
 
 #include <optional>
 
 /// Internal to fem/: transient heat conduction with joint films.
 namespace deadpoint::fem {
-
-/// An oil circuit at one time.
-struct OilFlow {
-    double inlet = 0;   ///< [K]
-    double outlet = 0;  ///< [K]
-    double sump = 0;    ///< [K]
-    double sump_rate = 0;
-    double heat = 0;  ///< from the joints [W]
-    double cooler = 0;
-};
-
-/// Everything that enters the heat balance at one time: the rate vector F(t, T) - K T and its parts.
-struct HeatRate {
-    OwnedVec vector;  ///< [W] per unknown
-    std::vector<double> source_heat;
-    std::vector<double> source_slope;  ///< of the model's heat by the mean film temperature's solid part [W/K]
-    std::vector<double> source_temperature;
-    std::vector<double> body_heat;
-    std::vector<double> film;  ///< mean film temperature per interface [K]
-    std::vector<OilFlow> oil;  ///< per circuit
-    double generated = 0;
-    double to_air = 0;
-    double to_oil = 0;
-    double flux = 0;
-    bool in_range = true;
-    std::vector<double> films_untested;  ///< per surface condition: area where its law is out of range [m2]
-};
 
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< [W/m2/K4]
 
@@ -56,6 +30,7 @@ public:
                        Observer& observer, const StepCallback& on_step, const FieldCallback& on_field);
 
 private:
+    friend class HeatAdjoint;  ///< which runs backward over the same steps
     struct Interface {
         SparseFunctional mean_a;
         SparseFunctional mean_b;
@@ -101,12 +76,17 @@ private:
     void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
     void assemble();
     void choose_laws(const HeatSegment& segment);
+    void enter_segment(const HeatSegment& segment);
     void begin_segment(const HeatSegment& segment, double time);
     void assemble_cells(Mat mass, Mat stiffness) const;
     void assemble_bonds(Mat stiffness) const;
     void assemble_interfaces(Mat stiffness) const;
     void assemble_films(Mat stiffness) const;
     void build_system(double factor, Vec temperature);
+    using PointCoefficient = std::function<double(const FilmPoint&)>;
+    /// Films with a coefficient by point [W/m2/K], into variable_.
+    void assemble_variable_films(const std::function<PointCoefficient(const Film&)>& coefficient_on);
+    void combine_system(double factor);
     [[nodiscard]] HeatRate rate(double time, Vec temperature) const;
     void add_sources(HeatRate& rate, const std::vector<double>& mean) const;
     void add_interfaces(HeatRate& rate, const std::vector<double>& mean) const;
@@ -189,6 +169,8 @@ private:
     double reference_ = 0;
     int attribution_ = -1;
     std::vector<std::uint32_t> part_of_unknown_;
+    std::vector<StepRecord> steps_;  ///< accepted
+    OwnedVec start_;                 ///< temperature from which the run started
     int iterations_ = 0;
     int solves_ = 0;
     std::size_t next_field_ = 0;

@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/vtu.hpp"
 #include "deadpoint/fem/elastic_solver.hpp"
+#include "deadpoint/fem/heat_adjoint.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
 #include "deadpoint/fem/thermal_state.hpp"
 
@@ -25,6 +26,7 @@ struct Model::Implementation {
     Discretisation space;
     std::unique_ptr<ElasticSolver> elastic;
     std::unique_ptr<HeatSolver> heat;
+    std::unique_ptr<HeatSolver> finished;
     ThermalState last;
     int feet = -1;
     int elastic_iterations = 0;
@@ -104,13 +106,24 @@ void Model::assemble_heat(const HeatProblem& problem)
 ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
                            Observer& observer, const StepCallback& on_step, const FieldCallback& on_field)
 {
-    const auto solver = std::move(implementation_->heat);
+    release_heat();
+    auto solver = std::move(implementation_->heat);
     if (!solver)
         throw std::logic_error("Model::heat() needs assemble_heat() before it");
     auto history = solver->run(adjoints, reference_temperature, attribution, observer, on_step, on_field);
     implementation_->last = solver->state();
+    implementation_->finished = std::move(solver);
     return history;
 }
+
+HeatCauses Model::heat_causes(const Adjoint& weights, std::size_t row)
+{
+    if (!implementation_->finished)
+        throw std::logic_error("Model::heat_causes() needs heat() before it");
+    return HeatAdjoint(*implementation_->finished).causes(weights.owned, row);
+}
+
+void Model::release_heat() { implementation_->finished.reset(); }
 
 void Model::start_from(const std::string& file)
 {

@@ -3,6 +3,7 @@
 #include "deadpoint/core/observer.hpp"
 #include "deadpoint/exchange/deformation.hpp"
 #include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/exchange/light_surface.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
@@ -72,6 +73,14 @@ public:
     /// @throws ConvergenceError, DomainError for a non-finite temperature
     ThermalHistory heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
                         Observer& observer, const StepCallback& on_step, const FieldCallback& on_field);
+
+    /// What has made a functional of the last heat()'s temperatures, by running backward over its steps. Its problem
+    /// must still be there, and release_heat() not called.
+    /// @param weights  need not be an adjoint of heat(): value = sum of weight (T - T_reference)
+    /// @param row      of the history that heat() returned: the time
+    HeatCauses heat_causes(const Adjoint& weights, std::size_t row);
+    /// Frees matrices and steps of the last heat().
+    void release_heat();
 
     /// Starts the assembled problem from a state that write_state() wrote, also on another number of ranks.
     /// @throws IoError if the file cannot be read or is cut short; InputError if it belongs to another mesh

@@ -4,6 +4,7 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/csv.hpp"
+#include "deadpoint/report/drift_causes_text.hpp"
 #include "deadpoint/report/drift_summary_text.hpp"
 #include "deadpoint/report/friction_text.hpp"
 #include "deadpoint/report/heat_flows.hpp"
@@ -287,6 +288,8 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
             json["drift_um"]["final"][name] = micrometre * series->value.back();
         for (const auto part : strongest_parts(*result.drift))
             json["drift_um"]["final_by_part"][result.parts[part]] = micrometre * result.drift->by_part[part].back();
+        if (!result.causes.empty())
+            json["drift_um"]["by_cause"] = drift_causes_json(result.causes);
         json["warm_up_s"] = summary.warm_up_time ? nlohmann::ordered_json(*summary.warm_up_time) : nullptr;
     }
     json["drift_summary"] = drift_summary_json(result.probes, summary);
@@ -381,6 +384,8 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
     write_svg_chart(folder / "temperatures.svg", temperature_chart(input, result), comments);
     if (result.drift) {
         write_contributions(folder / "contributions.csv", input, result, comments);
+        if (!result.causes.empty())
+            write_drift_causes(folder / "causes.csv", comments, result.causes);
         write_svg_chart(folder / "drift.svg", drift_chart(input, result), comments);
         write_svg_chart(folder / "contributions.svg", contribution_chart(input, result), comments);
     }
@@ -419,7 +424,7 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
         for (std::size_t i = 0; i < std::min<std::size_t>(4, order.size()); ++i)
             text += fmt::format("{} {} {:+.1f}", i ? "," : "", result.parts[order[i]],
                                 micrometre * result.drift->by_part[order[i]].back());
-        text += " um\n";
+        text += " um\n" + drift_causes_line(result.causes);
         if (summary.warm_up_time)
             text += fmt::format("  warm: the gap drifts by less than {} um/h from {} on\n",
                                 significant(input.chain->drift_rate_limit * 3600 * micrometre),

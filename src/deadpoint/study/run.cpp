@@ -5,6 +5,7 @@
 #include "deadpoint/core/vtu.hpp"
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/study/chain_model.hpp"
+#include "deadpoint/study/drift_causes.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
@@ -267,6 +268,15 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     result.timings.back().second -= field_seconds;
     if (field_seconds > 0)
         result.timings.emplace_back("fields", field_seconds);
+    if (chain)
+        result.drift = drift_series(result.thermal);
+    if (chain && options.causes && input.output.causes) {
+        watch.start("causes");
+        result.causes = drift_causes(input, problem, *result.drift, *model, adjoints[drift::gap]);
+        watch.stop();
+        result.timings.push_back(watch.times().back());
+    }
+    model->release_heat();
     if (!view.empty()) {
         watch.start("view");
         CloseJoints close;
@@ -278,8 +288,6 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     }
     result.elastic_iterations = model->elastic_iterations();
     result.joints = joint_histories(input, machine, problem, result.thermal, result.whole);
-    if (chain)
-        result.drift = drift_series(result.thermal);
     result.ranks = fem::ranks();
     result.peak_memory = fem::peak_memory();
     warn_about(result.thermal, problem, observer);

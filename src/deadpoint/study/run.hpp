@@ -47,6 +47,7 @@ struct RunResult {
     std::optional<LoadsResult> loads;  ///< of the first segment in which the press runs, where the case has a linkage
     std::optional<BottomDeadPointSensitivity> sensitivity;
     std::optional<DriftSeries> drift;
+    std::vector<DriftCauses> causes;  ///< at the largest |E_SW| of all steps, where that is not the end, and at the end
     std::optional<AdjointCheck> adjoint_check;
     std::optional<ViewData> view;
     long long cells = 0;
@@ -64,6 +65,7 @@ struct RunOptions {
     std::string field_folder;  ///< existing folder for field files; empty: no field files
     std::vector<std::string> comments = {};  ///< for the head of the field files: version, case hash, warnings so far
     bool view = false;                       ///< make RunResult::view
+    bool causes = false;                     ///< make RunResult::causes, where the case has a dimension chain
 };
 
 /// One machine, ready for runs of like cases: what does not change between them is made once, the unknowns, the factor

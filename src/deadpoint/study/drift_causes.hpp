@@ -1,0 +1,18 @@
+#pragma once
+
+#include "deadpoint/casefile/case.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/fem/model.hpp"
+
+#include <vector>
+
+/// Internal to study/: which heat has moved the gap.
+namespace deadpoint::study {
+
+/// By cause, at the step of the largest |E_SW|, where that is not the last one, and at the end.
+/// @param model  whose heat() has just made the drift, of this problem
+/// @param gap    the adjoint of E_SW
+std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatProblem& problem, const DriftSeries& drift,
+                                      fem::Model& model, const fem::Adjoint& gap);
+
+}  // namespace deadpoint::study
