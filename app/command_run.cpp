@@ -2,6 +2,7 @@
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/plan_text.hpp"
 #include "deadpoint/report/run_files.hpp"
+#include "deadpoint/study/prepare.hpp"
 #include "deadpoint/study/run.hpp"
 #include "interrupt.hpp"
 #include "ranks.hpp"
@@ -41,6 +42,7 @@ int run_case(const RunOptions& options, const OnRanks& ranks)
 
     const auto start = std::chrono::steady_clock::now();
     const auto machine = mesh_case(input, options, console);
+    const auto deformed = study::prepare_deformation_machine(input, options.size_scale, machine, console);
     const double mesh_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     for (const auto& warning : report::plan_warnings(input, machine)) {
         console.warn(warning);
@@ -55,7 +57,7 @@ int run_case(const RunOptions& options, const OnRanks& ranks)
     wanted.comments = file_comments(input, console);
     wanted.view = true;
     wanted.causes = true;
-    auto result = study::run_case(input, machine, wanted, console);
+    auto result = study::run_case(input, machine, wanted, console, deformed ? &*deformed : nullptr);
     result.timings.insert(result.timings.begin(), {"mesh", mesh_seconds});
     console.finish();
     if (folder) {

@@ -277,7 +277,9 @@ function aboutSection(run) {
     const rows = [["case", source.case?.name], ["case hash", source.case?.hash], ["computed with", `deadpoint ${source.version}`],
         ["folder", run.name]];
     if (model) rows.push(["mesh", `${model.cells} cells, ${model.heat_unknowns} unknowns of heat`
-        + (model.deformation_unknowns ? `, ${model.deformation_unknowns} of deformation` : "")],
+        + (model.deformation_unknowns ? `, ${model.deformation_unknowns} of deformation` : "")
+        + (model.deformation_cells && model.deformation_cells !== model.cells
+            ? ` on a mesh of ${model.deformation_cells} cells` : "")],
     ["time steps", `${summary.solution.steps}`], ["computing time", duration(time)]);
     return make("section", { id: "about" }, make("h2", {}, "Units, citation, and how to repeat this"),
         make("p", {}, "Lengths in mm, changes in µm, temperatures in °C and their differences in K, heat in W, forces in kN. "

@@ -8,8 +8,9 @@
 #include <iostream>
 
 // solve_on_ranks CASE FILE [path=value ...]: solves a case on all ranks and writes, number by number, how many they
-// are, the mismatch of the energy balance, and the last temperatures of probes, interface sides and parts. What each
-// joint, the oil and the air have done to the gap, over the gap, goes into FILE.causes.
+// are, the mismatch of the energy balance, the gap at the end [um], how far the deformation solved then and the adjoint
+// differ in it, and the last temperatures of probes, interface sides and parts. What each joint, the oil and the air have done
+// to the gap, over the gap, goes into FILE.causes.
 
 using namespace deadpoint;
 
@@ -20,6 +21,9 @@ void write(const std::string& path, const study::RunResult& result)
     std::ofstream file(path);
     file.precision(17);
     file << result.ranks << '\n' << result.thermal.energy.mismatch() << '\n';
+    const auto& check = result.adjoint_check;
+    file << (result.drift ? 1e6 * result.drift->gap.value.back() : 0) << '\n'
+         << (check ? 1e6 * (check->by_adjoint - check->by_deformation) : 0) << '\n';
     const auto& history = result.thermal;
     for (const auto* group : {&history.probes, &history.interface_a, &history.interface_b, &history.part_means})
         for (const auto& series : *group)
@@ -46,9 +50,10 @@ int main(int argc, char** argv)
         const auto input = casefile::read_case(argv[1], {argv + 3, argv + argc}).value;
         Observer silent;
         const auto machine = study::prepare_machine(input, 1, silent);
+        const auto deformed = study::prepare_deformation_machine(input, 1, machine, silent);
         study::RunOptions options;
         options.causes = true;
-        const auto result = study::run_case(input, machine, options, silent);
+        const auto result = study::run_case(input, machine, options, silent, deformed ? &*deformed : nullptr);
         if (session.rank() == 0)
             write(argv[2], result);
     } catch (const std::exception& error) {

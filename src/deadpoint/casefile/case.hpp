@@ -143,6 +143,7 @@ struct Chain {
 
 struct Numerics {
     double size = 0.03;
+    double deformation_size = 0;   ///< cell sizes of the deformation's mesh relative to the heat's; 0: automatic
     double time_tolerance = 0.02;  ///< of a step, at probes and joints [K]
     double initial_step = 1;
     double max_step = 1800;

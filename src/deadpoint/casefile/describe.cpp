@@ -395,6 +395,11 @@ void describe(Visitor& v, Numerics& n)
 {
     v.about("Mesh, time stepping and solvers.");
     v.quantity({"size", "wanted cell size of parts that state none"}, n.size, D::length, positive);
+    v.number(
+        {"deformation_size",
+         "cell sizes of a mesh for the deformation relative to that of the heat; 1 for the same mesh, 0 for the same "
+         "mesh up to 1.5 million unknowns of deformation and a coarser one beyond"},
+        n.deformation_size, non_negative);
     v.quantity({"time_tolerance", "largest error of a time step at probes and joints"}, n.time_tolerance,
                D::temperature_difference, positive);
     v.quantity({"initial_step", "first time step"}, n.initial_step, D::time, positive);

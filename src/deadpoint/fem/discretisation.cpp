@@ -18,13 +18,32 @@ constexpr std::array<int, 8> lexicographic{0, 1, 3, 2, 4, 5, 7, 6};
 dealii::Point<3> to_point(const Vec3& x) { return {x[0], x[1], x[2]}; }
 
 // Ranks own consecutive stretches of cells: parts follow each other, layers of a part too, so stretches are compact.
-void partition(dealii::parallel::shared::Triangulation<3>& triangulation)
+// They are of equal work, counted in entries of the matrices: a node has about 27 in its row among hexahedra and 15
+// among tetrahedra, which its cells share.
+void partition(dealii::parallel::shared::Triangulation<3>& triangulation, const Machine& machine)
 {
+    const auto corners = [](const Cell& cell) { return cell.kind == CellKind::hexahedron ? 8U : 4U; };
+    std::vector<std::uint16_t> cells_at(machine.nodes.size(), 0);
+    for (const auto& cell : machine.cells)
+        for (unsigned i = 0; i < corners(cell); ++i)
+            ++cells_at[cell.nodes[i]];
+    const auto work = [&](const Cell& cell) {
+        double share = 0;
+        for (unsigned i = 0; i < corners(cell); ++i)
+            share += 1.0 / cells_at[cell.nodes[i]];
+        return share * (cell.kind == CellKind::hexahedron ? 27 : 15);
+    };
+    double all = 0;
+    for (const auto& cell : machine.cells)
+        all += work(cell);
     const auto ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-    const auto cells = triangulation.n_active_cells();
-    for (const auto& cell : triangulation.active_cell_iterators())
-        cell->set_subdomain_id(static_cast<dealii::types::subdomain_id>(
-            static_cast<std::uint64_t>(cell->active_cell_index()) * ranks / cells));
+    double before = 0;
+    for (const auto& cell : triangulation.active_cell_iterators()) {
+        const double own = work(machine.cells[cell->active_cell_index()]);
+        cell->set_subdomain_id(
+            std::min(ranks - 1, static_cast<dealii::types::subdomain_id>((before + 0.5 * own) / all * ranks)));
+        before += own;
+    }
 }
 
 // The point itself where it lies in the reference cell, else one near it that does.
@@ -92,8 +111,8 @@ Discretisation::Discretisation(const Machine& machine_, int order_)
     quadratures.push_back(QGauss<3>(static_cast<unsigned>(order + 1)));
     quadratures.push_back(QGaussSimplex<3>(static_cast<unsigned>(order + 1)));
 
-    triangulation.signals.create.connect([this]() { partition(triangulation); });
-    triangulation.signals.post_refinement.connect([this]() { partition(triangulation); });
+    triangulation.signals.create.connect([this]() { partition(triangulation, machine); });
+    triangulation.signals.post_refinement.connect([this]() { partition(triangulation, machine); });
     create_triangulation();
 
     for (const auto& cell : dofs.active_cell_iterators())
@@ -192,11 +211,8 @@ void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape
         if (cell->center().distance(to_point(position)) > 2 * cell->diameter())
             continue;
         dealii::Point<3> unit;
-        try {
-            unit = mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
-        } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
+        if (!unit_position(c, position, unit))
             continue;
-        }
         const auto inside = inside_reference_cell(*cell, unit);
         const double distance = inside.distance(unit) * cell->diameter();
         if (distance < nearest) {
@@ -215,14 +231,27 @@ void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape
 
 double Discretisation::continue_cell(std::uint32_t index, const Vec3& position, PointShape& shape) const
 {
+    dealii::Point<3> unit;
+    if (!unit_position(index, position, unit))
+        return std::numeric_limits<double>::max();
+    evaluate_at(index, unit, false, shape);
+    return distance_outside(index, unit);
+}
+
+bool Discretisation::unit_position(std::uint32_t index, const Vec3& position, dealii::Point<3>& unit) const
+{
     const auto& cell = cells_[index];
     try {
-        const auto unit = mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
-        evaluate_at(index, unit, false, shape);
-        return unit.distance(inside_reference_cell(*cell, unit));
+        unit = mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
+        return true;
     } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
-        return std::numeric_limits<double>::max();
+        return false;
     }
+}
+
+dealii::Point<3> Discretisation::nearest_inside(std::uint32_t index, const dealii::Point<3>& unit) const
+{
+    return inside_reference_cell(*cells_[index], unit);
 }
 
 dealii::DynamicSparsityPattern Discretisation::cell_pattern() const

@@ -70,9 +70,18 @@ public:
     /// Cell size normal to a face: volume over area [m].
     [[nodiscard]] double depth(std::uint32_t face) const { return depth_[face]; }
     [[nodiscard]] dealii::DoFHandler<3>::active_cell_iterator cell(std::uint32_t index) const { return cells_[index]; }
+    /// Shape functions of a cell at a point of its reference cell, or beside it.
+    void evaluate_at(std::uint32_t cell, const dealii::Point<3>& unit, bool gradients, PointShape& shape) const;
+    /// A position in a cell's reference coordinates; false where a distorted cell does not reach so far.
+    bool unit_position(std::uint32_t cell, const Vec3& position, dealii::Point<3>& unit) const;
+    /// The point itself where it lies in the cell's reference cell, else one near it that does.
+    [[nodiscard]] dealii::Point<3> nearest_inside(std::uint32_t cell, const dealii::Point<3>& unit) const;
+    [[nodiscard]] double distance_outside(std::uint32_t cell, const dealii::Point<3>& unit) const
+    {
+        return unit.distance(nearest_inside(cell, unit));
+    }
 
 private:
-    void evaluate_at(std::uint32_t cell, const dealii::Point<3>& unit, bool gradients, PointShape& shape) const;
     void create_triangulation();
 
     std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells_;

@@ -10,7 +10,6 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr double relative_tolerance = 1e-10;
-constexpr PetscInt largest_direct = 1'500'000;  // unknowns, about 8 GB
 
 struct Lame {
     double lambda, mu;
@@ -72,7 +71,7 @@ void ElasticSolver::keep_upper_half()
 // of iterations for; beyond its memory, multigrid with the rigid motions.
 void ElasticSolver::choose_solver(PetscInt size)
 {
-    const bool direct = size <= largest_direct;
+    const bool direct = size <= largest_factor;
     DEADPOINT_PETSC(KSPCreate(PETSC_COMM_WORLD, solver_.out()));
     DEADPOINT_PETSC(KSPSetType(solver_, KSPCG));
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_TRUE));

@@ -60,17 +60,18 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
     prepare_body_heat();
     prepare_films();
 
-    const auto cells = space_.cell_pattern();
-    mass_ = create_matrix(space_, cells, 1);
-    auto coupled = space_.cell_pattern();  // patterns with entries cannot be copied
-    space_.add_bond_pattern(coupled);
-    add_interface_pattern(coupled);
-    stiffness_ = create_matrix(space_, coupled, 1);
+    {
+        auto pattern = space_.cell_pattern();
+        mass_ = create_matrix(space_, pattern, 1);
+        if (variable_films_)
+            variable_ = create_matrix(space_, pattern, 1);
+        space_.add_bond_pattern(pattern);
+        add_interface_pattern(pattern);
+        stiffness_ = create_matrix(space_, pattern, 1);
+    }
     assemble();
     DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, system_.out()));
     DEADPOINT_PETSC(MatSetOption(system_, MAT_SYMMETRIC, PETSC_TRUE));
-    if (variable_films_)
-        variable_ = create_matrix(space_, cells, 1);
 
     now_ = create_vector(space_, 1);
     for (OwnedVec* v : {&before_, &middle_, &next_, &slope_middle_, &slope_now_, &slope_before_, &slope_next_, &work_,

@@ -5,25 +5,53 @@
 #include "deadpoint/fem/heat_adjoint.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
 #include "deadpoint/fem/thermal_state.hpp"
+#include "deadpoint/fem/transfer.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace deadpoint::fem {
 
+namespace {
+
+// A mesh of the deformation's own, and the ways to it and back; the second is found when first gone.
+struct OwnMesh {
+    OwnMesh(const Machine& machine, const Discretisation& heat) : space(machine, heat.order), to(heat, space) {}
+    Discretisation space;
+    Transfer to;
+    std::optional<Transfer> back;
+};
+
+}  // namespace
+
 struct Model::Implementation {
-    Implementation(const Machine& machine_, std::vector<Material> materials_, int order)
+    Implementation(const Machine& machine_, std::vector<Material> materials_, int order, const Machine* deformation_)
         : machine(machine_), materials(std::move(materials_)), space(machine, order)
-    {}
+    {
+        if (deformation_)
+            own = std::make_unique<OwnMesh>(*deformation_, space);
+    }
+    [[nodiscard]] const Discretisation& deformed() const { return own ? own->space : space; }
     ElasticSolver& deformation()
     {
         if (!elastic)
-            elastic = std::make_unique<ElasticSolver>(space, materials, feet);
+            elastic = std::make_unique<ElasticSolver>(deformed(), materials, feet);
         return *elastic;
+    }
+    /// A displacement at the unknowns of the heat.
+    [[nodiscard]] std::vector<double> on_heat_mesh(const Displacement& u) const
+    {
+        if (!own)
+            return u.owned;
+        if (!own->back)
+            own->back.emplace(own->space, space);
+        return own->back->apply(u.owned, 3);
     }
     const Machine& machine;
     std::vector<Material> materials;
     Discretisation space;
+    std::unique_ptr<OwnMesh> own;  ///< of the deformation, where it differs
     std::unique_ptr<ElasticSolver> elastic;
     std::unique_ptr<HeatSolver> heat;
     std::unique_ptr<HeatSolver> finished;
@@ -78,18 +106,22 @@ std::vector<double> gathered(const Discretisation& space, const std::vector<Cell
 
 }  // namespace
 
-Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer&)
+Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer&, const Machine* deformation)
 {
     require_sound(machine, materials);
     require_same_mesh(machine);
-    implementation_ = std::make_unique<Implementation>(machine, std::move(materials), order);
+    if (deformation)
+        require_same_mesh(*deformation);
+    implementation_ = std::make_unique<Implementation>(machine, std::move(materials), order, deformation);
 }
 Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 
 ModelSize Model::size() const
 {
-    return {static_cast<long long>(implementation_->machine.cells.size()), implementation_->space.total};
+    const auto& deformed = implementation_->deformed();
+    return {static_cast<long long>(implementation_->machine.cells.size()), implementation_->space.total,
+            static_cast<long long>(deformed.machine.cells.size()), 3LL * deformed.total};
 }
 
 void Model::assemble_heat(const HeatProblem& problem)
@@ -146,12 +178,19 @@ void Model::support(int feet_surface)
 
 std::vector<Adjoint> Model::adjoints(const std::vector<Functional>& functionals)
 {
-    return implementation_->deformation().adjoints(functionals);
+    auto adjoints = implementation_->deformation().adjoints(functionals);
+    if (const auto& own = implementation_->own)
+        for (auto& adjoint : adjoints)
+            adjoint.owned = own->to.apply_transposed(adjoint.owned);
+    return adjoints;
 }
 
 Displacement Model::displacement(const Field& temperature, double reference_temperature)
 {
-    return implementation_->deformation().displacement(temperature, reference_temperature);
+    auto& solver = implementation_->deformation();
+    if (const auto& own = implementation_->own)
+        return solver.displacement({own->to.apply(temperature.owned, 1)}, reference_temperature);
+    return solver.displacement(temperature, reference_temperature);
 }
 
 std::vector<double> Model::evaluate(const std::vector<Functional>& functionals, const Displacement& displacement)
@@ -216,7 +255,7 @@ std::vector<double> Model::at_corners(const std::vector<CellCorner>& corners, co
 
 std::vector<Vec3> Model::at_corners(const std::vector<CellCorner>& corners, const Displacement& displacement) const
 {
-    const auto values = gathered(implementation_->space, corners, displacement.owned, 3);
+    const auto values = gathered(implementation_->space, corners, implementation_->on_heat_mesh(displacement), 3);
     std::vector<Vec3> result(corners.size());
     for (std::size_t k = 0; k < corners.size(); ++k)
         result[k] = {values[3 * k], values[3 * k + 1], values[3 * k + 2]};
@@ -234,7 +273,8 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
 
     const auto rise = gather_all(space, temperature.owned, 1);
-    const auto moved = displacement ? gather_all(space, displacement->owned, 3) : std::vector<double>();
+    const auto moved =
+        displacement ? gather_all(space, implementation_->on_heat_mesh(*displacement), 3) : std::vector<double>();
 
     VtuGrid grid;
     std::vector<std::int64_t> local(machine.nodes.size(), -1);

@@ -23,7 +23,7 @@ struct ThermalState {
     Field temperature;
     std::vector<double> sumps;  ///< temperature of each oil circuit's sump [K]
 };
-/// This rank's share of a displacement field [m].
+/// This rank's share of a displacement field, on the mesh of the deformation [m].
 struct Displacement {
     std::vector<double> owned;
 };
@@ -41,7 +41,12 @@ using FieldCallback = std::function<void(double time, const Field&)>;
 struct ModelSize {
     long long cells = 0;
     long long heat_unknowns = 0;
+    long long deformation_cells = 0;
+    long long deformation_unknowns = 0;
 };
+
+/// Unknowns of a deformation up to which it is solved by a sparse factor; what takes about 8 GB.
+inline constexpr long long largest_factor = 1'500'000;
 
 /// Finite elements on the whole machine: transient heat conduction with joint films, and the thermo-elastic
 /// deformation of each body by itself.
@@ -51,13 +56,18 @@ struct ModelSize {
 /// the finer side's nodes follow the coarser side's cells. Bodies are free but for the symmetry plane and the feet;
 /// what rigid motion is left is held without force and taken out of all results.
 ///
+/// The deformation may live on a mesh of its own. Temperatures then reach it by their values at its nodes, and
+/// displacements come back by theirs; functionals and feet belong to its machine, all else to that of the heat.
+///
 /// Every member function is collective: all ranks call it with the same arguments.
 class Model {
 public:
     /// @param materials  per part of the machine
     /// @param order      of the elements, 1 or 2
+    /// @param deformation  the same parts meshed for the deformation; none: the same mesh. Outlives the model.
     /// @throws InputError where ranks built different meshes or a material constant is not positive and finite
-    Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer);
+    Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer,
+          const Machine* deformation = nullptr);
     ~Model();
     Model(Model&&) noexcept;
 

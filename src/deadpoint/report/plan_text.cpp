@@ -2,6 +2,7 @@
 
 #include "deadpoint/report/mesh_files.hpp"
 #include "deadpoint/report/table.hpp"
+#include "deadpoint/study/prepare.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +152,11 @@ std::string size_section(const Case& description, const Machine& machine)
         fmt::format("\nSize\n  {} hexahedra, {} tetrahedra, order {}\n  {} unknowns of heat", grouped(size.hexahedra),
                     grouped(size.tetrahedra), description.numerics.order, grouped(size.heat_unknowns));
     if (size.deformation_unknowns > 0) {
-        text += fmt::format(", {} of deformation", grouped(size.deformation_unknowns));
+        text += fmt::format(", {}{} of deformation", size.deformation_scale == 1 ? "" : "about ",
+                            grouped(size.deformation_unknowns));
+    }
+    if (size.deformation_unknowns > 0 && size.deformation_scale != 1) {
+        text += fmt::format(" on a mesh of its own, its cells {:.2f} times as large", size.deformation_scale);
     }
     return text + fmt::format("\n  about {:.1f} GB of memory\n", size.memory / 1e9);
 }
@@ -195,7 +200,11 @@ SizeEstimate estimate_size(const Case& description, const Machine& machine)
     }
     const bool second_order = description.numerics.order == 2;
     size.heat_unknowns = static_cast<long long>(machine.nodes.size()) * (second_order ? 8 : 1);
-    size.deformation_unknowns = description.chain ? 3 * size.heat_unknowns : 0;
+    size.deformation_scale = study::deformation_scale(description, machine);
+    size.deformation_unknowns =
+        description.chain
+            ? std::llround(3 * static_cast<double>(size.heat_unknowns) / std::pow(size.deformation_scale, 3))
+            : 0;
     const double row = second_order ? 2.5 : 1;
     size.memory = memory_base + row * (memory_per_heat_unknown * static_cast<double>(size.heat_unknowns) +
                                        memory_per_deformation_unknown * static_cast<double>(size.deformation_unknowns));

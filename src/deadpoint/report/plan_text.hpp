@@ -33,12 +33,14 @@ struct SizeEstimate {
     long long tetrahedra = 0;
     long long heat_unknowns = 0;
     long long deformation_unknowns = 0;  ///< 0 where the case has no dimension chain
+    double deformation_scale = 1;        ///< of the deformation's cells to those of the heat
     double memory = 0;                   ///< [byte]
 };
 
 /// Unknowns and memory of a run.
 ///
-/// One heat unknown per node and three of deformation; second order has about eight times the nodes of first order,
+/// One heat unknown per node and three of deformation, those divided by the cube of the scale where the deformation has
+/// a mesh of its own (study::deformation_scale); second order has about eight times the nodes of first order,
 /// whose matrix rows hold about 2.5 times as many entries. Memory is memory_base plus that per unknown, as measured on
 /// meshes of 0.1 to 2.4 million hexahedra of first order with algebraic multigrid; good to about a third.
 SizeEstimate estimate_size(const casefile::Case& description, const Machine& machine);

@@ -258,7 +258,8 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     json["warnings"] = warnings;
     json["model"] = {{"cells", result.cells},
                      {"heat_unknowns", result.heat_unknowns},
-                     {"deformation_unknowns", result.drift ? 3 * result.heat_unknowns : 0},
+                     {"deformation_cells", result.deformation_cells},
+                     {"deformation_unknowns", result.deformation_unknowns},
                      {"element_order", input.numerics.order},
                      {"half_model", machine.half_model},
                      {"ranks", result.ranks}};
@@ -436,6 +437,9 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
     if (!result.friction.empty())
         text += friction_text(result.friction) + "\n";
     text += heat_flows_text(result);
+    if (result.deformation_cells > 0 && result.deformation_cells != result.cells)
+        text += fmt::format("  mesh: {} cells for the heat, {} cells of their own for the deformation\n", result.cells,
+                            result.deformation_cells);
     const auto& energy = result.thermal.energy;
     text += fmt::format(
         "  heat: {:.2f} MJ generated, {:.2f} to the air, {:.2f} to the oil, {:.2f} stored (balance closes to {:.0e})\n",

@@ -1,11 +1,13 @@
 #include "deadpoint/study/prepare.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/fem/model.hpp"
 #include "deadpoint/machine/build.hpp"
 #include "deadpoint/study/check_machine.hpp"
 #include "deadpoint/study/translate_machine.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 
@@ -59,6 +61,17 @@ void settle_claims(const casefile::Case& input, Machine& machine)
     }
 }
 
+// Stages and progress of another observer, without what it has been told already.
+class Repeated : public Observer {
+public:
+    explicit Repeated(Observer& to) : to_(to) {}
+    void progress(double fraction, std::string_view detail) override { to_.progress(fraction, detail); }
+    [[nodiscard]] bool cancelled() const override { return to_.cancelled(); }
+
+private:
+    Observer& to_;
+};
+
 }  // namespace
 
 Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer)
@@ -73,6 +86,34 @@ Machine prepare_machine(const casefile::Case& input, double size_scale, Observer
     for (const auto& warning : loose_bodies(machine))
         observer.warn(warning);
     return machine;
+}
+
+double deformation_scale(const casefile::Case& input, const Machine& machine)
+{
+    if (input.numerics.deformation_size > 0)
+        return input.numerics.deformation_size;
+    const double nodes_per_vertex = input.numerics.order == 2 ? 8 : 1;
+    const double unknowns = 3 * nodes_per_vertex * static_cast<double>(machine.nodes.size());
+    return unknowns <= static_cast<double>(fem::largest_factor) ? 1 : std::cbrt(unknowns / wanted_unknowns);
+}
+
+std::optional<Machine> prepare_deformation_machine(const casefile::Case& input, double size_scale,
+                                                   const Machine& machine, Observer& observer)
+{
+    const double scale = deformation_scale(input, machine);
+    if (!input.chain || scale == 1)
+        return std::nullopt;
+    observer.stage("mesh of the deformation");
+    Repeated quiet(observer);
+    try {
+        auto coarse = machine::build_machine(describe_machine(input, size_scale * scale), quiet);
+        settle_claims(input, coarse);
+        return coarse;
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("the mesh of the deformation, with cells {:.2f} times as large as those of the "
+                                     "heat:\n{}\n  help: choose numerics.deformation_size nearer to 1",
+                                     scale, error.what()));
+    }
 }
 
 }  // namespace deadpoint::study

@@ -158,7 +158,7 @@ void warn_about(const ThermalHistory& history, const HeatProblem& problem, Obser
 }  // namespace
 
 struct SharedModel::Implementation {
-    explicit Implementation(const Machine& m) : machine(m) {}
+    Implementation(const Machine& m, const Machine* own) : machine(m), own_deformation(own) {}
 
     /// What the laws of a case come to; names and sizes go into the result.
     HeatProblem translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer) const;
@@ -166,7 +166,11 @@ struct SharedModel::Implementation {
     void need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer);
     RunResult run(const casefile::Case& input, const RunOptions& options, Observer& observer);
 
+    /// The machine whose mesh the deformation lives on.
+    [[nodiscard]] const Machine& deformed() const { return own_deformation ? *own_deformation : machine; }
+
     const Machine& machine;
+    const Machine* own_deformation;
     std::optional<fem::Model> model;
     std::optional<ChainModel> chain;
     std::vector<fem::Adjoint> adjoints;
@@ -210,11 +214,11 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
     if (model)
         return;
     watch.start("unknowns");
-    model.emplace(machine, describe_materials(input, machine), input.numerics.order, observer);
+    model.emplace(machine, describe_materials(input, machine), input.numerics.order, observer, own_deformation);
     if (input.chain) {
         watch.start("dimension chain");
-        chain.emplace(input, machine);
-        model->support(surface_index(machine, input.chain->ground_surface));
+        chain.emplace(input, deformed());
+        model->support(surface_index(deformed(), input.chain->ground_surface));
         adjoints = model->adjoints(chain->dimensions);
     }
     watch.stop();
@@ -229,8 +233,11 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     need_model(input, watch, observer);
     result.cells = model->size().cells;
     result.heat_unknowns = model->size().heat_unknowns;
-    if (chain)
+    if (chain) {
         result.sensitivity = chain->sensitivity;
+        result.deformation_cells = model->size().deformation_cells;
+        result.deformation_unknowns = model->size().deformation_unknowns;
+    }
 
     const auto written_times = problem.field_times;
     const auto viewed_times = options.view ? view_times(problem.segments) : std::vector<double>{};
@@ -294,7 +301,9 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     return result;
 }
 
-SharedModel::SharedModel(const Machine& machine) : implementation_(std::make_unique<Implementation>(machine)) {}
+SharedModel::SharedModel(const Machine& machine, const Machine* deformation)
+    : implementation_(std::make_unique<Implementation>(machine, deformation))
+{}
 SharedModel::~SharedModel() = default;
 SharedModel::SharedModel(SharedModel&&) noexcept = default;
 
@@ -339,15 +348,18 @@ std::string shared_part(const casefile::Case& input)
     shared.reference.reset();
     const auto order = shared.numerics.order;
     const auto size = shared.numerics.size;
+    const auto deformation_size = shared.numerics.deformation_size;
     shared.numerics = {};
     shared.numerics.order = order;
     shared.numerics.size = size;
+    shared.numerics.deformation_size = deformation_size;
     return casefile::write_case(shared);
 }
 
-RunResult run_case(const casefile::Case& input, const Machine& machine, const RunOptions& options, Observer& observer)
+RunResult run_case(const casefile::Case& input, const Machine& machine, const RunOptions& options, Observer& observer,
+                   const Machine* deformation)
 {
-    return SharedModel(machine).run(input, options, observer);
+    return SharedModel(machine, deformation).run(input, options, observer);
 }
 
 }  // namespace deadpoint::study

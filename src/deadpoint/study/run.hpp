@@ -52,6 +52,8 @@ struct RunResult {
     std::optional<ViewData> view;
     long long cells = 0;
     long long heat_unknowns = 0;
+    long long deformation_cells = 0;  ///< the same as cells, or those of its own mesh; 0 without deformation
+    long long deformation_unknowns = 0;
     int elastic_iterations = 0;
     int ranks = 1;
     double peak_memory = 0;                               ///< of all ranks together [byte]
@@ -73,8 +75,9 @@ struct RunOptions {
 /// run after it whose films and conductances are the same, in each process that takes the prepared memory over.
 class SharedModel {
 public:
-    /// @param machine  must outlive this
-    explicit SharedModel(const Machine& machine);
+    /// @param machine      must outlive this
+    /// @param deformation  the machine meshed for the deformation, where that is another mesh; must outlive this
+    explicit SharedModel(const Machine& machine, const Machine* deformation = nullptr);
     ~SharedModel();
     SharedModel(SharedModel&&) noexcept;
 
@@ -97,7 +100,9 @@ std::string shared_part(const casefile::Case& input);
 /// The deformation is left out where the case has no dimension chain. After Observer::cancelled() the result holds
 /// everything up to the last finished step, marked as interrupted.
 ///
+/// @param deformation  as SharedModel
 /// @throws InputError, DomainError, ConvergenceError, IoError
-RunResult run_case(const casefile::Case& input, const Machine& machine, const RunOptions& options, Observer& observer);
+RunResult run_case(const casefile::Case& input, const Machine& machine, const RunOptions& options, Observer& observer,
+                   const Machine* deformation = nullptr);
 
 }  // namespace deadpoint::study

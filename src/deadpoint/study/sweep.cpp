@@ -113,8 +113,9 @@ private:
             try {
                 if (!machine_) {
                     machine_ = std::make_unique<Machine>(prepare_machine(cases_[point], 1, observer_));
+                    deformed_ = prepare_deformation_machine(cases_[point], 1, *machine_, observer_);
                 }
-                model_.emplace(*machine_);
+                model_.emplace(*machine_, deformed_ ? &*deformed_ : nullptr);
                 model_->prepare(cases_[point], observer_);
                 return true;
             } catch (const Error& error) {
@@ -247,6 +248,7 @@ private:
     Observer& observer_;
     std::vector<PointOutcome>& outcomes_;
     std::unique_ptr<Machine> machine_;
+    std::optional<Machine> deformed_;  ///< meshed for the deformation, where that is another mesh
     std::optional<SharedModel> model_;
     int workers_ = 1;
     bool told_to_stop_ = false;
