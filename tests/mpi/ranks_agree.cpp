@@ -68,3 +68,14 @@ TEST_CASE("two ranks give what one gives: elements of second order")
     check_agreement("two-slabs", 293.15,
                     "numerics.order=2 parts.steel_slab.size=\"1 mm\" parts.aluminium_slab.size=\"0.8 mm\"");
 }
+
+TEST_CASE("two ranks give what one gives: materials that follow the temperature, and a bond between them")
+{
+    check_agreement("hot-plates", 293.15);
+}
+
+TEST_CASE("two ranks give what one gives: enclosed air")
+{
+    check_agreement("warm-box", 353.15,
+                    "machine.initial_temperature=\"80 degC\" enclosures.box.temperature=\"30 degC\"");
+}

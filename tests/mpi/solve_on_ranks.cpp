@@ -8,7 +8,8 @@
 #include <iostream>
 
 // solve_on_ranks CASE FILE [path=value ...]: solves a case on all ranks and writes, number by number, how many they
-// are, the mismatch of the energy balance, and the last temperatures of probes, interface sides and parts.
+// are, the mismatch of the energy balance, and the last temperatures of probes, interface sides, parts and
+// enclosures, and the highest of each part.
 
 using namespace deadpoint;
 
@@ -23,6 +24,10 @@ void write(const std::string& path, const study::RunResult& result)
     for (const auto* group : {&history.probes, &history.interface_a, &history.interface_b, &history.part_means})
         for (const auto& series : *group)
             file << series.value.back() << '\n';
+    for (const auto& air : history.enclosures)
+        file << air.temperature.back() << '\n';
+    for (const double highest : history.part_highest)
+        file << highest << '\n';
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "deadpoint/fem/discretisation.hpp"
+#include "deadpoint/fem/expansion.hpp"
+#include "deadpoint/fem/heat_rate.hpp"
 #include "deadpoint/fem/model.hpp"
 
 #include <optional>
@@ -8,37 +10,13 @@
 /// Internal to fem/: transient heat conduction with joint films.
 namespace deadpoint::fem {
 
-/// An oil circuit at one time.
-struct OilFlow {
-    double inlet = 0;   ///< [K]
-    double outlet = 0;  ///< [K]
-    double sump = 0;    ///< [K]
-    double sump_rate = 0;
-    double heat = 0;  ///< from the joints [W]
-    double cooler = 0;
-};
-
-/// Everything that enters the heat balance at one time: the rate vector F(t, T) - K T and its parts.
-struct HeatRate {
-    OwnedVec vector;  ///< [W] per unknown
-    std::vector<double> source_heat;
-    std::vector<double> source_slope;  ///< of the model's heat by the mean film temperature's solid part [W/K]
-    std::vector<double> source_temperature;
-    std::vector<double> body_heat;
-    std::vector<double> film;  ///< mean film temperature per interface [K]
-    std::vector<OilFlow> oil;  ///< per circuit
-    double generated = 0;
-    double to_air = 0;
-    double to_oil = 0;
-    double flux = 0;
-    bool in_range = true;
-    std::vector<double> films_untested;  ///< per surface condition: area where its law is out of range [m2]
-};
-
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< [W/m2/K4]
 
 /// Adds factor * rows x columns to a matrix.
 void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns, double factor);
+
+/// Of all ranks' `values` by unknown, at a point.
+double value_at(const PointShape& shape, const double* values);
 
 /// A vector of the same layout, its entries not set.
 OwnedVec duplicate(Vec vector);
@@ -82,6 +60,15 @@ private:
         std::vector<FilmPoint> points;  ///< only where the coefficient depends on temperature
         std::size_t index = 0;          ///< into HeatProblem::surfaces
     };
+    /// The air of an enclosure, an unknown beside the field.
+    struct Air {
+        OwnedVec load;                 ///< slope of its films' heat by its temperature, per unknown [W/K]
+        double conductance = 0;        ///< the sum of it [W/K]
+        double start = 0, middle = 0;  ///< temperature at the start of the step and after its first stage [K]
+        double slope = 0;              ///< at the start [K/s]
+        double now = 0;                ///< as last iterated [K]
+        double known = 0;              ///< of the stage being solved [J]
+    };
     struct Step {
         double error = 0;
         double from_prescribed = 0;
@@ -97,13 +84,16 @@ private:
     void prepare_body_heat();
     void prepare_films();
     void prepare_prescribed();
+    void prepare_enclosures();
+    void prepare_materials();
+    void prepare_tangents();
     void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
     void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
     void assemble();
     void choose_laws(const HeatSegment& segment);
     void begin_segment(const HeatSegment& segment, double time);
-    void assemble_cells(Mat mass, Mat stiffness) const;
-    void assemble_bonds(Mat stiffness) const;
+    void assemble_cells(Mat mass, Mat stiffness, Mat variable) const;
+    void assemble_bonds(Mat stiffness, Mat variable) const;
     void assemble_interfaces(Mat stiffness) const;
     void assemble_films(Mat stiffness) const;
     void build_system(double factor, Vec temperature);
@@ -118,13 +108,35 @@ private:
     void settle_oil(double time);
     double set_oil(const std::vector<double>& temperature);
     void add_variable_films(HeatRate& rate, double time, Vec temperature) const;
+    void add_enclosures(HeatRate& rate, double time) const;
+    void build_air_loads(const double* values);
+    [[nodiscard]] double air_pivot(std::size_t enclosure) const;
+    PetscErrorCode add_air(Vec in, Vec out) const;
+    [[nodiscard]] std::vector<double> air_residual(const HeatRate& rate, double factor) const;
+    void take_air_out(const std::vector<double>& residual, Vec field_residual) const;
+    [[nodiscard]] std::vector<double> air_solution(const std::vector<double>& residual, Vec solution) const;
+    double move_air(const std::vector<double>& residual, Vec solution);
+    void begin_first_air_stage(double dt);
+    void begin_second_air_stage();
+    [[nodiscard]] double air_error(double dt) const;
+    [[nodiscard]] std::vector<double> first_air_error(double dt) const;
+    double accept_air(double dt);
+    [[nodiscard]] bool materials_vary() const { return capacity_varies_ || conduction_varies_; }
+    /// What the mass matrix acts on: the temperature, or the one of equal heat [K].
+    [[nodiscard]] Vec heat_of(Vec temperature) const;
+    void heat_change(Vec from, Vec to, Vec change) const;
+    void add_variable_conduction(Vec temperature, Vec rate) const;
+    void add_variable_conduction(Mat matrix, Vec temperature) const;
+    void add_capacity(Mat matrix, Vec temperature) const;
+    void note_extremes();
+    void extremes_of_ranks(ThermalHistory& history) const;
     void impose(double time, Vec temperature) const;
     HeatRate solve_stage(double time, double factor, Vec known, const std::vector<double>& known_sump, Vec temperature);
     [[nodiscard]] std::vector<double> first_known_sump(double factor) const;
     [[nodiscard]] std::vector<double> second_known_sump() const;
     Step step(double time, double dt);
     static void hermite(Vec start, Vec start_slope, Vec end, Vec end_slope, double h, double s, Vec result);
-    void estimate_error(double dt);
+    double estimate_error(double dt);
     void set_tolerance(double relative, double absolute);
     [[nodiscard]] double ambient(const SurfaceCondition& condition, double time) const;
     [[nodiscard]] ThermalHistory empty_history() const;
@@ -150,6 +162,7 @@ private:
 
     const Discretisation& space_;
     const std::vector<Material>& materials_;
+    Expansion expansion_;
     const HeatProblem* problem_;
     const HeatSegment* segment_ = nullptr;
     const std::vector<InterfaceLaw>* laws_ = nullptr;  ///< of the interfaces in this segment
@@ -163,12 +176,17 @@ private:
     std::vector<SparseFunctional> body_loads_;    ///< watts of unit heat by unknown
     std::vector<double> oil_temperature_;         ///< per interface [K]
     std::vector<double> sump_;                    ///< per circuit, at the start of the step [K]
+    std::vector<Air> air_;                        ///< per enclosure
     std::vector<Film> films_;
     bool variable_films_ = false;
     std::vector<PetscInt> prescribed_;  ///< owned unknowns with given temperature, global numbers
     std::vector<std::pair<Vec3, const SurfaceCondition*>> prescribed_at_;
 
     OwnedMat mass_, stiffness_, variable_, system_, shell_;
+    OwnedMat conduction_;  ///< of parts whose conductivity follows the temperature
+    OwnedMat scaled_mass_, scaled_conduction_;
+    OwnedVec mapped_, conducted_;
+    bool capacity_varies_ = false, conduction_varies_ = false;
     OwnedKsp solver_;
     mutable std::unique_ptr<Everywhere> everywhere_;
     double system_factor_ = -1;
@@ -189,6 +207,7 @@ private:
     double reference_ = 0;
     int attribution_ = -1;
     std::vector<std::uint32_t> part_of_unknown_;
+    std::vector<double> lowest_, highest_;  ///< nodal temperature so far, per part, on this rank [K]
     int iterations_ = 0;
     int solves_ = 0;
     std::size_t next_field_ = 0;
