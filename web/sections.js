@@ -45,7 +45,8 @@ const historyLines = (run, wanted, change = (value) => value) => run.history.fil
     key: entry.name, name: words(entry.name.replace(/ (temperature|heat)$/, "")), x: run.hours,
     y: entry.values.map(change) }));
 const isProbe = (entry) => entry.unit === "degC" && !/ temperature$/.test(entry.name);
-const isJoint = (entry) => entry.unit === "degC" && / temperature$/.test(entry.name);
+const isAir = (entry) => /^air \S+ temperature$/.test(entry.name);
+const isJoint = (entry) => entry.unit === "degC" && / temperature$/.test(entry.name) && !isAir(entry);
 
 function temperatureSection(run) {
     if (!run.history) return null;
@@ -61,7 +62,13 @@ function temperatureSection(run) {
             series: probes, markNote: reference?.source }),
         lineChart({ id: "joints", title: "Temperature of the joints", text: "Mean over both sides of all surfaces in contact"
             + (joints.length === 10 ? "; the ten that change most." : "."), x: ["time", "h"], y: ["temperature", "°C"],
-        zero: false, series: joints }));
+        zero: false, series: joints }), airChart(run));
+}
+
+function airChart(run) {
+    const series = historyLines(run, isAir).map((line) => ({ ...line, name: line.name.replace(/^air /, "") }));
+    return series.length ? lineChart({ id: "enclosures", title: "Temperature of the enclosed air", text: "", x: ["time", "h"],
+        y: ["temperature", "°C"], zero: false, series }) : "";
 }
 
 /** The lines that change most, in the order in which they stood. */
@@ -73,7 +80,8 @@ function strongest(lines, count) {
 
 function heatSection(run) {
     if (!run.history || !run.summary?.energy_J) return null;
-    const joints = historyLines(run, (entry) => entry.unit === "W" && / heat$/.test(entry.name))
+    const joints = historyLines(run, (entry) => entry.unit === "W" && (/^(?!oil ).* heat$/.test(entry.name)
+        || /^air \S+ power$/.test(entry.name)))
         .sort((a, b) => Math.max(...b.y) - Math.max(...a.y));
     if (joints.length === 0 && !run.summary.energy_J.generated) return null;
     const generated = run.hours.map((_, i) => joints.reduce((sum, line) => sum + line.y[i], 0));

@@ -108,3 +108,14 @@ TEST_CASE("one, two and three ranks give one gap, with a coarser mesh for the de
                     "numerics.solver_tolerance=1e-8",
                     {2, 3});
 }
+
+TEST_CASE("two ranks give what one gives: materials that follow the temperature, and a bond between them")
+{
+    check_agreement("hot-plates", 293.15);
+}
+
+TEST_CASE("two ranks give what one gives: enclosed air")
+{
+    check_agreement("warm-box", 353.15,
+                    "machine.initial_temperature=\"80 degC\" enclosures.box.temperature=\"30 degC\"");
+}

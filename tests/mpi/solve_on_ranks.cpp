@@ -9,8 +9,8 @@
 
 // solve_on_ranks CASE FILE [path=value ...]: solves a case on all ranks and writes, number by number, how many they
 // are, the mismatch of the energy balance, the gap at the end [um], how far the deformation solved then and the adjoint
-// differ in it, and the last temperatures of probes, interface sides and parts. What each joint, the oil and the air have done
-// to the gap, over the gap, goes into FILE.causes.
+// differ in it, the last temperatures of probes, interface sides, parts and enclosures, and the highest of each part. What
+// each joint, the oil and the air have done to the gap, over the gap, goes into FILE.causes.
 
 using namespace deadpoint;
 
@@ -28,6 +28,10 @@ void write(const std::string& path, const study::RunResult& result)
     for (const auto* group : {&history.probes, &history.interface_a, &history.interface_b, &history.part_means})
         for (const auto& series : *group)
             file << series.value.back() << '\n';
+    for (const auto& air : history.enclosures)
+        file << air.temperature.back() << '\n';
+    for (const double highest : history.part_highest)
+        file << highest << '\n';
     if (result.causes.empty())
         return;
     const auto& causes = result.causes.back();

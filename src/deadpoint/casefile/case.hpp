@@ -19,9 +19,14 @@ namespace deadpoint::casefile {
 struct Material {
     std::string library;  ///< name in the shipped library; given keys override it
     double density = 0;
-    double conductivity = 0;
+    double conductivity = 0;  ///< of a table its first value; likewise below
     double specific_heat = 0;
     double expansion = 0;
+    Table conductivity_table;  ///< over temperature [W/m/K over K]; empty: constant
+    Table specific_heat_table;
+    Table expansion_table;
+    std::string expansion_kind;                 ///< of a table: "mean" or "instantaneous"
+    std::optional<double> expansion_reference;  ///< of "mean" [K]
     double youngs_modulus = 0;
     double poissons_ratio = 0;
     std::string source;
@@ -193,6 +198,7 @@ struct Case {
     std::map<std::string, Joint> joints;
     std::map<std::string, Surface> surfaces;
     std::map<std::string, HeatInput> heat_sources;
+    std::map<std::string, Enclosure> enclosures;
     Mechanism mechanism;
     std::optional<Crankshaft> crankshaft;
     std::optional<ProcessForce> process_force;

@@ -17,6 +17,18 @@ struct HeatInput {
     bool at_rest = false;            ///< also while the press stands
 };
 
+/// Air inside the machine that surfaces face instead of the room's.
+struct Enclosure {
+    std::vector<std::string> surfaces;
+    std::optional<double> volume;         ///< of the air, of the whole press [m3]
+    std::optional<double> heat_capacity;  ///< instead of `volume`, of the whole press [J/K]
+    std::optional<double> exchange;       ///< with the room, of the whole press [W/K]
+    std::optional<double> air_changes;    ///< instead of `exchange`, per hour
+    std::optional<double> temperature;    ///< at the start; else the machine's [K]
+    std::optional<Course> power;          ///< into the air, of the whole press [W]
+    bool at_rest = false;                 ///< also while the press stands
+};
+
 /// Circulating oil that serves joints one after the other.
 struct OilCircuit {
     std::vector<std::string> joints;  ///< in the order of the oil

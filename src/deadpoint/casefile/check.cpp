@@ -1,11 +1,13 @@
 #include "deadpoint/casefile/check.hpp"
 
+#include "deadpoint/casefile/check_enclosures.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
 #include "deadpoint/core/suggest.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <set>
 #include <string_view>
 
@@ -46,6 +48,12 @@ public:
         for (const auto& [name, source] : c_.heat_sources) {
             check_heat_source("heat_sources." + name, source);
         }
+        for (const auto& [name, enclosure] : c_.enclosures) {
+            for (std::size_t i = 0; i < enclosure.surfaces.size(); ++i) {
+                refer(fmt::format("enclosures.{}.surfaces.{}", name, i), "surface", enclosure.surfaces[i], c_.surfaces);
+            }
+        }
+        std::ranges::move(check_enclosures(c_), std::back_inserter(findings_));
         for (const auto& [name, surface] : c_.surfaces) {
             check_surface("surfaces." + name, surface);
         }

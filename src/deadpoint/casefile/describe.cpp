@@ -97,6 +97,7 @@ void describe(Visitor& v, Case& c)
     v.named({"joints", "connections of two bodies"}, c.joints, "name");
     v.named({"surfaces", "named sets of faces, with what happens there"}, c.surfaces, "name");
     v.named({"heat_sources", "heat of a motor, a clutch or a belt"}, c.heat_sources, "name");
+    v.named({"enclosures", "air inside the machine, with a temperature of its own"}, c.enclosures, "name");
     v.table({"mechanism", "the linkage as a whole, for its loads"}, c.mechanism);
     v.table({"crankshaft", "the crankshaft as a beam"}, c.crankshaft);
     v.table({"process_force", "the force of the process over a turn; without it as its defaults say"}, c.process_force);
@@ -126,17 +127,36 @@ void describe(Visitor& v, MachineSection& m)
 void describe(Visitor& v, Material& m)
 {
     v.about(
-        "A solid. With `library`, keys that are not given come from the shipped library (see the end of this page).");
+        "A solid. With `library`, keys that are not given come from the shipped library (see the end of this page). "
+        "Tables are linear between their points and held beyond them, where the run warns.");
     v.text({"library", "name in the shipped library"}, m.library);
     v.from_library(m);
     const Need need = m.library.empty() ? required : optional;
     v.quantity({"density", "mass per volume", need}, m.density, D::density, positive);
-    v.quantity({"conductivity", "thermal conductivity", need}, m.conductivity, D::conductivity, positive);
-    v.quantity({"specific_heat", "heat per mass and kelvin", need}, m.specific_heat, D::specific_heat, positive);
-    v.quantity({"expansion", "linear thermal expansion", need}, m.expansion, D::expansion, any_value);
+    v.property({"conductivity", "thermal conductivity", need}, m.conductivity, m.conductivity_table, D::conductivity,
+               positive);
+    v.property({"specific_heat", "heat per mass and kelvin", need}, m.specific_heat, m.specific_heat_table,
+               D::specific_heat, positive);
+    v.property({"expansion", "linear thermal expansion", need}, m.expansion, m.expansion_table, D::expansion,
+               any_value);
+    choose(v,
+           {"expansion_kind", "of a table: `mean` coefficients count from `expansion_reference` to the temperature, "
+                              "`instantaneous` ones are the slope of the length over the temperature"},
+           m.expansion_kind, {"mean", "instantaneous"});
+    v.quantity({"expansion_reference", "where a mean coefficient counts from"}, m.expansion_reference, D::temperature,
+               absolute_temperature);
     v.quantity({"youngs_modulus", "modulus of elasticity", need}, m.youngs_modulus, D::pressure, positive);
     v.number({"poissons_ratio", "lateral contraction", need}, m.poissons_ratio, {-1, 0.5, true});
     v.text({"source", "where the values are from"}, m.source);
+    const bool table = !m.expansion_table.x.empty();
+    v.expect(!table || !m.expansion_kind.empty(), "expansion", "nothing says what its table holds",
+             "add expansion_kind = \"mean\" or \"instantaneous\"");
+    v.expect(table || m.expansion_kind.empty() || !m.library.empty(), "expansion_kind",
+             "a constant coefficient has no kind", "remove it, or give a table");
+    v.expect(!table || m.expansion_kind != "mean" || m.expansion_reference, "expansion",
+             "nothing says where its mean coefficients count from", "add expansion_reference = \"20 degC\"");
+    v.expect(!m.expansion_reference || m.expansion_kind == "mean", "expansion_reference",
+             "only mean coefficients have a reference temperature", "remove it, or say expansion_kind = \"mean\"");
 }
 
 void describe(Visitor& v, Lubricant& l)

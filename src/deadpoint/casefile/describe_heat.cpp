@@ -44,4 +44,28 @@ void describe(Visitor& v, OilCircuit& c)
              "give `inlet_temperature` if it is cooled, else `sump_volume` and `sump_loss`");
 }
 
+void describe(Visitor& v, Enclosure& e)
+{
+    v.about(
+        "Air inside the machine, well mixed: the films of its surfaces see its temperature instead of the room's. Its "
+        "balance is part of the solution.");
+    v.texts({"surfaces", "surfaces with a `film` that face it", required}, e.surfaces);
+    v.quantity({"volume", "of the air, in the whole press"}, e.volume, D::volume, positive);
+    v.quantity({"heat_capacity", "of the air and what warms with it, of the whole press; instead of `volume`"},
+               e.heat_capacity, D::heat_capacity, positive);
+    v.quantity({"exchange", "with the room by openings and walls, of the whole press; 0 W/K is a sealed box"},
+               e.exchange, D::thermal_conductance, non_negative);
+    v.quantity({"air_changes", "per hour with the room, instead of `exchange`; needs `volume`"}, e.air_changes, D::none,
+               non_negative);
+    v.quantity({"temperature", "at the start; else that of the machine"}, e.temperature, D::temperature, positive);
+    v.course({"power", "heat into the air, of the whole press: windage, a motor"}, e.power, D::power, any_value);
+    v.flag({"at_rest", "that heat comes also while the press stands"}, e.at_rest);
+    v.expect(!e.surfaces.empty(), "surfaces", "no surface faces the enclosure", "name at least one");
+    v.expect(e.volume.has_value() != e.heat_capacity.has_value(), "",
+             "the heat capacity of the air needs one statement", "give either `volume` or `heat_capacity`");
+    v.expect(e.exchange.has_value() != e.air_changes.has_value(), "", "the exchange with the room needs one statement",
+             "give either `exchange` (\"0 W/K\" for a sealed box) or `air_changes`");
+    v.expect(!e.air_changes || e.volume, "air_changes", "changes of the air need its volume", "give `volume`");
+}
+
 }  // namespace deadpoint::casefile

@@ -45,6 +45,7 @@ public:
     void points(const Key& key, std::vector<Vec2>& value) override;
     void loops(const Key& key, std::vector<std::vector<Vec2>>& value) override;
     void curve(const Key& key, Table& value, const CurveKeys& keys) override;
+    void property(const Key& key, double& constant, Table& table, Dimension dimension, const Range& range) override;
     void course(const Key& key, std::optional<Course>& value, Dimension dimension, const Range& range) override;
     std::vector<std::size_t> tagged(std::span<const std::string_view> keys, std::size_t& key,
                                     std::span<const std::string_view> values, std::size_t value,

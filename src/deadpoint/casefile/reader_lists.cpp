@@ -266,6 +266,23 @@ void Reader::curve(const Key& key, Table& value, const CurveKeys& keys)
     }
 }
 
+void Reader::property(const Key& key, double& constant, Table& table, Dimension dimension, const Range& range)
+{
+    const Node* node = take(key);
+    if (node == nullptr) {
+        return;
+    }
+    table = {};
+    if (node->kind != Node::Kind::table) {
+        read_quantity(*node, path_of(key.name), dimension, range, constant);
+        return;
+    }
+    read_curve(*node, path_of(key.name), {"temperature", Dimension::temperature, dimension, range}, table);
+    if (!table.y.empty()) {
+        constant = table.y.front();
+    }
+}
+
 void Reader::read_daily(const Node& node, const std::string& path, const Range& range, DailyCourse& value)
 {
     push(node, path);

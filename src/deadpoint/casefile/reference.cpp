@@ -141,6 +141,13 @@ public:
                         dimension_info(keys.x).example, dimension_info(keys.y).example),
             "");
     }
+    void property(const Key& key, double&, Table&, Dimension dimension, const Range& range) override
+    {
+        row(key,
+            example_of(dimension) + range_suffix(range, dimension) +
+                ", or a table over temperature `{ temperature = [...], value = [...] }`",
+            "");
+    }
     void course(const Key& key, std::optional<Course>&, Dimension dimension, const Range& range) override
     {
         row(key,

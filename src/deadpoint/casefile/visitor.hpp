@@ -62,6 +62,7 @@ void describe(Visitor& v, BoxShape& b);  ///< of the key `within`
 void describe(Visitor& v, Film& f);
 void describe(Visitor& v, HeatInput& h);
 void describe(Visitor& v, OilCircuit& c);
+void describe(Visitor& v, Enclosure& e);
 void describe(Visitor& v, Mechanism& m);
 void describe(Visitor& v, Crankshaft& c);
 void describe(Visitor& v, Crankshaft::Section& s);
@@ -116,6 +117,8 @@ public:
     virtual void points(const Key& key, std::vector<Vec2>& value) = 0;
     virtual void loops(const Key& key, std::vector<std::vector<Vec2>>& value) = 0;
     virtual void curve(const Key& key, Table& value, const CurveKeys& keys) = 0;
+    /// A constant quantity, or a table over temperature, whose first value then is the constant.
+    virtual void property(const Key& key, double& constant, Table& table, Dimension dimension, const Range& range) = 0;
     /// A value for any key of a case, as --set takes it. Study files only.
     virtual void setting(const Key& key, std::string& value) { (void)key, (void)value; }
     /// A list of them; an item may be a list of its own.

@@ -175,6 +175,11 @@ public:
             emit(key, curve_text(value, keys.x_name, keys.x, keys.y));
         }
     }
+    void property(const Key& key, double& constant, Table& table, Dimension dimension, const Range&) override
+    {
+        emit(key, table.x.empty() ? value_text(constant, dimension)
+                                  : curve_text(table, "temperature", Dimension::temperature, dimension));
+    }
     void course(const Key& key, std::optional<Course>& value, Dimension dimension, const Range&) override
     {
         if (!value) {

@@ -19,7 +19,7 @@ namespace {
 
 using D = Dimension;
 
-constexpr std::array<DimensionInfo, 27> dimensions{{
+constexpr std::array<DimensionInfo, 28> dimensions{{
     {D::none, "a plain number", "", "", "0.3"},
     {D::length, "a length", "m", "mm", "200 mm"},
     {D::area, "an area", "m^2", "m^2", "0.5 m^2"},
@@ -47,6 +47,7 @@ constexpr std::array<DimensionInfo, 27> dimensions{{
     {D::thermal_conductance, "a thermal conductance", "W/K", "W/K", "20 W/K"},
     {D::volume, "a volume", "m^3", "L", "100 L"},
     {D::volume_flow, "a volume flow", "m^3/s", "L/min", "5 L/min"},
+    {D::heat_capacity, "a heat capacity", "J/K", "J/K", "1200 J/K"},
 }};
 
 /// value [SI] = factor * number + offset

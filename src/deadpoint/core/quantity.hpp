@@ -38,6 +38,7 @@ enum class Dimension {
     thermal_conductance,
     volume,
     volume_flow,
+    heat_capacity,
 };
 
 /// How a dimension is spoken of and written.

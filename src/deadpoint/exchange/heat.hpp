@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/laws.hpp"
+#include "deadpoint/exchange/material.hpp"
 
 #include <functional>
 #include <string>
@@ -9,15 +10,6 @@
 
 /// What the heat stage is given besides the machine, and what it hands on. SI units, temperatures in kelvin.
 namespace deadpoint {
-
-struct Material {
-    double density = 0;         ///< [kg/m3]
-    double conductivity = 0;    ///< [W/m/K]
-    double specific_heat = 0;   ///< [J/kg/K]
-    double expansion = 0;       ///< [1/K]
-    double youngs_modulus = 0;  ///< [Pa]
-    double poissons_ratio = 0;
-};
 
 using TimeCourse = std::function<double(double time)>;
 
@@ -70,6 +62,15 @@ struct OilCourse {
     double sump_start = 0;         ///< temperature at the start [K]
 };
 
+/// Air of one temperature between surfaces and the room: C dT/dt = film heat of its surfaces + exchange (ambient - T) +
+/// power.
+struct Enclosure {
+    std::string name;
+    double capacity = 0;  ///< C [J/K], > 0, in this model
+    double exchange = 0;  ///< with the segment's ambient [W/K], in this model
+    double start = 0;     ///< temperature at the start [K]
+};
+
 /// The film of a surface at an ambient temperature [K].
 using FilmLawAt = std::function<FilmLaw(double ambient)>;
 
@@ -82,6 +83,7 @@ struct SurfaceCondition {
     std::vector<FilmLawAt> laws;  ///< film: one per segment, convection only; empty: the constant coefficient
     double emissivity = 0;
     TimeCourse ambient;  ///< film: if empty, the segment's
+    int enclosure = -1;  ///< film: index into HeatProblem::enclosures, whose air it faces instead
     std::function<double(const Vec3&, double time)> temperature;
     TimeCourse flux;  ///< [W/m2] into the part
 };
@@ -89,13 +91,14 @@ struct SurfaceCondition {
 /// A stretch of operation during which the laws hold.
 struct HeatSegment {
     double duration = 0;
-    std::vector<HeatLaw> heat;             ///< per source; empty function: none
-    std::vector<RingHeatLaw> ring_heat;    ///< per source, or none at all; empty function: none
-    std::vector<double> zoned_heat;        ///< per source, or none at all: its load part, of the whole press [W]
-    std::vector<TimeCourse> body_heat;     ///< per HeatProblem::body_heat, in this model [W]; empty function: none
-    std::vector<double> oil_flow;          ///< per circuit: mass flow times heat capacity, in this model [W/K]
-    std::vector<InterfaceLaw> interfaces;  ///< as HeatProblem::interfaces, where they differ from those
-    TimeCourse ambient;                    ///< over the time since the run began
+    std::vector<HeatLaw> heat;                ///< per source; empty function: none
+    std::vector<RingHeatLaw> ring_heat;       ///< per source, or none at all; empty function: none
+    std::vector<double> zoned_heat;           ///< per source, or none at all: its load part, of the whole press [W]
+    std::vector<TimeCourse> body_heat;        ///< per HeatProblem::body_heat, in this model [W]; empty function: none
+    std::vector<TimeCourse> enclosure_power;  ///< per enclosure or none at all, in this model [W]; empty function: none
+    std::vector<double> oil_flow;             ///< per circuit: mass flow times heat capacity, in this model [W/K]
+    std::vector<InterfaceLaw> interfaces;     ///< as HeatProblem::interfaces, where they differ from those
+    TimeCourse ambient;                       ///< over the time since the run began
 };
 
 struct HeatProbe {
@@ -109,6 +112,7 @@ struct HeatProblem {
     std::vector<HeatSource> sources;
     std::vector<BodyHeat> body_heat;
     std::vector<OilCourse> oil;
+    std::vector<Enclosure> enclosures;
     std::vector<SurfaceCondition> surfaces;
     std::vector<HeatSegment> segments;
     std::vector<HeatProbe> probes;
@@ -136,12 +140,20 @@ struct OilHistory {
     std::vector<double> cooler;  ///< taken by the cooler [W]
 };
 
+/// The air of one enclosure at the accepted steps, in this model.
+struct EnclosureHistory {
+    std::vector<double> temperature;    ///< [K]
+    std::vector<double> from_surfaces;  ///< [W]
+    std::vector<double> power;          ///< [W]
+    std::vector<double> to_room;        ///< [W]
+};
+
 struct EnergyBalance {
     double generated = 0;  ///< friction and other heat [J]
-    double to_air = 0;
+    double to_air = 0;     ///< of the room
     double to_oil = 0;
     double from_surfaces = 0;  ///< prescribed temperatures and fluxes, into the parts
-    double stored = 0;
+    double stored = 0;         ///< in the parts and in enclosed air
     /// |generated + from_surfaces - to_air - to_oil - stored| over the largest of them.
     [[nodiscard]] double mismatch() const;
 };
@@ -155,17 +167,19 @@ struct ThermalHistory {
     std::vector<Series> functionals;                      ///< of the adjoints handed in
     std::vector<std::vector<double>> source_heat;         ///< per source, at the steps, in this model [W]
     std::vector<std::vector<double>> source_temperature;  ///< mean film temperature [K]
-    std::vector<double> to_air;                           ///< [W], in this model
+    std::vector<double> to_air;                           ///< of the room [W], in this model
     std::vector<double> to_oil;
-    std::vector<std::vector<double>> body_heat;      ///< per HeatProblem::body_heat, in this model [W]
-    std::vector<OilHistory> oil;                     ///< per circuit
+    std::vector<std::vector<double>> body_heat;  ///< per HeatProblem::body_heat, in this model [W]
+    std::vector<OilHistory> oil;                 ///< per circuit
+    std::vector<EnclosureHistory> enclosures;
     std::vector<std::vector<double>> contributions;  ///< [part][step] of the functional chosen for attribution
     EnergyBalance energy;                            ///< in this model
     int rejected_steps = 0;
     int linear_iterations = 0;
     int linear_solves = 0;
-    bool law_out_of_range = false;        ///< of friction heat
-    std::vector<bool> film_out_of_range;  ///< per surface condition: its law left its tested range somewhere
+    bool law_out_of_range = false;                  ///< of friction heat
+    std::vector<bool> film_out_of_range;            ///< per surface condition: its law left its tested range somewhere
+    std::vector<double> part_lowest, part_highest;  ///< nodal temperature of each part over the run [K]
     bool interrupted = false;
 };
 

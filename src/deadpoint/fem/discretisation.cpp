@@ -309,6 +309,20 @@ void Discretisation::cell_nodes(std::uint32_t index, std::vector<std::size_t>& u
     }
 }
 
+std::vector<std::uint32_t> Discretisation::part_of_unknown() const
+{
+    std::vector<std::uint32_t> parts(static_cast<std::size_t>(last - first), 0);
+    std::vector<dealii::types::global_dof_index> indices;
+    for (const auto& cell : dofs.active_cell_iterators()) {
+        indices.resize(cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_indices(indices);
+        for (const auto dof : indices)
+            if (owns(static_cast<PetscInt>(dof)))
+                parts[dof - static_cast<std::size_t>(first)] = cell->material_id();
+    }
+    return parts;
+}
+
 std::vector<Vec3> Discretisation::support_points() const
 {
     std::vector<Vec3> all(static_cast<std::size_t>(total));

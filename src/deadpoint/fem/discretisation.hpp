@@ -61,6 +61,8 @@ public:
     void add_bond_pattern(dealii::DynamicSparsityPattern& pattern) const;
     /// Where the owned unknowns sit.
     [[nodiscard]] std::vector<Vec3> support_points() const;
+    /// Part of each owned unknown.
+    [[nodiscard]] std::vector<std::uint32_t> part_of_unknown() const;
     /// Unknowns of a cell, and where they sit (written into `position` by unknown).
     void cell_nodes(std::uint32_t cell, std::vector<std::size_t>& unknowns, std::vector<Vec3>& position) const;
     /// Unknown at a node of a cell (node numbered as in Cell::nodes).

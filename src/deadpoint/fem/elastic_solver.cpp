@@ -203,7 +203,7 @@ void ElasticSolver::set_near_null_space()
 double ElasticSolver::thermal_modulus(int part) const
 {
     const auto& m = materials_[part];
-    return m.youngs_modulus * m.expansion / (1 - 2 * m.poissons_ratio);
+    return m.youngs_modulus * expansion_scale(m) / (1 - 2 * m.poissons_ratio);
 }
 
 void ElasticSolver::load(const Functional& functional, Vec target) const
@@ -277,13 +277,12 @@ std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<Functional>& func
     return result;
 }
 
-Displacement ElasticSolver::displacement(const Field& temperature, double reference_temperature)
+Displacement ElasticSolver::displacement(const Field& given)
 {
     OwnedVec field = create_vector(space_, 1);
     double* target = nullptr;
     DEADPOINT_PETSC(VecGetArray(field, &target));
-    for (std::size_t i = 0; i < temperature.owned.size(); ++i)
-        target[i] = temperature.owned[i] - reference_temperature;
+    std::ranges::copy(given.owned, target);
     DEADPOINT_PETSC(VecRestoreArray(field, &target));
     Everywhere gathered(field);
     const double* rise = gathered.gather(field);

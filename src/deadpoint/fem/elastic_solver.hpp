@@ -15,7 +15,8 @@ public:
     ElasticSolver(const Discretisation& space, const std::vector<Material>& materials, int feet_surface);
 
     std::vector<Adjoint> adjoints(const std::vector<Functional>& functionals);
-    Displacement displacement(const Field& temperature, double reference_temperature);
+    /// @param rise  as Model::expansion_rise()
+    Displacement displacement(const Field& rise);
     std::vector<double> evaluate(const std::vector<Functional>& functionals, const Displacement& displacement);
     [[nodiscard]] int iterations() const { return iterations_; }
 
@@ -31,7 +32,7 @@ private:
     void for_each_cell(const Visitor& visit) const;
     void load(const Functional& functional, Vec target) const;
     void clear_fixed(Vec vector) const;
-    [[nodiscard]] double thermal_modulus(int part) const;  ///< E alpha / (1 - 2 nu) [Pa/K]
+    [[nodiscard]] double thermal_modulus(int part) const;  ///< E alpha / (1 - 2 nu) [Pa/K], alpha the expansion_scale()
 
     const Discretisation& space_;
     const std::vector<Material>& materials_;

@@ -31,6 +31,8 @@ HeatAdjoint::HeatAdjoint(HeatSolver& solver)
         return condition.kind == SurfaceCondition::Kind::temperature;
     });
     solver_.shell_slopes_.clear();  // the heat is as booked and no longer follows the temperature
+    for (auto& air : solver_.air_)  // nor do the enclosures
+        DEADPOINT_PETSC(VecSet(air.load, 0));
     solver_.system_factor_ = -1;
 }
 
@@ -100,15 +102,21 @@ void HeatAdjoint::step_back(const StepRecord& step)
     DEADPOINT_PETSC(VecAXPY(solution_, 1 / diagonal, change_));
 }
 
+double HeatAdjoint::surroundings(const SurfaceCondition& condition, const StageRecord& stage) const
+{
+    return condition.enclosure >= 0 ? stage.air[static_cast<std::size_t>(condition.enclosure)].temperature
+                                    : solver_.ambient(condition, stage.time);
+}
+
 // The coefficient with which a film would give off what it gave at that stage, if that is near the law's.
 double HeatAdjoint::mean_coefficient(std::size_t film, const StageRecord& stage) const
 {
     const auto& condition = *solver_.films_[film].condition;
-    const double surroundings = solver_.ambient(condition, stage.time);
-    const double mean = stage.film_mean[film], rise = mean - surroundings;
-    const double squares = mean * mean + surroundings * surroundings;
-    const double by_law = solver_.film_at(condition, surroundings)(mean).value +
-                          condition.emissivity * stefan_boltzmann * squares * (mean + surroundings);
+    const double air = surroundings(condition, stage);
+    const double mean = stage.film_mean[film], rise = mean - air;
+    const double squares = mean * mean + air * air;
+    const double by_law = solver_.film_at(condition, air)(mean).value +
+                          condition.emissivity * stefan_boltzmann * squares * (mean + air);
     const double heat = stage.variable_to_air[solver_.films_[film].index];
     const double by_heat = heat / (solver_.films_[film].area * rise);
     return std::isfinite(by_heat) && by_heat > 0.5 * by_law && by_heat < 2 * by_law ? by_heat : by_law;
@@ -140,6 +148,8 @@ void HeatAdjoint::apply_stiffness(Vec in, Vec out)
     DEADPOINT_PETSC(MatMult(solver_.stiffness_, in, out));
     if (solver_.variable_films_)
         DEADPOINT_PETSC(MatMultAdd(solver_.variable_, in, out, out));
+    if (solver_.conduction_varies_)
+        DEADPOINT_PETSC(MatMultAdd(solver_.conduction_, in, out, out));
 }
 
 // Leaves (M + factor K) of the solution, in `stiffness_product_`, where there are prescribed unknowns to need it.
@@ -147,7 +157,7 @@ void HeatAdjoint::solve_stage(double factor, const StageRecord& stage, Vec weigh
 {
     use_films(stage);
     if (factor != solver_.system_factor_)
-        solver_.combine_system(factor);
+        solver_.combine_system(factor, nullptr);
     DEADPOINT_PETSC(VecCopy(weights, mass_product_));
     clear_rows(mass_product_, solver_.prescribed_, solver_.space_.first);
     clear_rows(solution, solver_.prescribed_, solver_.space_.first);
@@ -230,7 +240,7 @@ void HeatAdjoint::add_load(const std::vector<double>& products, double factor, c
         else if (solver_.films_[i].area > 0)
             density =
                 (HeatSolver::depends_on_temperature(condition) ? mean_coefficient(i, stage) : condition.coefficient) *
-                (solver_.ambient(condition, stage.time) - solver_.reference_);
+                (surroundings(condition, stage) - solver_.reference_);
         causes_.surfaces[solver_.films_[i].index] += factor * density * of_film[i];
     }
     for (std::size_t k = 0; k < causes_.body_heat.size(); ++k)

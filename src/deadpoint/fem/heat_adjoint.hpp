@@ -14,7 +14,7 @@ namespace deadpoint::fem {
 ///     (M + d K_1) t_1 = M (bdf_middle t_m - bdf_now t_0) + d f_1
 ///
 /// K_0, K_m and K_1 differ only in films that follow the temperature: each takes the mean coefficient of its surface at
-/// that stage. For weights l_1 on t_1 the transposed step gives those on its loads, d y_2 on f_1 and d y_1 on f_m and
+/// that stage. Materials that follow it have their constants, enclosed air its temperature as booked. For weights l_1 on t_1 the transposed step gives those on its loads, d y_2 on f_1 and d y_1 on f_m and
 /// f_0, and those on t_0:
 ///
 ///     (M + d K_1) y_2 = l_1
@@ -38,6 +38,7 @@ private:
     void enter(std::size_t segment);
     void step_back(const StepRecord& step);
     void use_films(const StageRecord& stage);
+    [[nodiscard]] double surroundings(const SurfaceCondition& condition, const StageRecord& stage) const;
     [[nodiscard]] double mean_coefficient(std::size_t film, const StageRecord& stage) const;
     void apply_stiffness(Vec in, Vec out);
     void solve_stage(double factor, const StageRecord& stage, Vec weights, Vec solution);

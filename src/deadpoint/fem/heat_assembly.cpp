@@ -2,6 +2,7 @@
 #include "deadpoint/fem/heat_solver.hpp"
 #include <deal.II/hp/fe_values.h>
 
+#include <algorithm>
 #include <set>
 
 // Matrices of the heat problem; time integration is in heat_solver.cpp.
@@ -59,17 +60,23 @@ void HeatSolver::assemble()
 {
     DEADPOINT_PETSC(MatZeroEntries(mass_));
     DEADPOINT_PETSC(MatZeroEntries(stiffness_));
-    assemble_cells(mass_, stiffness_);
-    assemble_bonds(stiffness_);
+    if (conduction_varies_)
+        DEADPOINT_PETSC(MatZeroEntries(conduction_));
+    assemble_cells(mass_, stiffness_, conduction_);
+    assemble_bonds(stiffness_, conduction_);
     assemble_interfaces(stiffness_);
     assemble_films(stiffness_);
-    for (Mat matrix : {Mat(mass_), Mat(stiffness_)}) {
+    for (Mat matrix : {Mat(mass_), Mat(stiffness_), Mat(conduction_)}) {
+        if (!matrix)
+            continue;
         DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
         DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
     }
 }
 
-void HeatSolver::assemble_cells(Mat mass, Mat stiffness) const
+// Where the conductivity follows the temperature, conduction goes into `variable` and zeros into the stiffness, so that
+// the one's pattern lies within the other's.
+void HeatSolver::assemble_cells(Mat mass, Mat stiffness, Mat variable) const
 {
     dealii::hp::FEValues<3> values(space_.mappings, space_.elements, space_.quadratures,
                                    dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
@@ -99,25 +106,48 @@ void HeatSolver::assemble_cells(Mat mass, Mat stiffness) const
         }
         const auto count = static_cast<PetscInt>(n);
         DEADPOINT_PETSC(MatSetValues(mass, count, rows.data(), count, rows.data(), capacity.data(), ADD_VALUES));
+        if (!material.conductivity_table.empty()) {
+            DEADPOINT_PETSC(
+                MatSetValues(variable, count, rows.data(), count, rows.data(), conduction.data(), ADD_VALUES));
+            conduction.assign(n * n, 0.0);
+        }
         DEADPOINT_PETSC(MatSetValues(stiffness, count, rows.data(), count, rows.data(), conduction.data(), ADD_VALUES));
     }
 }
 
+namespace {
+
+double largest_conductivity(const Material& material)
+{
+    const auto& table = material.conductivity_table;
+    return table.empty() ? material.conductivity : *std::ranges::max_element(table.y());
+}
+
+}  // namespace
+
 // Nitsche: -{k dT/dn}[v] - {k dv/dn}[T] + penalty [T][v], with [T] = T_a - T_b and the flux weighted by the softer
-// side.
-void HeatSolver::assemble_bonds(Mat stiffness) const
+// side. Where a conductivity k(T) follows the temperature, its flux acts on the transform of Kirchhoff and goes into
+// `variable`; the second term, which vanishes with [T] whatever k, keeps k at the start, and the penalty takes the
+// table's largest.
+void HeatSolver::assemble_bonds(Mat stiffness, Mat variable) const
 {
     const double penalty_factor = 10.0 * space_.order * space_.order;
     std::array<PetscInt, 2 * max_cell_dofs> dof{};
-    std::array<double, 2 * max_cell_dofs> jump{}, flux{};
-    std::vector<double> block;
+    std::array<double, 2 * max_cell_dofs> jump{}, flux{}, variable_flux{};
+    std::vector<double> block, variable_block;
     for_each_bond_pair(space_, [&](const BondPair& pair) {
-        const double k_a = materials_[pair.part_a].conductivity, k_b = materials_[pair.part_b].conductivity;
+        const auto& material_a = materials_[pair.part_a];
+        const auto& material_b = materials_[pair.part_b];
+        const bool varies_a = !material_a.conductivity_table.empty(), varies_b = !material_b.conductivity_table.empty();
+        const double k_a = material_a.conductivity, k_b = material_b.conductivity;
         const double stiff_a = k_a / pair.depth_a, stiff_b = k_b / pair.depth_b;
         const double weight_a = stiff_b / (stiff_a + stiff_b), weight_b = stiff_a / (stiff_a + stiff_b);
-        const double penalty = penalty_factor * stiff_a * stiff_b / (stiff_a + stiff_b);
+        const double most_a = largest_conductivity(material_a) / pair.depth_a;
+        const double most_b = largest_conductivity(material_b) / pair.depth_b;
+        const double penalty = penalty_factor * most_a * most_b / (most_a + most_b);
         const int n = pair.points.front().a.count + pair.points.front().b.count;
         block.assign(static_cast<std::size_t>(n * n), 0.0);
+        variable_block = block;
         for (const auto& p : pair.points) {
             for (int i = 0; i < n; ++i) {
                 const bool on_a = i < p.a.count;
@@ -126,12 +156,18 @@ void HeatSolver::assemble_bonds(Mat stiffness) const
                 dof[i] = shape.dof[k];
                 jump[i] = on_a ? shape.value[k] : -shape.value[k];
                 flux[i] = (on_a ? weight_a * k_a : weight_b * k_b) * dot(p.normal, shape.gradient[k]);
+                variable_flux[i] = (on_a ? varies_a : varies_b) ? flux[i] : 0;
             }
             for (int i = 0; i < n; ++i)
-                for (int j = 0; j < n; ++j)
-                    block[static_cast<std::size_t>(i * n + j)] +=
-                        p.weight * (penalty * jump[i] * jump[j] - flux[j] * jump[i] - flux[i] * jump[j]);
+                for (int j = 0; j < n; ++j) {
+                    const auto at = static_cast<std::size_t>(i * n + j);
+                    block[at] += p.weight * (penalty * jump[i] * jump[j] - (flux[j] - variable_flux[j]) * jump[i] -
+                                             flux[i] * jump[j]);
+                    variable_block[at] -= p.weight * variable_flux[j] * jump[i];
+                }
         }
+        if (varies_a || varies_b)
+            DEADPOINT_PETSC(MatSetValues(variable, n, dof.data(), n, dof.data(), variable_block.data(), ADD_VALUES));
         DEADPOINT_PETSC(MatSetValues(stiffness, n, dof.data(), n, dof.data(), block.data(), ADD_VALUES));
     });
 }

@@ -92,12 +92,12 @@ void append(std::vector<std::pair<PetscInt, double>>& entries, const PointShape&
 
 }  // namespace
 
-// Mean temperature and volume of each part, and which part each unknown is of.
+// Mean temperature and volume of each part.
 void HeatSolver::prepare_parts()
 {
     const auto& parts = space_.machine.parts;
     std::vector<std::vector<std::pair<PetscInt, double>>> means(parts.size());
-    part_of_unknown_.assign(static_cast<std::size_t>(space_.last - space_.first), 0);
+    part_of_unknown_ = space_.part_of_unknown();
     std::vector<dealii::types::global_dof_index> indices;
     dealii::hp::FEValues<3> values(space_.mappings, space_.elements, space_.quadratures,
                                    dealii::update_values | dealii::update_JxW_values);
@@ -107,10 +107,7 @@ void HeatSolver::prepare_parts()
         const auto part = cell->material_id();
         bool mine = false;
         for (const auto dof : indices)
-            if (space_.owns(static_cast<PetscInt>(dof))) {
-                part_of_unknown_[dof - static_cast<std::size_t>(space_.first)] = part;
-                mine = true;
-            }
+            mine = mine || space_.owns(static_cast<PetscInt>(dof));
         if (!mine)
             continue;
         values.reinit(cell);

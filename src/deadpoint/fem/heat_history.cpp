@@ -20,6 +20,7 @@ ThermalHistory HeatSolver::empty_history() const
     history.source_temperature.resize(problem_->sources.size());
     history.body_heat.resize(problem_->body_heat.size());
     history.oil.resize(problem_->oil.size());
+    history.enclosures.resize(problem_->enclosures.size());
     history.film_out_of_range.assign(problem_->surfaces.size(), false);
     return history;
 }
@@ -55,19 +56,23 @@ std::vector<double> HeatSolver::observed(Vec vector, bool is_rate) const
     auto values = evaluate(scalars, vector);
 
     std::vector<double> sums(adjoints_->size() + space_.machine.parts.size(), 0.0);
-    const double* data = nullptr;
+    const double *data = nullptr, *temperature = nullptr;
     DEADPOINT_PETSC(VecGetArrayRead(vector, &data));
-    const double reference = is_rate ? 0 : reference_;
+    DEADPOINT_PETSC(VecGetArrayRead(now_, &temperature));
+    const auto rise = [&](std::size_t i) {
+        return is_rate ? expansion_.slope(i, temperature[i]) * data[i] : expansion_.rise(i, data[i], reference_);
+    };
     for (std::size_t k = 0; k < adjoints_->size(); ++k) {
         const auto& weights = (*adjoints_)[k].owned;
         for (std::size_t i = 0; i < weights.size(); ++i)
-            sums[k] += weights[i] * (data[i] - reference);
+            sums[k] += weights[i] * rise(i);
     }
     if (attribution_ >= 0) {
         const auto& weights = (*adjoints_)[attribution_].owned;
         for (std::size_t i = 0; i < weights.size(); ++i)
-            sums[adjoints_->size() + part_of_unknown_[i]] += weights[i] * (data[i] - reference);
+            sums[adjoints_->size() + part_of_unknown_[i]] += weights[i] * rise(i);
     }
+    DEADPOINT_PETSC(VecRestoreArrayRead(now_, &temperature));
     DEADPOINT_PETSC(VecRestoreArrayRead(vector, &data));
     sum_over_ranks(sums);
     values.insert(values.end(), sums.begin(), sums.end());
@@ -76,6 +81,7 @@ std::vector<double> HeatSolver::observed(Vec vector, bool is_rate) const
 
 void HeatSolver::record(ThermalHistory& history, double time, const HeatRate& rate)
 {
+    note_extremes();
     const auto values = observed(now_, false);
     const auto rates = have_previous_ ? observed(slope_now_, true) : std::vector<double>(values.size(), 0.0);
     history.time.push_back(time);
@@ -102,6 +108,13 @@ void HeatSolver::record(ThermalHistory& history, double time, const HeatRate& ra
         circuit.sump.push_back(rate.oil[c].sump);
         circuit.heat.push_back(rate.oil[c].heat);
         circuit.cooler.push_back(rate.oil[c].cooler);
+    }
+    for (std::size_t e = 0; e < rate.air.size(); ++e) {
+        auto& enclosure = history.enclosures[e];
+        enclosure.temperature.push_back(rate.air[e].temperature);
+        enclosure.from_surfaces.push_back(rate.air[e].from_surfaces);
+        enclosure.power.push_back(rate.air[e].power);
+        enclosure.to_room.push_back(rate.air[e].to_room);
     }
     history.to_air.push_back(rate.to_air);
     history.to_oil.push_back(rate.to_oil);
@@ -132,7 +145,7 @@ void HeatSolver::add_energy(EnergyBalance& energy, double dt, double from_prescr
     energy.to_air += over_step(&HeatRate::to_air);
     energy.to_oil += over_step(&HeatRate::to_oil);
     energy.from_surfaces += over_step(&HeatRate::flux) + from_prescribed;
-    DEADPOINT_PETSC(VecWAXPY(work2_, -1, now_, next_));
+    heat_change(now_, next_, work2_);
     DEADPOINT_PETSC(MatMult(mass_, work2_, work_));
     PetscScalar stored = 0;
     DEADPOINT_PETSC(VecSum(work_, &stored));

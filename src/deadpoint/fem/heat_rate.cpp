@@ -8,8 +8,18 @@
 
 namespace deadpoint::fem {
 
+double value_at(const PointShape& shape, const double* values)
+{
+    double at = 0;
+    for (int i = 0; i < shape.count; ++i)
+        at += shape.value[i] * values[shape.dof[i]];
+    return at;
+}
+
 double HeatSolver::ambient(const SurfaceCondition& condition, double time) const
 {
+    if (condition.enclosure >= 0)
+        return air_[static_cast<std::size_t>(condition.enclosure)].now;
     return condition.ambient ? condition.ambient(time) : segment_->ambient(time);
 }
 
@@ -33,6 +43,17 @@ double HeatSolver::film_slope(const LawValue& film, double emissivity, double su
     return convection + 4 * emissivity * stefan_boltzmann * surface * surface * surface;
 }
 
+namespace {
+
+// What the heat of a surface's film goes to.
+double& taker(HeatRate& rate, const SurfaceCondition& condition)
+{
+    return condition.enclosure < 0 ? rate.to_air
+                                   : rate.air[static_cast<std::size_t>(condition.enclosure)].from_surfaces;
+}
+
+}  // namespace
+
 void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature) const
 {
     const double* values = everywhere_->gather(temperature);
@@ -44,9 +65,7 @@ void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature
         const double surroundings = ambient(*film.condition, time);
         const auto law = film_at(*film.condition, surroundings);
         for (const auto& point : film.points) {
-            double at = 0;
-            for (int i = 0; i < point.shape.count; ++i)
-                at += point.shape.value[i] * values[point.shape.dof[i]];
+            const double at = value_at(point.shape, values);
             const LawValue value = law(at);
             const double flow = point.weight * film_flux(value, film.condition->emissivity, at, surroundings);
             sums[film.index] += value.in_range ? 0 : point.weight;
@@ -59,7 +78,8 @@ void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature
     DEADPOINT_PETSC(VecAssemblyEnd(rate.vector));
     sum_over_ranks(sums);
     rate.variable_to_air.assign(sums.begin() + static_cast<std::ptrdiff_t>(count), sums.end());
-    rate.to_air = std::accumulate(rate.variable_to_air.begin(), rate.variable_to_air.end(), rate.to_air);
+    for (std::size_t i = 0; i < count; ++i)
+        taker(rate, problem_->surfaces[i]) += sums[count + i];
     sums.resize(count);
     rate.films_untested = std::move(sums);
 }
@@ -153,6 +173,8 @@ HeatRate HeatSolver::rate(double time, Vec temperature) const
     result.vector = duplicate(temperature);
     DEADPOINT_PETSC(MatMult(stiffness_, temperature, result.vector));
     DEADPOINT_PETSC(VecScale(result.vector, -1));
+    add_variable_conduction(temperature, Vec(result.vector));
+    result.air.resize(air_.size());
 
     std::vector<const SparseFunctional*> integrals;
     for (const auto& film : films_)
@@ -170,7 +192,7 @@ HeatRate HeatSolver::rate(double time, Vec temperature) const
                    !depends_on_temperature(condition)) {
             const double surroundings = ambient(condition, time);
             add_to(result.vector, film.integral, condition.coefficient * surroundings);
-            result.to_air += condition.coefficient * (integral[i] - surroundings * film.area);
+            taker(result, condition) += condition.coefficient * (integral[i] - surroundings * film.area);
         }
     }
     std::vector<const SparseFunctional*> means;
@@ -186,6 +208,7 @@ HeatRate HeatSolver::rate(double time, Vec temperature) const
     add_body_heat(result, time);
     if (variable_films_)
         add_variable_films(result, time, temperature);
+    add_enclosures(result, time);
     return result;
 }
 

@@ -18,6 +18,15 @@ struct OilFlow {
     double cooler = 0;
 };
 
+/// The air of an enclosure at one time.
+struct AirFlow {
+    double temperature = 0;    ///< [K]
+    double from_surfaces = 0;  ///< [W]
+    double power = 0;          ///< [W]
+    double to_room = 0;        ///< [W]
+    [[nodiscard]] double kept() const { return from_surfaces + power - to_room; }
+};
+
 /// The scalars of a heat balance: with them the balance is linear in the temperatures. All in the model.
 struct StageRecord {
     double time = 0;                      ///< [s]
@@ -26,6 +35,7 @@ struct StageRecord {
     std::vector<double> oil_temperature;  ///< per interface, as the solve took it [K]
     std::vector<double> film_mean;        ///< per film of HeatSolver: mean temperature of its surface [K]
     std::vector<double> variable_to_air;  ///< per surface condition whose film follows the temperature [W]
+    std::vector<AirFlow> air;             ///< per enclosure
 };
 
 /// Everything that enters the heat balance at one time: the rate vector F(t, T) - K T and its parts.

@@ -23,7 +23,7 @@ bool HeatSolver::adopt(const HeatProblem& problem)
 {
     const auto same_condition = [](const SurfaceCondition& a, const SurfaceCondition& b) {
         return a.surface == b.surface && a.kind == b.kind && a.coefficient == b.coefficient &&
-               a.emissivity == b.emissivity && a.laws.empty() == b.laws.empty();
+               a.emissivity == b.emissivity && a.laws.empty() == b.laws.empty() && a.enclosure == b.enclosure;
     };
     const auto same_place = [](const BodyHeat& a, const BodyHeat& b) {
         return a.parts == b.parts && a.surface == b.surface;
@@ -32,6 +32,7 @@ bool HeatSolver::adopt(const HeatProblem& problem)
         problem.segments.front().interfaces.empty() ? problem.interfaces : problem.segments.front().interfaces;
     const bool same = problem.sources.size() == problem_->sources.size() &&
                       problem.oil.size() == problem_->oil.size() &&
+                      problem.enclosures.size() == problem_->enclosures.size() &&
                       std::ranges::equal(problem.surfaces, problem_->surfaces, same_condition) &&
                       std::ranges::equal(problem.body_heat, problem_->body_heat, same_place) &&
                       std::ranges::equal(laws, *laws_, same_films);
@@ -73,6 +74,8 @@ void HeatSolver::start_from(const ThermalState& state)
     std::copy(state.temperature.owned.begin(), state.temperature.owned.end(), values);
     DEADPOINT_PETSC(VecRestoreArray(now_, &values));
     sump_ = state.sumps;
+    for (std::size_t k = 0; k < air_.size(); ++k)
+        air_[k].start = air_[k].now = state.enclosures.at(k);
 }
 
 ThermalState HeatSolver::state() const
@@ -83,6 +86,8 @@ ThermalState HeatSolver::state() const
     result.temperature.owned.assign(values, values + (space_.last - space_.first));
     DEADPOINT_PETSC(VecRestoreArrayRead(now_, &values));
     result.sumps = sump_;
+    for (const auto& air : air_)
+        result.enclosures.push_back(air.start);
     return result;
 }
 

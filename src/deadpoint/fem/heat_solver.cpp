@@ -48,12 +48,13 @@ OwnedVec duplicate(Vec vector)
 }
 
 HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem)
-    : space_(space), materials_(materials), problem_(&problem)
+    : space_(space), materials_(materials), expansion_(space, materials), problem_(&problem)
 {
     laws_ = &problem_->interfaces;
     if (!problem_->segments.empty())
         choose_laws(problem_->segments.front());
     prepare_parts();
+    prepare_materials();
     prepare_prescribed();
     prepare_interfaces();
     prepare_sources();
@@ -68,6 +69,8 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
         space_.add_bond_pattern(pattern);
         add_interface_pattern(pattern);
         stiffness_ = create_matrix(space_, pattern, 1);
+        if (conduction_varies_)
+            conduction_ = create_matrix(space_, pattern, 1);
     }
     assemble();
     DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, system_.out()));
@@ -79,6 +82,7 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
         *v = duplicate(now_);
     if (variable_films_)
         everywhere_ = std::make_unique<Everywhere>(now_);
+    prepare_enclosures();
 
     const PetscInt rows = space_.last - space_.first;
     DEADPOINT_PETSC(MatCreateShell(PETSC_COMM_WORLD, rows, rows, space_.total, space_.total, this, shell_.out()));
@@ -87,6 +91,7 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
 
     DEADPOINT_PETSC(KSPCreate(PETSC_COMM_WORLD, solver_.out()));
     DEADPOINT_PETSC(KSPSetType(solver_, KSPCG));
+    prepare_tangents();
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_FALSE));
     PC preconditioner = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
@@ -109,6 +114,7 @@ PetscErrorCode HeatSolver::multiply(Mat shell, Vec in, Vec out)
     HeatSolver* self = nullptr;
     MatShellGetContext(shell, &self);
     MatMult(self->system_, in, out);
+    self->add_air(in, out);
     if (self->shell_slopes_.empty())
         return 0;
     std::vector<const SparseFunctional*> loads;
@@ -128,21 +134,19 @@ void HeatSolver::set_tolerance(double relative, double absolute)
 
 void HeatSolver::build_system(double factor, Vec temperature)
 {
-    if (factor == system_factor_ && !variable_films_)
+    if (factor == system_factor_ && !variable_films_ && !materials_vary())
         return;
-    if (variable_films_) {
-        const double* values = everywhere_->gather(temperature);
+    const double* values = variable_films_ ? everywhere_->gather(temperature) : nullptr;
+    build_air_loads(values);
+    if (variable_films_)
         assemble_variable_films([&](const Film& film) -> PointCoefficient {
             const double surroundings = ambient(*film.condition, time_);
             return [&film, values, surroundings, law = film_at(*film.condition, surroundings)](const FilmPoint& point) {
-                double at = 0;
-                for (int i = 0; i < point.shape.count; ++i)
-                    at += point.shape.value[i] * values[point.shape.dof[i]];
+                const double at = value_at(point.shape, values);
                 return film_slope(law(at), film.condition->emissivity, at, surroundings);
             };
         });
-    }
-    combine_system(factor);
+    combine_system(factor, temperature);
 }
 
 void HeatSolver::assemble_variable_films(const std::function<PointCoefficient(const Film&)>& coefficient_on)
@@ -159,7 +163,7 @@ void HeatSolver::assemble_variable_films(const std::function<PointCoefficient(co
     DEADPOINT_PETSC(MatAssemblyEnd(variable_, MAT_FINAL_ASSEMBLY));
 }
 
-void HeatSolver::combine_system(double factor)
+void HeatSolver::combine_system(double factor, Vec temperature)
 {
     // The old multigrid still serves a matrix that changed little: with films that follow the temperature, or the next
     // step size.
@@ -170,8 +174,9 @@ void HeatSolver::combine_system(double factor)
     DEADPOINT_PETSC(MatCopy(stiffness_, system_, SAME_NONZERO_PATTERN));
     if (variable_films_)
         DEADPOINT_PETSC(MatAXPY(system_, 1, variable_, SUBSET_NONZERO_PATTERN));
+    add_conduction_tangent(system_, temperature);
     DEADPOINT_PETSC(MatScale(system_, factor));
-    DEADPOINT_PETSC(MatAXPY(system_, 1, mass_, SUBSET_NONZERO_PATTERN));
+    add_capacity(system_, temperature);
     DEADPOINT_PETSC(MatZeroRowsColumns(system_, static_cast<PetscInt>(prescribed_.size()), prescribed_.data(), 1,
                                        nullptr, nullptr));
     system_factor_ = factor;
@@ -191,7 +196,7 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
     for (int iteration = 0; iteration < max_newton; ++iteration) {
         build_system(factor, temperature);
         shell_slopes_ = current.source_slope;
-        DEADPOINT_PETSC(MatMult(mass_, temperature, work_));
+        DEADPOINT_PETSC(MatMult(mass_, heat_of(temperature), work_));
         DEADPOINT_PETSC(VecAXPY(work_, -factor, current.vector));
         DEADPOINT_PETSC(VecAXPY(work_, -1, known));
         double* residual = nullptr;
@@ -199,11 +204,14 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
         for (const PetscInt row : prescribed_)
             residual[row - space_.first] = 0;
         DEADPOINT_PETSC(VecRestoreArray(work_, &residual));
+        const auto of_air = air_residual(current, factor);
+        take_air_out(of_air, work_);
         set_tolerance(1e-13, problem_->solver_tolerance);
         iterations_ += solve(solver_, work_, work2_, "the temperature field");
         ++solves_;
         DEADPOINT_PETSC(VecAXPY(temperature, -1, work2_));
         require_finite(temperature, time);
+        const double air_change = move_air(of_air, work2_);
 
         HeatRate updated = rate(time, temperature);
         const auto corrections = tangent_less_law(current, updated);
@@ -213,8 +221,10 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
             total += std::abs(updated.source_heat[r]);
         }
         PetscReal change = 0;
-        if (variable_films_)
+        if (variable_films_ || materials_vary()) {
             DEADPOINT_PETSC(VecNorm(work2_, NORM_INFINITY, &change));
+            change = std::max(change, air_change);
+        }
         // The oil as the solve took it is kept where it is good enough, so that the balance stays exact.
         const auto reaches = follow_oil(updated, time, factor, known_sump);
         double oil_change = 0;
@@ -277,13 +287,16 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
             DEADPOINT_PETSC(VecAXPY(middle_, to_middle, slope_now_));
     }
     OwnedVec known = duplicate(now_);
-    DEADPOINT_PETSC(MatMult(mass_, now_, known));
+    DEADPOINT_PETSC(MatMult(mass_, heat_of(now_), known));
     DEADPOINT_PETSC(VecAXPY(known, factor, rate_now_.vector));
+    begin_first_air_stage(dt);
     rate_middle_ = solve_stage(time + gamma_stage * dt, factor, known, first_known_sump(factor), middle_);
 
     DEADPOINT_PETSC(VecCopy(middle_, error_));
     DEADPOINT_PETSC(VecAXPBY(error_, -bdf_now, bdf_middle, now_));
-    DEADPOINT_PETSC(MatMult(mass_, error_, known));
+    DEADPOINT_PETSC(VecCopy(heat_of(middle_), work_));
+    DEADPOINT_PETSC(VecAXPBY(work_, -bdf_now, bdf_middle, heat_of(now_)));
+    DEADPOINT_PETSC(MatMult(mass_, work_, known));
     DEADPOINT_PETSC(VecWAXPY(slope_middle_, -1, now_, middle_));
     DEADPOINT_PETSC(VecScale(slope_middle_, 1 / factor));
     if (have_previous_) {
@@ -294,6 +307,7 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
         DEADPOINT_PETSC(VecAXPY(next_, 1 / gamma_stage, middle_));
         DEADPOINT_PETSC(VecAXPY(next_, -1 / gamma_stage, now_));
     }
+    begin_second_air_stage();
     rate_next_ = solve_stage(time + dt, factor, known, second_known_sump(), next_);
 
     // slope at the end, from the second stage's own formula
@@ -306,23 +320,24 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
 
     if (problem_->fixed_step > 0)
         return result;
-    estimate_error(dt);
+    result.error = estimate_error(dt);
     for (const double e : evaluate(watched_, error_))
         result.error = std::max(result.error, std::abs(e));
     return result;
 }
 
-// Of the step, into error_: the difference to the companion method. The slopes of both stages come from their own
-// formulas. Where the first slope is not known, as at the start of a segment, the difference of the rates is filtered
-// by the step's matrix, which takes out stiff transients; the second stage damps them in every later step.
-void HeatSolver::estimate_error(double dt)
+// Of the step, into error_, and the enclosures' largest returned [K]: the difference to the companion method. The
+// slopes of both stages come from their own formulas. Where the first slope is not known, as at the start of a segment,
+// the difference of the rates is filtered by the step's matrix, which takes out stiff transients; the second stage
+// damps them in every later step.
+double HeatSolver::estimate_error(double dt)
 {
     if (have_previous_) {
         DEADPOINT_PETSC(VecSet(error_, 0));
         DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[0], slope_now_));
         DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[1], slope_middle_));
         DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[2], slope_next_));
-        return;
+        return air_error(dt);
     }
     DEADPOINT_PETSC(VecCopy(rate_now_.vector, work_));
     DEADPOINT_PETSC(VecScale(work_, dt * error_weights[0]));
@@ -333,9 +348,15 @@ void HeatSolver::estimate_error(double dt)
     for (const PetscInt row : prescribed_)
         residual[row - space_.first] = 0;
     DEADPOINT_PETSC(VecRestoreArray(work_, &residual));
+    const auto of_air = first_air_error(dt);
+    take_air_out(of_air, work_);
     // sharp enough that all numbers of ranks take the same steps
     set_tolerance(1e-4, 1e-4 * problem_->time_tolerance);
     iterations_ += solve(solver_, work_, error_, "the error of a time step");
+    double largest = 0;
+    for (const double e : air_solution(of_air, error_))
+        largest = std::max(largest, std::abs(e));
+    return largest;
 }
 
 // What entered through nodes of prescribed temperature during the step: their stored heat less their other gains.
@@ -343,7 +364,7 @@ double HeatSolver::prescribed_heat(double dt)
 {
     std::vector<double> sum{0};
     if (!problem_->surfaces.empty()) {
-        DEADPOINT_PETSC(VecWAXPY(work2_, -1, now_, next_));
+        heat_change(now_, next_, work2_);
         DEADPOINT_PETSC(MatMult(mass_, work2_, work_));
         DEADPOINT_PETSC(VecAXPY(work_, -dt * outer_weight, rate_now_.vector));
         DEADPOINT_PETSC(VecAXPY(work_, -dt * outer_weight, rate_middle_.vector));
@@ -414,6 +435,7 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
             add_energy(history.energy, dt, outcome.from_prescribed);
             steps_.push_back({static_cast<std::size_t>(segment_ - problem_->segments.data()), history.time.size(), dt,
                               rate_now_, rate_middle_, rate_next_});
+            history.energy.stored += accept_air(dt);
             std::swap(before_, now_);
             std::swap(now_, next_);
             previous_dt_ = have_previous_ ? dt : 0;
@@ -441,6 +463,7 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
     }
     history.linear_iterations = iterations_;
     history.linear_solves = solves_;
+    extremes_of_ranks(history);
     return history;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/fem/discretisation.hpp"
+#include "deadpoint/fem/expansion.hpp"
 #include "deadpoint/fem/heat_rate.hpp"
 #include "deadpoint/fem/model.hpp"
 
@@ -13,6 +14,9 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< [W/m2/K4]
 
 /// Adds factor * rows x columns to a matrix.
 void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns, double factor);
+
+/// Of all ranks' `values` by unknown, at a point.
+double value_at(const PointShape& shape, const double* values);
 
 /// A vector of the same layout, its entries not set.
 OwnedVec duplicate(Vec vector);
@@ -57,6 +61,15 @@ private:
         std::vector<FilmPoint> points;  ///< only where the coefficient depends on temperature
         std::size_t index = 0;          ///< into HeatProblem::surfaces
     };
+    /// The air of an enclosure, an unknown beside the field.
+    struct Air {
+        OwnedVec load;                 ///< slope of its films' heat by its temperature, per unknown [W/K]
+        double conductance = 0;        ///< the sum of it [W/K]
+        double start = 0, middle = 0;  ///< temperature at the start of the step and after its first stage [K]
+        double slope = 0;              ///< at the start [K/s]
+        double now = 0;                ///< as last iterated [K]
+        double known = 0;              ///< of the stage being solved [J]
+    };
     struct Step {
         double error = 0;
         double from_prescribed = 0;
@@ -72,21 +85,25 @@ private:
     void prepare_body_heat();
     void prepare_films();
     void prepare_prescribed();
+    void prepare_enclosures();
+    void prepare_materials();
+    void prepare_tangents();
     void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
     void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
     void assemble();
     void choose_laws(const HeatSegment& segment);
     void enter_segment(const HeatSegment& segment);
     void begin_segment(const HeatSegment& segment, double time);
-    void assemble_cells(Mat mass, Mat stiffness) const;
-    void assemble_bonds(Mat stiffness) const;
+    void assemble_cells(Mat mass, Mat stiffness, Mat variable) const;
+    void assemble_bonds(Mat stiffness, Mat variable) const;
     void assemble_interfaces(Mat stiffness) const;
     void assemble_films(Mat stiffness) const;
     void build_system(double factor, Vec temperature);
     using PointCoefficient = std::function<double(const FilmPoint&)>;
     /// Films with a coefficient by point [W/m2/K], into variable_.
     void assemble_variable_films(const std::function<PointCoefficient(const Film&)>& coefficient_on);
-    void combine_system(double factor);
+    /// Without a temperature: by the constants of materials that follow it.
+    void combine_system(double factor, Vec temperature);
     [[nodiscard]] HeatRate rate(double time, Vec temperature) const;
     void add_sources(HeatRate& rate, const std::vector<double>& mean) const;
     void add_interfaces(HeatRate& rate, const std::vector<double>& mean) const;
@@ -98,13 +115,35 @@ private:
     void settle_oil(double time);
     double set_oil(const std::vector<double>& temperature);
     void add_variable_films(HeatRate& rate, double time, Vec temperature) const;
+    void add_enclosures(HeatRate& rate, double time) const;
+    void build_air_loads(const double* values);
+    [[nodiscard]] double air_pivot(std::size_t enclosure) const;
+    PetscErrorCode add_air(Vec in, Vec out) const;
+    [[nodiscard]] std::vector<double> air_residual(const HeatRate& rate, double factor) const;
+    void take_air_out(const std::vector<double>& residual, Vec field_residual) const;
+    [[nodiscard]] std::vector<double> air_solution(const std::vector<double>& residual, Vec solution) const;
+    double move_air(const std::vector<double>& residual, Vec solution);
+    void begin_first_air_stage(double dt);
+    void begin_second_air_stage();
+    [[nodiscard]] double air_error(double dt) const;
+    [[nodiscard]] std::vector<double> first_air_error(double dt) const;
+    double accept_air(double dt);
+    [[nodiscard]] bool materials_vary() const { return capacity_varies_ || conduction_varies_; }
+    /// What the mass matrix acts on: the temperature, or the one of equal heat [K].
+    [[nodiscard]] Vec heat_of(Vec temperature) const;
+    void heat_change(Vec from, Vec to, Vec change) const;
+    void add_variable_conduction(Vec temperature, Vec rate) const;
+    void add_conduction_tangent(Mat matrix, Vec temperature) const;
+    void add_capacity(Mat matrix, Vec temperature) const;
+    void note_extremes();
+    void extremes_of_ranks(ThermalHistory& history) const;
     void impose(double time, Vec temperature) const;
     HeatRate solve_stage(double time, double factor, Vec known, const std::vector<double>& known_sump, Vec temperature);
     [[nodiscard]] std::vector<double> first_known_sump(double factor) const;
     [[nodiscard]] std::vector<double> second_known_sump() const;
     Step step(double time, double dt);
     static void hermite(Vec start, Vec start_slope, Vec end, Vec end_slope, double h, double s, Vec result);
-    void estimate_error(double dt);
+    double estimate_error(double dt);
     void set_tolerance(double relative, double absolute);
     [[nodiscard]] double ambient(const SurfaceCondition& condition, double time) const;
     [[nodiscard]] ThermalHistory empty_history() const;
@@ -130,6 +169,7 @@ private:
 
     const Discretisation& space_;
     const std::vector<Material>& materials_;
+    Expansion expansion_;
     const HeatProblem* problem_;
     const HeatSegment* segment_ = nullptr;
     const std::vector<InterfaceLaw>* laws_ = nullptr;  ///< of the interfaces in this segment
@@ -143,12 +183,17 @@ private:
     std::vector<SparseFunctional> body_loads_;    ///< watts of unit heat by unknown
     std::vector<double> oil_temperature_;         ///< per interface [K]
     std::vector<double> sump_;                    ///< per circuit, at the start of the step [K]
+    std::vector<Air> air_;                        ///< per enclosure
     std::vector<Film> films_;
     bool variable_films_ = false;
     std::vector<PetscInt> prescribed_;  ///< owned unknowns with given temperature, global numbers
     std::vector<std::pair<Vec3, const SurfaceCondition*>> prescribed_at_;
 
     OwnedMat mass_, stiffness_, variable_, system_, shell_;
+    OwnedMat conduction_;  ///< of parts whose conductivity follows the temperature
+    OwnedMat scaled_mass_, scaled_conduction_;
+    OwnedVec mapped_, conducted_;
+    bool capacity_varies_ = false, conduction_varies_ = false;
     OwnedKsp solver_;
     mutable std::unique_ptr<Everywhere> everywhere_;
     double system_factor_ = -1;
@@ -171,6 +216,7 @@ private:
     std::vector<std::uint32_t> part_of_unknown_;
     std::vector<StepRecord> steps_;  ///< accepted
     OwnedVec start_;                 ///< temperature from which the run started
+    std::vector<double> lowest_, highest_;  ///< nodal temperature so far, per part, on this rank [K]
     int iterations_ = 0;
     int solves_ = 0;
     std::size_t next_field_ = 0;

@@ -2,11 +2,13 @@
 
 #include "deadpoint/core/vtu.hpp"
 #include "deadpoint/fem/elastic_solver.hpp"
+#include "deadpoint/fem/expansion.hpp"
 #include "deadpoint/fem/heat_adjoint.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
 #include "deadpoint/fem/thermal_state.hpp"
 #include "deadpoint/fem/transfer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -27,7 +29,7 @@ struct OwnMesh {
 
 struct Model::Implementation {
     Implementation(const Machine& machine_, std::vector<Material> materials_, int order, const Machine* deformation_)
-        : machine(machine_), materials(std::move(materials_)), space(machine, order)
+        : machine(machine_), materials(std::move(materials_)), space(machine, order), expansion(space, materials)
     {
         if (deformation_)
             own = std::make_unique<OwnMesh>(*deformation_, space);
@@ -52,6 +54,7 @@ struct Model::Implementation {
     std::vector<Material> materials;
     Discretisation space;
     std::unique_ptr<OwnMesh> own;  ///< of the deformation, where it differs
+    Expansion expansion;
     std::unique_ptr<ElasticSolver> elastic;
     std::unique_ptr<HeatSolver> heat;
     std::unique_ptr<HeatSolver> finished;
@@ -74,19 +77,27 @@ void require_same_mesh(const Machine& machine)
         throw InputError("the ranks built different meshes; run with one rank, and please report the case");
 }
 
+// Also of a table.
+bool is_positive(const Material& material, double Material::*constant, const LinearCurve& table)
+{
+    const auto sound = [](double value) { return value > 0 && std::isfinite(value); };
+    return sound(material.*constant) && std::ranges::all_of(table.y(), sound);
+}
+
 void require_sound(const Machine& machine, const std::vector<Material>& materials)
 {
     if (machine.cells.empty())
         throw InputError("the machine has no cells");
     if (materials.size() != machine.parts.size())
         throw InputError("one material is needed per part");
-    for (std::size_t p = 0; p < materials.size(); ++p)
-        for (const double value :
-             {materials[p].density, materials[p].conductivity, materials[p].specific_heat, materials[p].youngs_modulus})
-            if (!(value > 0) || !std::isfinite(value))
-                throw InputError(
-                    "the material of part '" + machine.parts[p].name +
-                    "' has a density, conductivity, specific heat or Young's modulus that is not positive");
+    for (std::size_t p = 0; p < materials.size(); ++p) {
+        const auto& m = materials[p];
+        if (!is_positive(m, &Material::density, {}) || !is_positive(m, &Material::youngs_modulus, {}) ||
+            !is_positive(m, &Material::conductivity, m.conductivity_table) ||
+            !is_positive(m, &Material::specific_heat, m.specific_heat_table))
+            throw InputError("the material of part '" + machine.parts[p].name +
+                             "' has a density, conductivity, specific heat or Young's modulus that is not positive");
+    }
 }
 
 // Entries of a divided vector of `block` values per unknown at nodes of the mesh, on all ranks.
@@ -129,9 +140,11 @@ void Model::assemble_heat(const HeatProblem& problem)
     auto& heat = implementation_->heat;
     if (!heat || !heat->adopt(problem))
         heat = std::make_unique<HeatSolver>(implementation_->space, implementation_->materials, problem);
-    ThermalState start{interpolate_field(problem.initial_temperature), {}};
+    ThermalState start{interpolate_field(problem.initial_temperature), {}, {}};
     for (const auto& circuit : problem.oil)
         start.sumps.push_back(circuit.sump_start);
+    for (const auto& enclosure : problem.enclosures)
+        start.enclosures.push_back(enclosure.start);
     heat->start_from(start);
 }
 
@@ -161,8 +174,7 @@ void Model::start_from(const std::string& file)
 {
     if (!implementation_->heat)
         throw std::logic_error("Model::start_from() needs assemble_heat() before it");
-    implementation_->heat->start_from(
-        read_thermal_state(file, implementation_->space, implementation_->heat->state().sumps.size()));
+    implementation_->heat->start_from(read_thermal_state(file, implementation_->space, implementation_->heat->state()));
 }
 
 void Model::write_state(const std::string& file) const
@@ -187,10 +199,7 @@ std::vector<Adjoint> Model::adjoints(const std::vector<Functional>& functionals)
 
 Displacement Model::displacement(const Field& temperature, double reference_temperature)
 {
-    auto& solver = implementation_->deformation();
-    if (const auto& own = implementation_->own)
-        return solver.displacement({own->to.apply(temperature.owned, 1)}, reference_temperature);
-    return solver.displacement(temperature, reference_temperature);
+    return displacement_of_rise(expansion_rise(temperature, reference_temperature));
 }
 
 std::vector<double> Model::evaluate(const std::vector<Functional>& functionals, const Displacement& displacement)
@@ -202,9 +211,35 @@ double Model::apply(const Adjoint& adjoint, const Field& temperature, double ref
 {
     std::vector<double> sum{0};
     for (std::size_t i = 0; i < adjoint.owned.size(); ++i)
-        sum[0] += adjoint.owned[i] * (temperature.owned[i] - reference_temperature);
+        sum[0] += adjoint.owned[i] * implementation_->expansion.rise(i, temperature.owned[i], reference_temperature);
     sum_over_ranks(sum);
     return sum[0];
+}
+
+bool Model::expands_linearly() const { return implementation_->expansion.linear(); }
+
+Field Model::expansion_rise(const Field& temperature, double reference_temperature)
+{
+    Field rise;
+    for (std::size_t i = 0; i < temperature.owned.size(); ++i)
+        rise.owned.push_back(implementation_->expansion.rise(i, temperature.owned[i], reference_temperature));
+    return rise;
+}
+
+Displacement Model::displacement_of_rise(const Field& rise)
+{
+    auto& solver = implementation_->deformation();
+    if (const auto& own = implementation_->own)
+        return solver.displacement({own->to.apply(rise.owned, 1)});
+    return solver.displacement(rise);
+}
+
+Adjoint Model::secant(const Adjoint& adjoint, const Field& temperature, double reference_temperature)
+{
+    auto result = adjoint;
+    for (std::size_t i = 0; i < result.owned.size(); ++i)
+        result.owned[i] *= implementation_->expansion.secant(i, temperature.owned[i], reference_temperature);
+    return result;
 }
 
 void Model::release_elasticity()

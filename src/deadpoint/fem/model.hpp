@@ -21,13 +21,15 @@ struct Field {
 /// All that a later run needs to go on from here.
 struct ThermalState {
     Field temperature;
-    std::vector<double> sumps;  ///< temperature of each oil circuit's sump [K]
+    std::vector<double> sumps;       ///< temperature of each oil circuit's sump [K]
+    std::vector<double> enclosures;  ///< temperature of each enclosure's air [K]
 };
 /// This rank's share of a displacement field, on the mesh of the deformation [m].
 struct Displacement {
     std::vector<double> owned;
 };
-/// A functional of the deformation as weights on the temperature field: value = sum of weight (T - T_reference).
+/// A functional of the deformation as weights on the temperature field: value = sum of weight (T - T_reference), or
+/// where a material's expansion follows the temperature, of weight times the rise of Model::expansion_rise().
 struct Adjoint {
     std::string name;
     std::vector<double> owned;
@@ -106,6 +108,16 @@ public:
     Displacement displacement(const Field& temperature, double reference_temperature);
     std::vector<double> evaluate(const std::vector<Functional>& functionals, const Displacement& displacement);
     double apply(const Adjoint& adjoint, const Field& temperature, double reference_temperature);
+    /// Whether the deformation is linear in the temperature: no material has a table of its expansion.
+    [[nodiscard]] bool expands_linearly() const;
+    /// The rise [K] in which the deformation is linear: T - T_reference where the expansion is constant, else what
+    /// strains as much with the part's expansion_scale() (exchange/material).
+    Field expansion_rise(const Field& temperature, double reference_temperature);
+    /// The deformation for such a rise.
+    Displacement displacement_of_rise(const Field& rise);
+    /// Weights that give the same value with T - T_reference itself at this temperature:
+    /// weight (eps(T) - eps(T_reference)) / (scale (T - T_reference)).
+    Adjoint secant(const Adjoint& adjoint, const Field& temperature, double reference_temperature);
     /// Frees matrices and preconditioner of the deformation.
     void release_elasticity();
     [[nodiscard]] int elastic_iterations() const;

@@ -50,10 +50,11 @@ std::vector<std::size_t> order_of_file(const Discretisation& space)
     return order;
 }
 
-std::string heading(const Discretisation& space, std::size_t sumps)
+std::string heading(const Discretisation& space, const ThermalState& like)
 {
-    return fmt::format("{} mesh {:016x} order {} unknowns {} sumps {}", kind, mesh_mark(space.machine), space.order,
-                       space.total, sumps);
+    const auto text = fmt::format("{} mesh {:016x} order {} unknowns {} sumps {}", kind, mesh_mark(space.machine),
+                                  space.order, space.total, like.sumps.size());
+    return like.enclosures.empty() ? text : fmt::format("{} enclosures {}", text, like.enclosures.size());
 }
 
 void write(std::ostream& out, const std::vector<double>& values)
@@ -86,8 +87,9 @@ void write_thermal_state(const std::string& file, const Discretisation& space, c
             for (const auto unknown : order_of_file(space))
                 ordered.push_back(all[unknown]);
             write_file(file, [&](std::ostream& out) {
-                out << heading(space, state.sumps.size()) << '\n';
+                out << heading(space, state) << '\n';
                 write(out, state.sumps);
+                write(out, state.enclosures);
                 write(out, ordered);
             });
         } catch (const IoError& reason) {
@@ -99,7 +101,7 @@ void write_thermal_state(const std::string& file, const Discretisation& space, c
         throw IoError(error);
 }
 
-ThermalState read_thermal_state(const std::string& file, const Discretisation& space, std::size_t sumps)
+ThermalState read_thermal_state(const std::string& file, const Discretisation& space, const ThermalState& like)
 {
     std::ifstream in(file, std::ios::binary);
     std::string line;
@@ -107,14 +109,15 @@ ThermalState read_thermal_state(const std::string& file, const Discretisation& s
         throw IoError(fmt::format("{} is not a temperature state\n  help: name the folder of a finished run, which "
                                   "holds state.bin",
                                   file));
-    const auto wanted = heading(space, sumps);
+    const auto wanted = heading(space, like);
     if (line != wanted)
-        throw InputError(
-            fmt::format("{} belongs to another mesh, element order or set of oil circuits\n  it is:  {}\n  "
-                        "wanted: {}\n  help: start from a run of the same parts at the same --size",
-                        file, line, wanted));
+        throw InputError(fmt::format(
+            "{} belongs to another mesh, element order or set of oil circuits and enclosures\n  it is:  {}\n  "
+            "wanted: {}\n  help: start from a run of the same parts at the same --size",
+            file, line, wanted));
     ThermalState state;
-    state.sumps = read(in, sumps, file);
+    state.sumps = read(in, like.sumps.size(), file);
+    state.enclosures = read(in, like.enclosures.size(), file);
     const auto order = order_of_file(space);
     const auto values = read(in, order.size(), file);
     state.temperature.owned.resize(static_cast<std::size_t>(space.last - space.first));

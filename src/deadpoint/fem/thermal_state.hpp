@@ -15,9 +15,9 @@ namespace deadpoint::fem {
 /// @throws IoError on all ranks if the file cannot be written
 void write_thermal_state(const std::string& file, const Discretisation& space, const ThermalState& state);
 
-/// @param sumps  number of oil circuits that the problem has
+/// @param like  a state of the problem, for its numbers of oil circuits and enclosures
 /// @throws IoError if the file cannot be read or is cut short; InputError if it belongs to another mesh, element order
-///         or number of oil circuits; DomainError if a temperature in it is not finite
-ThermalState read_thermal_state(const std::string& file, const Discretisation& space, std::size_t sumps);
+///         or numbers of oil circuits and enclosures; DomainError if a temperature in it is not finite
+ThermalState read_thermal_state(const std::string& file, const Discretisation& space, const ThermalState& like);
 
 }  // namespace deadpoint::fem

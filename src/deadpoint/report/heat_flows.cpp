@@ -23,6 +23,14 @@ void add_heat_flow_columns(std::vector<CsvColumn>& columns, const study::RunResu
         columns.push_back({name + "heat", "W", sample(circuit.heat, result.whole, 0)});
         columns.push_back({name + "cooler", "W", sample(circuit.cooler, result.whole, 0)});
     }
+    for (std::size_t i = 0; i < result.enclosures.size(); ++i) {
+        const auto& air = result.thermal.enclosures[i];
+        const std::string name = "air " + result.enclosures[i] + " ";
+        columns.push_back({name + "temperature", "degC", sample(air.temperature, 1, celsius)});
+        columns.push_back({name + "heat from surfaces", "W", sample(air.from_surfaces, result.whole, 0)});
+        columns.push_back({name + "power", "W", sample(air.power, result.whole, 0)});
+        columns.push_back({name + "heat to room", "W", sample(air.to_room, result.whole, 0)});
+    }
 }
 
 nlohmann::ordered_json heat_flows_json(const study::RunResult& result)
@@ -37,6 +45,13 @@ nlohmann::ordered_json heat_flows_json(const study::RunResult& result)
                                       {"sump_degC", circuit.sump.back() + celsius},
                                       {"heat_W", result.whole * circuit.heat.back()},
                                       {"cooler_W", result.whole * circuit.cooler.back()}};
+    }
+    for (std::size_t i = 0; i < result.enclosures.size(); ++i) {
+        const auto& air = result.thermal.enclosures[i];
+        json["enclosures"][result.enclosures[i]] = {{"temperature_degC", air.temperature.back() + celsius},
+                                                    {"from_surfaces_W", result.whole * air.from_surfaces.back()},
+                                                    {"power_W", result.whole * air.power.back()},
+                                                    {"to_room_W", result.whole * air.to_room.back()}};
     }
     return json;
 }
@@ -56,6 +71,14 @@ std::string heat_flows_text(const study::RunResult& result)
             text += fmt::format("; the {} {:.0f} W", circuit.cooler.back() > 0 ? "cooler takes" : "heater gives",
                                 result.whole * std::abs(circuit.cooler.back()));
         text += "\n";
+    }
+    for (std::size_t i = 0; i < result.enclosures.size(); ++i) {
+        const auto& air = result.thermal.enclosures[i];
+        text += fmt::format("  air in {}: {:.1f} degC, {:.0f} W from its surfaces", result.enclosures[i],
+                            air.temperature.back() + celsius, result.whole * air.from_surfaces.back());
+        if (air.power.back() != 0)
+            text += fmt::format(" and {:.0f} W of its own", result.whole * air.power.back());
+        text += fmt::format(", {:.0f} W to the room\n", result.whole * air.to_room.back());
     }
     return text;
 }

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-/// Oil circuits and heat that is not friction, in the files and the text of a run. Everything is of the whole press.
+/// Oil circuits, enclosed air and heat that is not friction, in the files and the text of a run. Everything is of the
+/// whole press.
 namespace deadpoint::report {
 
 /// Brings a quantity of the steps to the rows of a table: factor * value + offset.
@@ -16,10 +17,10 @@ using Sampler = std::function<std::vector<double>(const std::vector<double>& val
 
 void add_heat_flow_columns(std::vector<CsvColumn>& columns, const study::RunResult& result, const Sampler& sample);
 
-/// State at the end by circuit and by source; null where there is neither.
+/// State at the end by circuit, enclosure and source; null where there is none of them.
 nlohmann::ordered_json heat_flows_json(const study::RunResult& result);
 
-/// A line per circuit and source; empty where there is none.
+/// A line per circuit, enclosure and source; empty where there is none.
 std::string heat_flows_text(const study::RunResult& result);
 
 }  // namespace deadpoint::report

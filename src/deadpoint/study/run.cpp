@@ -205,6 +205,8 @@ HeatProblem SharedModel::Implementation::translate(const casefile::Case& input, 
         result.body_heat.push_back(heat.name);
     for (const auto& circuit : problem.oil)
         result.oil.push_back(circuit.name);
+    for (const auto& enclosure : problem.enclosures)
+        result.enclosures.push_back(enclosure.name);
     watch.stop();
     return problem;
 }
@@ -298,6 +300,8 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     result.ranks = fem::ranks();
     result.peak_memory = fem::peak_memory();
     warn_about(result.thermal, problem, observer);
+    for (const auto& warning : material_warnings(input, machine, result.thermal))
+        observer.warn(warning);
     return result;
 }
 

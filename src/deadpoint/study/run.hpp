@@ -40,8 +40,9 @@ struct RunResult {
     std::vector<std::string> probes;
     std::vector<std::string> parts;
     std::vector<std::string> sources;
-    std::vector<std::string> body_heat;  ///< names, as ThermalHistory::body_heat
-    std::vector<std::string> oil;        ///< circuits, as ThermalHistory::oil
+    std::vector<std::string> body_heat;   ///< names, as ThermalHistory::body_heat
+    std::vector<std::string> oil;         ///< circuits, as ThermalHistory::oil
+    std::vector<std::string> enclosures;  ///< names, as ThermalHistory::enclosures
     std::vector<JointHistory> joints;
     std::vector<FrictionSummary> friction;  ///< at every speed and force of the operation
     std::optional<LoadsResult> loads;  ///< of the first segment in which the press runs, where the case has a linkage

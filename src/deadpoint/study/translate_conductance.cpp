@@ -1,6 +1,7 @@
 #include "deadpoint/study/translate_conductance.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/study/translate_materials.hpp"
 #include "deadpoint/tribology/bearing_conductance.hpp"
 #include "deadpoint/tribology/fractal_contact.hpp"
 
@@ -27,9 +28,14 @@ struct Place {
     std::size_t first;  ///< of the joint's interfaces there
 
     [[nodiscard]] const Contact& contact() const { return machine.interfaces[index]; }
-    [[nodiscard]] const casefile::Material& material(std::uint32_t part) const
+    /// With the values at the initial temperature.
+    [[nodiscard]] casefile::Material material(std::uint32_t part) const
     {
-        return input.materials.at(input.parts.at(machine.parts[part].name).material);
+        return material(input.parts.at(machine.parts[part].name).material);
+    }
+    [[nodiscard]] casefile::Material material(const std::string& called) const
+    {
+        return at_temperature(input.materials.at(called), input.machine.initial_temperature);
     }
     [[nodiscard]] std::string path() const
     {
@@ -89,8 +95,8 @@ tribology::GapFluid fluid_of(const Conductance& c)
 ContactConductance fractal(const Place& at, double pressure)
 {
     const auto& c = at.interface.conductance;
-    const auto& a = at.material(at.contact().part_a);
-    const auto& b = at.material(at.contact().part_b);
+    const auto a = at.material(at.contact().part_a);
+    const auto b = at.material(at.contact().part_b);
     tribology::FractalContact contact;
     contact.dimension = c.fractal_dimension.value_or(0);
     contact.roughness = c.fractal_roughness.value_or(0);
@@ -132,7 +138,7 @@ tribology::SolidHeat solid_of(const casefile::Material& m) { return {m.conductiv
 ContactConductance rolling_elements(const Place& at)
 {
     const auto& c = at.interface.conductance;
-    const auto& material = c.material.empty() ? at.material(at.contact().part_a) : at.input.materials.at(c.material);
+    const auto material = c.material.empty() ? at.material(at.contact().part_a) : at.material(c.material);
     const Vec2 inner = c.inner_spot.value_or(Vec2{}), outer = c.outer_spot.value_or(Vec2{});
     tribology::BearingPath path;
     path.elements.assign(static_cast<std::size_t>(c.loaded_elements.value_or(0)),

@@ -6,6 +6,7 @@
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/study/load_zone.hpp"
 #include "deadpoint/study/translate_conductance.hpp"
+#include "deadpoint/study/translate_enclosures.hpp"
 #include "deadpoint/study/translate_film.hpp"
 #include "deadpoint/study/translate_oil.hpp"
 #include "deadpoint/surroundings/ambient.hpp"
@@ -29,6 +30,11 @@ TimeCourse time_course(const casefile::Course& course, double start)
     return [table = *course.table, start](double time) {
         return interpolate_linear(table.x, table.y, time - start).value;
     };
+}
+
+TimeCourse scaled_power(const casefile::Course& power, double share)
+{
+    return [course = time_course(power, 0), share](double time) { return share * course(time); };
 }
 
 TimeCourse segment_ambient(const casefile::Case& input, const casefile::Segment& segment, double start)
@@ -123,17 +129,14 @@ private:
                 refuse_zones(name, fmt::format("friction.{} has no load part of its own by its law", name));
         }
         for (const auto& [name, source] : input_.heat_sources)
-            result.body_heat.push_back(operation.speed > 0 || source.at_rest ? scaled_power(source) : TimeCourse{});
+            result.body_heat.push_back(operation.speed > 0 || source.at_rest
+                                           ? scaled_power(*source.power, modelled_share(machine_))
+                                           : TimeCourse{});
+        result.enclosure_power = enclosure_power(input_, machine_, operation);
         result.oil_flow = oil_flows(input_, machine_, operation);
         result.interfaces = interfaces(s);
         warm_within_joints(result.interfaces, machine_, problem.oil, result.oil_flow);
         return result;
-    }
-
-    [[nodiscard]] TimeCourse scaled_power(const casefile::HeatInput& source) const
-    {
-        const double share = machine_.half_model ? 0.5 : 1.0;
-        return [course = time_course(*source.power, 0), share](double time) { return share * course(time); };
     }
 
     /// The segment itself if the press runs in it, else the one before in which it ran, else the first that runs.
@@ -269,6 +272,7 @@ std::vector<SurfaceCondition> surface_conditions(const casefile::Case& input, co
             continue;
         }
         condition.name = name;
+        condition.enclosure = enclosure_of(input, name);
         condition.surface = surface_index(machine, name);
         conditions.push_back(std::move(condition));
     }
@@ -327,17 +331,6 @@ int surface_index(const Machine& machine, const std::string& name)
     return found == machine.surfaces.end() ? -1 : static_cast<int>(found - machine.surfaces.begin());
 }
 
-std::vector<Material> describe_materials(const casefile::Case& input, const Machine& machine)
-{
-    std::vector<Material> materials;
-    for (const auto& part : machine.parts) {
-        const auto& m = input.materials.at(input.parts.at(part.name).material);
-        materials.push_back(
-            {m.density, m.conductivity, m.specific_heat, m.expansion, m.youngs_modulus, m.poissons_ratio});
-    }
-    return materials;
-}
-
 HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer,
                           const LoadsResult* loads)
 {
@@ -354,6 +347,7 @@ HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, O
         problem.sources.push_back({name, machine.half_model ? 0.5 : 1.0, {}, {}});
     name_rings(input, machine, problem);
     problem.oil = oil_circuits(input, machine);
+    problem.enclosures = enclosures(input, machine);
     problem.body_heat = body_heats(input, machine);
     problem.surfaces = surface_conditions(input, machine, loads);
     Segments segments(input, machine, friction, loads, observer);

@@ -6,13 +6,11 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/loads.hpp"
 #include "deadpoint/study/translate_friction.hpp"
+#include "deadpoint/study/translate_materials.hpp"
 
 #include <vector>
 
 namespace deadpoint::study {
-
-/// Material of every part of the machine.
-std::vector<Material> describe_materials(const casefile::Case& input, const Machine& machine);
 
 /// The heat problem of a case: interfaces in the order of the machine's, sources in the order of `Case::friction`.
 ///
@@ -29,8 +27,13 @@ HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, O
 
 /// A course over the time since the run began; a table counts from `start` [s], a daily course from the run's begin.
 TimeCourse time_course(const casefile::Course& course, double start);
+/// A share of a power over the time since the run began.
+TimeCourse scaled_power(const casefile::Course& power, double share);
 /// Ambient temperature during a segment that begins at `start` [s].
 TimeCourse segment_ambient(const casefile::Case& input, const casefile::Segment& segment, double start);
+
+/// Share of the press that is modelled.
+inline double modelled_share(const Machine& machine) { return machine.half_model ? 0.5 : 1.0; }
 
 /// Index of a part by name, or -1.
 int part_index(const Machine& machine, const std::string& name);

@@ -1,13 +1,12 @@
 #include "deadpoint/study/translate_oil.hpp"
 
+#include "deadpoint/study/translate_heat.hpp"
 #include "deadpoint/surroundings/oil_circuit.hpp"
 
 #include <algorithm>
 
 namespace deadpoint::study {
 namespace {
-
-double modelled_share(const Machine& machine) { return machine.half_model ? 0.5 : 1.0; }
 
 // Indices of a joint's interfaces in the order of the machine's.
 std::vector<int> interfaces_of(const casefile::Case& input, const std::string& joint)

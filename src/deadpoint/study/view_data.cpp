@@ -22,6 +22,29 @@ std::vector<Vec3> closed_displacement(const LightSurface& surface, const fem::Mo
     return moved;
 }
 
+// Where the deformation does not follow the temperature linearly, the rise that it follows is put behind it: both then
+// have the same coefficients.
+void put_rise(std::vector<float>& field, fem::Model& model, double reference)
+{
+    const auto rise = model.expansion_rise({{field.begin(), field.end()}}, reference);
+    field.insert(field.end(), rise.owned.begin(), rise.owned.end());
+}
+
+// What was put behind a temperature field; if nothing was, the field less `reference`.
+fem::Field take_rise(fem::Field& field, const fem::Model& model, double reference)
+{
+    fem::Field rise;
+    if (model.expands_linearly()) {
+        for (const double temperature : field.owned)
+            rise.owned.push_back(temperature - reference);
+        return rise;
+    }
+    const auto half = field.owned.begin() + static_cast<std::ptrdiff_t>(field.owned.size() / 2);
+    rise.owned.assign(half, field.owned.end());
+    field.owned.erase(half, field.owned.end());
+    return rise;
+}
+
 }  // namespace
 
 std::vector<double> view_times(const std::vector<HeatSegment>& segments)
@@ -58,6 +81,9 @@ void ViewRecorder::add(double time, const fem::Field& field)
 ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double reference, const CloseJoints& close)
 {
     ViewData view;
+    if (!model.expands_linearly())
+        for (auto& field : fields_)
+            put_rise(field, model, reference);
     auto fields = fem::field_modes(fields_, view_tolerance, view_modes);
     fields_ = {};
     view.time = std::move(times_);
@@ -66,6 +92,10 @@ ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double re
     view.coefficients = std::move(fields.coefficients);
     view.largest_rise = fields.largest_rise;
     view.error = fields.error;
+    const auto base_rise = take_rise(fields.base, model, reference);
+    std::vector<fem::Field> rises;
+    for (auto& mode : fields.modes)
+        rises.push_back(take_rise(mode, model, 0.0));
     view.temperature.base = model.at_corners(view.surface.vertices, fields.base);
     for (const auto& mode : fields.modes)
         view.temperature.modes.push_back(model.at_corners(view.surface.vertices, mode));
@@ -76,11 +106,10 @@ ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double re
         std::ranges::all_of(view.temperature.base, [&](double t) { return std::abs(t - reference) < 1e-4; });
     view.displacement.base.resize(view.surface.vertices.size());
     if (!starts_undeformed)
-        view.displacement.base =
-            closed_displacement(view.surface, model, model.displacement(fields.base, reference), close);
+        view.displacement.base = closed_displacement(view.surface, model, model.displacement_of_rise(base_rise), close);
     for (std::size_t k = 0; k < fields.modes.size() && fields.rest[k] > view_deformation_tolerance; ++k)
         view.displacement.modes.push_back(
-            closed_displacement(view.surface, model, model.displacement(fields.modes[k], 0.0), close));
+            closed_displacement(view.surface, model, model.displacement_of_rise(rises[k]), close));
     return view;
 }
 

@@ -46,7 +46,8 @@ using CloseJoints = std::function<std::vector<RigidMotion>(const fem::Displaceme
 
 /// Keeps fields during the run and makes light data of them at its end.
 ///
-/// The deformation is linear in the temperature, so it is solved for the main modes instead of at each time.
+/// The deformation is linear in the temperature, or in the rise that stands for its strain, so it is solved for the
+/// main modes instead of at each time.
 class ViewRecorder {
 public:
     void add(double time, const fem::Field& field);

@@ -1,0 +1,51 @@
+#include "deadpoint/study/translate_enclosures.hpp"
+
+#include "deadpoint/study/translate_heat.hpp"
+
+#include <algorithm>
+
+namespace deadpoint::study {
+namespace {
+
+constexpr double air_capacity = 1.2 * 1006;  // [J/m3/K]
+constexpr double hour = 3600;
+
+}  // namespace
+
+std::vector<Enclosure> enclosures(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<Enclosure> result;
+    for (const auto& [name, given] : input.enclosures) {
+        const double share = modelled_share(machine);
+        const double in_volume = air_capacity * given.volume.value_or(0);
+        const double by_changes = in_volume * given.air_changes.value_or(0) / hour;
+        result.push_back({name, share * given.heat_capacity.value_or(in_volume),
+                          share * given.exchange.value_or(by_changes),
+                          given.temperature.value_or(input.machine.initial_temperature)});
+    }
+    return result;
+}
+
+int enclosure_of(const casefile::Case& input, const std::string& surface)
+{
+    int index = 0;
+    for (const auto& [name, enclosure] : input.enclosures) {
+        if (std::ranges::find(enclosure.surfaces, surface) != enclosure.surfaces.end())
+            return index;
+        ++index;
+    }
+    return -1;
+}
+
+std::vector<TimeCourse> enclosure_power(const casefile::Case& input, const Machine& machine,
+                                        const casefile::Segment& segment)
+{
+    std::vector<TimeCourse> result;
+    for (const auto& [name, given] : input.enclosures)
+        result.push_back(given.power && (segment.speed > 0 || given.at_rest)
+                             ? scaled_power(*given.power, modelled_share(machine))
+                             : TimeCourse{});
+    return result;
+}
+
+}  // namespace deadpoint::study
