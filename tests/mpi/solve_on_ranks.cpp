@@ -8,7 +8,8 @@
 #include <iostream>
 
 // solve_on_ranks CASE FILE [path=value ...]: solves a case on all ranks and writes, number by number, how many they
-// are, the mismatch of the energy balance, and the last temperatures of probes, interface sides and parts.
+// are, the mismatch of the energy balance, and the last temperatures of probes, interface sides and parts, and forces
+// and stress of the frame.
 
 using namespace deadpoint;
 
@@ -23,6 +24,15 @@ void write(const std::string& path, const study::RunResult& result)
     for (const auto* group : {&history.probes, &history.interface_a, &history.interface_b, &history.part_means})
         for (const auto& series : *group)
             file << series.value.back() << '\n';
+    if (!result.frame)
+        return;
+    // forces in kN and stress in MPa, of the size of the temperatures
+    for (const auto& rod : result.frame->rods)
+        file << 1e-3 * rod.start << '\n' << 1e-3 * rod.change.value.back() << '\n';
+    for (const auto& bond : result.frame->bonds)
+        file << 1e-3 * bond.start << '\n' << 1e-3 * bond.change.value.back() << '\n';
+    for (const auto& peak : result.frame->stress)
+        file << 1e-6 * peak.von_mises << '\n';
 }
 
 }  // namespace

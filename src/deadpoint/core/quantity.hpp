@@ -38,6 +38,8 @@ enum class Dimension {
     thermal_conductance,
     volume,
     volume_flow,
+    acceleration,
+    bedding,
 };
 
 /// How a dimension is spoken of and written.

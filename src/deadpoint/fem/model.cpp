@@ -3,6 +3,7 @@
 #include "deadpoint/core/vtu.hpp"
 #include "deadpoint/fem/elastic_solver.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
+#include "deadpoint/fem/stress_recovery.hpp"
 #include "deadpoint/fem/thermal_state.hpp"
 
 #include <cmath>
@@ -17,7 +18,7 @@ struct Model::Implementation {
     ElasticSolver& deformation()
     {
         if (!elastic)
-            elastic = std::make_unique<ElasticSolver>(space, materials, feet);
+            elastic = std::make_unique<ElasticSolver>(space, materials, foundation);
         return *elastic;
     }
     const Machine& machine;
@@ -26,7 +27,7 @@ struct Model::Implementation {
     std::unique_ptr<ElasticSolver> elastic;
     std::unique_ptr<HeatSolver> heat;
     ThermalState last;
-    int feet = -1;
+    Foundation foundation;
     int elastic_iterations = 0;
 };
 
@@ -57,6 +58,44 @@ void require_sound(const Machine& machine, const std::vector<Material>& material
                 throw InputError(
                     "the material of part '" + machine.parts[p].name +
                     "' has a density, conductivity, specific heat or Young's modulus that is not positive");
+}
+
+// What stress is recovered from, on every rank.
+class GatheredState {
+public:
+    GatheredState(const Discretisation& space, const Displacement& displacement, const Field& temperature,
+                  double reference)
+        : displacement_(gather_all(space, displacement.owned, 3)), temperature_(gather_all(space, temperature.owned, 1))
+    {
+        state_.displacement = displacement_.data();
+        state_.temperature = temperature_.data();
+        state_.reference = reference;
+    }
+    GatheredState(const Discretisation& space, const Displacement& displacement, const RestLoads& loads)
+        : displacement_(gather_all(space, displacement.owned, 3))
+    {
+        state_.displacement = displacement_.data();
+        state_.initial = loads.initial_strain;
+    }
+    GatheredState(const GatheredState&) = delete;
+    [[nodiscard]] const StrainedState& state() const { return state_; }
+
+private:
+    std::vector<double> displacement_, temperature_;
+    StrainedState state_;
+};
+
+std::vector<PartStress> stress_of(const Discretisation& space, const std::vector<Material>& materials,
+                                  const std::vector<int>& parts, const StrainedState& state)
+{
+    std::vector<PartStress> result;
+    for (const int part : parts) {
+        const StressRecovery recovery(space, materials[part], part, state);
+        auto& entry = result.emplace_back(PartStress{part, recovery.nodes(), {}});
+        for (std::size_t i = 0; i < entry.nodes.size(); ++i)
+            entry.stress.push_back(recovery.at_node(i));
+    }
+    return result;
 }
 
 // Entries of a divided vector of `block` values per unknown at nodes of the mesh, on all ranks.
@@ -125,15 +164,28 @@ void Model::write_state(const std::string& file) const
     write_thermal_state(file, implementation_->space, implementation_->last);
 }
 
-void Model::support(int feet_surface)
+void Model::support(const Foundation& foundation)
 {
-    implementation_->feet = feet_surface;
+    implementation_->foundation = foundation;
     release_elasticity();
 }
 
 std::vector<Adjoint> Model::adjoints(const std::vector<Functional>& functionals)
 {
     return implementation_->deformation().adjoints(functionals);
+}
+
+std::vector<Adjoint> Model::adjoints(const std::vector<ForceGauge>& gauges)
+{
+    return implementation_->deformation().adjoints(gauges);
+}
+
+Displacement Model::displacement(const RestLoads& loads) { return implementation_->deformation().displacement(loads); }
+
+std::vector<double> Model::forces(const std::vector<ForceGauge>& gauges, const RestLoads& loads,
+                                  const Displacement& displacement)
+{
+    return implementation_->deformation().forces(gauges, loads, displacement);
 }
 
 Displacement Model::displacement(const Field& temperature, double reference_temperature)
@@ -153,6 +205,34 @@ double Model::apply(const Adjoint& adjoint, const Field& temperature, double ref
         sum[0] += adjoint.owned[i] * (temperature.owned[i] - reference_temperature);
     sum_over_ranks(sum);
     return sum[0];
+}
+
+std::vector<PartStress> Model::stress(const std::vector<int>& parts, const Displacement& displacement,
+                                      const Field& temperature, double reference_temperature) const
+{
+    const auto& space = implementation_->space;
+    const GatheredState fields(space, displacement, temperature, reference_temperature);
+    return stress_of(space, implementation_->materials, parts, fields.state());
+}
+
+std::vector<PartStress> Model::stress(const std::vector<int>& parts, const Displacement& displacement,
+                                      const RestLoads& loads) const
+{
+    const auto& space = implementation_->space;
+    const GatheredState fields(space, displacement, loads);
+    return stress_of(space, implementation_->materials, parts, fields.state());
+}
+
+std::vector<Tensor6> Model::stress_at(const std::vector<HeatProbe>& points, const Displacement& displacement,
+                                      const Field& temperature, double reference_temperature) const
+{
+    const auto& space = implementation_->space;
+    const GatheredState fields(space, displacement, temperature, reference_temperature);
+    std::vector<Tensor6> result;
+    for (const auto& point : points)
+        result.push_back(StressRecovery(space, implementation_->materials[point.part], point.part, fields.state())
+                             .at(point.position));
+    return result;
 }
 
 void Model::release_elasticity()
@@ -212,7 +292,8 @@ std::vector<Vec3> Model::at_corners(const std::vector<CellCorner>& corners, cons
 
 std::string Model::write_fields(const std::string& folder, const std::string& name, const Field& temperature,
                                 const Displacement* displacement, const std::vector<RigidMotion>& motion_of_part,
-                                const std::vector<int>& body_of_part, const std::vector<std::string>& comments)
+                                const std::vector<int>& body_of_part, const std::vector<std::string>& comments,
+                                const std::vector<PointData>& point_data)
 {
     const auto& space = implementation_->space;
     const auto& machine = implementation_->machine;
@@ -227,6 +308,7 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
     std::vector<std::int64_t> local(machine.nodes.size(), -1);
     std::vector<float> celsius, millimetre;
     std::vector<std::int32_t> part, body;
+    std::vector<std::vector<float>> more(point_data.size());
     for (std::uint32_t c = 0; c < machine.cells.size(); ++c) {
         const auto cell = space.cell(c);
         if (!cell->is_locally_owned())
@@ -240,6 +322,11 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
                 grid.points.push_back(machine.nodes[node]);
                 const auto dof = space.vertex_unknown(c, i);
                 celsius.push_back(static_cast<float>(rise[dof] - 273.15));
+                for (std::size_t k = 0; k < point_data.size(); ++k) {
+                    const int count_k = point_data[k].components;
+                    const auto* from = point_data[k].values.data() + static_cast<std::size_t>(count_k) * node;
+                    more[k].insert(more[k].end(), from, from + count_k);
+                }
                 if (displacement) {
                     const Vec3 u = Vec3{moved[3 * dof], moved[3 * dof + 1], moved[3 * dof + 2]} +
                                    rigid_displacement(motion_of_part[machine.cells[c].part], machine.nodes[node]);
@@ -258,6 +345,8 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
                                  {"body", VtuArray::Place::cell, 1, body}};
     if (displacement)
         arrays.push_back({"displacement [mm]", VtuArray::Place::point, 3, millimetre});
+    for (std::size_t k = 0; k < point_data.size(); ++k)
+        arrays.push_back({point_data[k].name, VtuArray::Place::point, point_data[k].components, std::move(more[k])});
     if (ranks == 1) {
         write_vtu(folder + "/" + name + ".vtu", grid, arrays, {std::nullopt, comments});
         return name + ".vtu";

@@ -5,6 +5,7 @@
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/csv.hpp"
 #include "deadpoint/report/drift_summary_text.hpp"
+#include "deadpoint/report/frame_files.hpp"
 #include "deadpoint/report/friction_text.hpp"
 #include "deadpoint/report/heat_flows.hpp"
 #include "deadpoint/report/json_file.hpp"
@@ -111,6 +112,10 @@ void write_history(const std::filesystem::path& path, const casefile::Case& inpu
     if (result.drift)
         for (const auto& [name, series] : dimensions(*result.drift))
             columns.push_back({name, "um", sampled(history.time, *series, times, micrometre, 0)});
+    if (result.frame)
+        add_frame_columns(columns, *result.frame, [&](const Series& series, double factor, double offset) {
+            return sampled(history.time, series, times, factor, offset);
+        });
     write_csv(path, comments, columns);
 }
 
@@ -257,7 +262,7 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     json["warnings"] = warnings;
     json["model"] = {{"cells", result.cells},
                      {"heat_unknowns", result.heat_unknowns},
-                     {"deformation_unknowns", result.drift ? 3 * result.heat_unknowns : 0},
+                     {"deformation_unknowns", result.drift || result.frame ? 3 * result.heat_unknowns : 0},
                      {"element_order", input.numerics.order},
                      {"half_model", machine.half_model},
                      {"ranks", result.ranks}};
@@ -292,6 +297,8 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     json["drift_summary"] = drift_summary_json(result.probes, summary);
     if (!result.friction.empty())
         json["friction"] = nlohmann::ordered_json::parse(friction_json(result.friction));
+    if (result.frame)
+        json["frame"] = frame_json(*result.frame, history.time);
     if (result.adjoint_check)
         json["adjoint_check"] = {{"time_s", result.adjoint_check->time},
                                  {"E_SW_um_by_adjoint", micrometre * result.adjoint_check->by_adjoint},
@@ -376,6 +383,8 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
     if (result.loads)
         write_loads_files(folder, input, *result.loads, warnings);
     write_json(folder / "summary.json", summary_json(input, machine, result, warnings));
+    if (result.frame && !result.frame->stress.empty())
+        write_stress(folder / "stress.csv", *result.frame, comments);
     if (result.view)
         write_json(folder / "view.json", view_json(input, machine, *result.view));
     write_svg_chart(folder / "temperatures.svg", temperature_chart(input, result), comments);
@@ -430,6 +439,8 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
     }
     if (!result.friction.empty())
         text += friction_text(result.friction) + "\n";
+    if (result.frame)
+        text += frame_text(*result.frame) + "\n";
     text += heat_flows_text(result);
     const auto& energy = result.thermal.energy;
     text += fmt::format(

@@ -99,17 +99,22 @@ std::vector<JointHistory> joint_histories(const casefile::Case& input, const Mac
 class FieldWriter {
 public:
     FieldWriter(const casefile::Case& input, const Machine& machine, fem::Model& model, const ChainModel* chain,
-                const std::vector<fem::Adjoint>& adjoints, const RunOptions& options)
-        : machine_(machine), model_(model), chain_(chain), adjoints_(adjoints), folder_(options.field_folder),
-          comments_(options.comments), reference_(input.machine.initial_temperature), bodies_(bodies_by_part(machine))
+                const FrameState* frame, const std::vector<fem::Adjoint>& adjoints, const RunOptions& options)
+        : input_(input), machine_(machine), model_(model), chain_(chain), frame_(frame), adjoints_(adjoints),
+          folder_(options.field_folder), comments_(options.comments), reference_(input.machine.initial_temperature),
+          bodies_(bodies_by_part(machine))
     {}
 
     void write(double time, const fem::Field& field, RunResult& result)
     {
         std::vector<RigidMotion> motions(machine_.parts.size());
         std::optional<fem::Displacement> displacement;
-        if (chain_) {
+        std::vector<fem::PointData> data;
+        if (chain_ || frame_)
             displacement = model_.displacement(field, reference_);
+        if (frame_)
+            data = frame_->add_time(input_, time, field, *displacement, *result.frame);
+        if (chain_) {
             auto closed = close_joints(machine_, model_, *chain_, *displacement);
             motions = std::move(closed.motions);
             result.adjoint_check =
@@ -120,7 +125,7 @@ public:
         const auto name = fmt::format("fields_{:04d}", result.fields.size());
         result.fields.emplace_back(time,
                                    model_.write_fields(folder_, name, field, displacement ? &*displacement : nullptr,
-                                                       motions, bodies_, comments_));
+                                                       motions, bodies_, comments_, data));
         std::vector<PvdEntry> entries;
         for (const auto& [at, file] : result.fields)
             entries.push_back({at, file});
@@ -129,9 +134,11 @@ public:
     }
 
 private:
+    const casefile::Case& input_;
     const Machine& machine_;
     fem::Model& model_;
     const ChainModel* chain_;
+    const FrameState* frame_;
     const std::vector<fem::Adjoint>& adjoints_;
     std::string folder_;
     std::vector<std::string> comments_;
@@ -168,7 +175,9 @@ struct SharedModel::Implementation {
     const Machine& machine;
     std::optional<fem::Model> model;
     std::optional<ChainModel> chain;
+    std::optional<FrameState> frame;
     std::vector<fem::Adjoint> adjoints;
+    std::size_t frame_adjoints = 0;        ///< where those of the frame begin
     std::optional<HeatProblem> assembled;  ///< that the prepared matrices are of
 };
 
@@ -210,11 +219,17 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
         return;
     watch.start("unknowns");
     model.emplace(machine, describe_materials(input, machine), input.numerics.order, observer);
+    model->support(describe_foundation(input, machine));
     if (input.chain) {
         watch.start("dimension chain");
         chain.emplace(input, machine);
-        model->support(surface_index(machine, input.chain->ground_surface));
         adjoints = model->adjoints(chain->dimensions);
+    }
+    frame_adjoints = adjoints.size();
+    if (has_frame_state(input)) {
+        watch.start("frame");
+        frame.emplace(input, machine, *model);
+        std::ranges::copy(frame->adjoints(), std::back_inserter(adjoints));
     }
     watch.stop();
 }
@@ -231,6 +246,9 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     if (chain)
         result.sensitivity = chain->sensitivity;
 
+    if (frame)
+        result.frame = frame->start();
+
     const auto written_times = problem.field_times;
     const auto viewed_times = options.view ? view_times(problem.segments) : std::vector<double>{};
     problem.field_times.clear();
@@ -245,7 +263,7 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     double end = 0;
     for (const auto& segment : problem.segments)
         end += segment.duration;
-    FieldWriter writer(input, machine, *model, chain ? &*chain : nullptr, adjoints, options);
+    FieldWriter writer(input, machine, *model, chain ? &*chain : nullptr, frame ? &*frame : nullptr, adjoints, options);
     ViewRecorder view;
     double field_seconds = 0;
     result.thermal = model->heat(
@@ -280,6 +298,10 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     result.joints = joint_histories(input, machine, problem, result.thermal, result.whole);
     if (chain)
         result.drift = drift_series(result.thermal);
+    if (result.frame) {
+        read_courses(result.thermal, frame_adjoints, *result.frame);
+        warn_about_frame(input, result.thermal, *result.frame, observer);
+    }
     result.ranks = fem::ranks();
     result.peak_memory = fem::peak_memory();
     warn_about(result.thermal, problem, observer);
@@ -327,7 +349,9 @@ std::string shared_part(const casefile::Case& input)
     shared.heat_sources.clear();
     shared.crankshaft.reset();
     shared.process_force.reset();
+    const auto stress = shared.output.stress;
     shared.output = {};
+    shared.output.stress = stress;
     shared.reference.reset();
     const auto order = shared.numerics.order;
     const auto size = shared.numerics.size;
