@@ -79,6 +79,11 @@ TEST_CASE("two ranks give what one gives: prescribed temperatures and a bond")
 
 TEST_CASE("two ranks give what one gives: radiation") { check_agreement("nafems-t2", 1000); }
 
+TEST_CASE("two ranks give what one gives: preloaded rods, weights and stress")
+{
+    check_agreement("rods-in-tube", 293.15);
+}
+
 TEST_CASE("two ranks give what one gives: elements of second order")
 {
     check_agreement("two-slabs", 293.15,

@@ -9,8 +9,9 @@
 
 // solve_on_ranks CASE FILE [path=value ...]: solves a case on all ranks and writes, number by number, how many they
 // are, the mismatch of the energy balance, the gap at the end [um], how far the deformation solved then and the adjoint
-// differ in it, the last temperatures of probes, interface sides, parts and enclosures, and the highest of each part. What
-// each joint, the oil and the air have done to the gap, over the gap, goes into FILE.causes.
+// differ in it, the last temperatures of probes, interface sides, parts and enclosures, the highest of each part, and
+// forces and stress of the frame. What each joint, the oil and the air have done to the gap, over the gap, goes into
+// FILE.causes.
 
 using namespace deadpoint;
 
@@ -32,6 +33,14 @@ void write(const std::string& path, const study::RunResult& result)
         file << air.temperature.back() << '\n';
     for (const double highest : history.part_highest)
         file << highest << '\n';
+    // forces in kN and stress in MPa, of the size of the temperatures
+    const auto frame = result.frame.value_or(study::FrameResult{});
+    for (const auto& rod : frame.rods)
+        file << 1e-3 * rod.start << '\n' << 1e-3 * rod.change.value.back() << '\n';
+    for (const auto& bond : frame.bonds)
+        file << 1e-3 * bond.start << '\n' << 1e-3 * bond.change.value.back() << '\n';
+    for (const auto& peak : frame.stress)
+        file << 1e-6 * peak.von_mises << '\n';
     if (result.causes.empty())
         return;
     const auto& causes = result.causes.back();

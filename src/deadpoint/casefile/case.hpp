@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/casefile/case_elastic.hpp"
 #include "deadpoint/casefile/case_films.hpp"
 #include "deadpoint/casefile/case_friction.hpp"
 #include "deadpoint/casefile/case_heat.hpp"
@@ -139,7 +140,7 @@ struct Chain {
     std::string slide_body;
     std::string slide_surface;
     std::string table_surface;
-    std::string ground_surface;  ///< the feet: u_y = 0
+    std::string ground_surface;  ///< the feet
     std::string crank_joint;     ///< its seats give E_BG, its rings E_BC
     double reaction_angle =
         0;  ///< direction in which the crank is pressed into its bearings at bottom dead point [rad from x]
@@ -161,6 +162,7 @@ struct Output {
     std::vector<double> field_times;  ///< [s]; the end is always written
     bool fields = true;
     bool causes = true;
+    std::vector<std::string> stress;  ///< bodies, parts or patterns of parts
 };
 
 struct MachineSection {
@@ -205,6 +207,8 @@ struct Case {
     std::vector<Segment> operation;
     std::map<std::string, Probe> probes;
     std::optional<Chain> chain;
+    std::optional<Foundation> foundation;
+    std::map<std::string, Preload> preload;
     Numerics numerics;
     Output output;
     std::optional<Reference> reference;

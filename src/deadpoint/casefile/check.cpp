@@ -1,9 +1,9 @@
 #include "deadpoint/casefile/check.hpp"
 
 #include "deadpoint/casefile/check_enclosures.hpp"
+#include "deadpoint/casefile/findings.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
-#include "deadpoint/core/suggest.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,19 +14,9 @@
 namespace deadpoint::casefile {
 namespace {
 
-template <class T>
-std::vector<std::string> names_of(const std::map<std::string, T>& map)
-{
-    std::vector<std::string> names;
-    for (const auto& [name, value] : map) {
-        names.push_back(name);
-    }
-    return names;
-}
-
-class Checker {
+class Checker : private Findings {
 public:
-    explicit Checker(const Case& c) : c_(c) {}
+    explicit Checker(const Case& c) : Findings(c) {}
 
     std::vector<Finding> run()
     {
@@ -69,6 +59,9 @@ public:
         if (c_.chain) {
             check_chain(*c_.chain);
         }
+        for (auto& finding : check_elastic(c_)) {
+            add(std::move(finding));
+        }
         refer("mechanism.slide_body", "body", c_.mechanism.slide_body, c_.bodies);
         check_slide();
         check_process_force();
@@ -79,44 +72,10 @@ public:
                 refer("reference.rises." + probe, "probe", probe, c_.probes);
             }
         }
-        return std::move(findings_);
+        return take();
     }
 
 private:
-    void report(std::string code, std::string path, std::string message, std::string help)
-    {
-        findings_.push_back({std::move(code), std::move(path), std::move(message), std::move(help), false});
-    }
-
-    void warn(std::string code, std::string path, std::string message, std::string help)
-    {
-        findings_.push_back({std::move(code), std::move(path), std::move(message), std::move(help), true});
-    }
-
-    void report_unknown(const std::string& path, std::string_view kind, const std::string& name,
-                        const std::vector<std::string>& names)
-    {
-        const std::string near = closest_name(name, names);
-        std::string help = fmt::format("did you mean '{}'?", near);
-        if (near.empty()) {
-            std::string list;
-            for (const auto& known : names) {
-                list += (list.empty() ? "" : ", ") + known;
-            }
-            help = names.empty() ? fmt::format("the case has no {} at all", kind) : fmt::format("known: {}", list);
-        }
-        report("unknown-name", path, fmt::format("there is no {} '{}'", kind, name), help);
-    }
-
-    template <class T>
-    void refer(const std::string& path, std::string_view kind, const std::string& name,
-               const std::map<std::string, T>& map)
-    {
-        if (!name.empty() && !map.contains(name)) {
-            report_unknown(path, kind, name, names_of(map));
-        }
-    }
-
     void check_bodies()
     {
         std::string first;
@@ -417,19 +376,6 @@ private:
         }
     }
 
-    void check_pattern(const std::string& path, const std::string& pattern)
-    {
-        const bool found =
-            std::ranges::any_of(c_.parts, [&](const auto& part) { return matches(pattern, part.first); });
-        if (found) {
-            return;
-        }
-        if (pattern.find('*') == std::string::npos) {
-            return report_unknown(path, "part", pattern, names_of(c_.parts));
-        }
-        report("unknown-name", path, fmt::format("no part matches '{}'", pattern), "`*` stands for any letters");
-    }
-
     void check_surface(const std::string& path, const Surface& surface)
     {
         for (std::size_t i = 0; i < surface.parts.size(); ++i) {
@@ -447,17 +393,6 @@ private:
         }
     }
 
-    void check_pair(const std::string& path, const std::string& pair)
-    {
-        const auto bar = pair.find('|');
-        if (bar == std::string::npos) {
-            return report("inconsistent", path, fmt::format("'{}' is not a pair of parts", pair),
-                          "write it like \"part|other_part\"");
-        }
-        check_pattern(path, pair.substr(0, bar));
-        check_pattern(path, pair.substr(bar + 1));
-    }
-
     void check_chain(const Chain& chain)
     {
         refer("chain.slide_body", "body", chain.slide_body, c_.bodies);
@@ -466,23 +401,9 @@ private:
         refer("chain.ground_surface", "surface", chain.ground_surface, c_.surfaces);
         refer("chain.crank_joint", "joint", chain.crank_joint, c_.joints);
     }
-
-    const Case& c_;
-    std::vector<Finding> findings_;
 };
 
 }  // namespace
-
-bool matches(std::string_view pattern, std::string_view name)
-{
-    if (pattern.empty()) {
-        return name.empty();
-    }
-    if (pattern.front() == '*') {
-        return matches(pattern.substr(1), name) || (!name.empty() && matches(pattern, name.substr(1)));
-    }
-    return !name.empty() && pattern.front() == name.front() && matches(pattern.substr(1), name.substr(1));
-}
 
 std::vector<Finding> check_references(const Case& c) { return Checker(c).run(); }
 

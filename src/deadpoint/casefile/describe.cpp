@@ -104,6 +104,8 @@ void describe(Visitor& v, Case& c)
     v.list({"operation", "what the press does, one segment after the other", required}, c.operation);
     v.named({"probes", "points whose temperature is recorded"}, c.probes, "name");
     v.table({"chain", "the dimension chain from slide to table"}, c.chain);
+    v.table({"foundation", "how the feet stand, and weights"}, c.foundation);
+    v.named({"preload", "rods that press parts together"}, c.preload, "name");
     v.table({"numerics", "mesh, time stepping and solvers"}, c.numerics);
     v.table({"output", "what is written"}, c.output);
     v.table({"reference", "published or measured values"}, c.reference);
@@ -439,6 +441,9 @@ void describe(Visitor& v, Output& o)
     v.quantities({"field_times", "when fields are written, besides the end"}, o.field_times, D::time, non_negative);
     v.flag({"fields", "write temperature and displacement fields at all"}, o.fields);
     v.flag({"causes", "find which heat has moved the gap; as long as the time steps. Not in a sweep"}, o.causes);
+    v.texts({"stress", "bodies or parts (`*` stands for any letters) whose stress is wanted: in the fields, and the "
+                       "largest of each part in stress.csv, at the times of the fields"},
+            o.stress);
 }
 
 void describe(Visitor& v, Reference& r)

@@ -73,6 +73,8 @@ void describe(Visitor& v, ProcessForce& p);
 void describe(Visitor& v, Segment& s);
 void describe(Visitor& v, Probe& p);
 void describe(Visitor& v, Chain& c);
+void describe(Visitor& v, Foundation& f);
+void describe(Visitor& v, Preload& p);
 void describe(Visitor& v, Numerics& n);
 void describe(Visitor& v, Output& o);
 void describe(Visitor& v, Reference& r);

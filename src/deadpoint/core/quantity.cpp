@@ -19,7 +19,7 @@ namespace {
 
 using D = Dimension;
 
-constexpr std::array<DimensionInfo, 28> dimensions{{
+constexpr std::array<DimensionInfo, 30> dimensions{{
     {D::none, "a plain number", "", "", "0.3"},
     {D::length, "a length", "m", "mm", "200 mm"},
     {D::area, "an area", "m^2", "m^2", "0.5 m^2"},
@@ -48,6 +48,8 @@ constexpr std::array<DimensionInfo, 28> dimensions{{
     {D::volume, "a volume", "m^3", "L", "100 L"},
     {D::volume_flow, "a volume flow", "m^3/s", "L/min", "5 L/min"},
     {D::heat_capacity, "a heat capacity", "J/K", "J/K", "1200 J/K"},
+    {D::acceleration, "an acceleration", "m/s^2", "m/s^2", "9.81 m/s^2"},
+    {D::bedding, "a stiffness per area", "N/m^3", "N/mm^3", "0.5 N/mm^3"},
 }};
 
 /// value [SI] = factor * number + offset

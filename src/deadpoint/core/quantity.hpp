@@ -39,6 +39,8 @@ enum class Dimension {
     volume,
     volume_flow,
     heat_capacity,
+    acceleration,
+    bedding,
 };
 
 /// How a dimension is spoken of and written.

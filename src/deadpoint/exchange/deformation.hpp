@@ -1,6 +1,8 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/exchange/stress.hpp"
 
 #include <cstdint>
 #include <string>
@@ -20,6 +22,35 @@ struct PointWeight {
 struct Functional {
     std::string name;
     std::vector<PointWeight> points;
+};
+
+/// How the feet stand on the ground.
+struct Foundation {
+    /// free: u_y = 0, sliding freely; clamped: u = 0; elastic: pads of the stiffnesses below.
+    enum class Kind { free, clamped, elastic };
+    int surface = -1;  ///< index into Machine::surfaces; -1: no feet
+    Kind kind = Kind::free;
+    double vertical = 0;    ///< stiffness per area [N/m3]
+    double horizontal = 0;  ///< along x and z [N/m3]
+};
+
+/// What strains the machine besides heat, the same at all times.
+struct RestLoads {
+    Vec3 gravity{};                       ///< on the bodies that stand on the feet [m/s2]
+    std::vector<Tensor6> initial_strain;  ///< per part, without stress if nothing hinders it; empty: none
+};
+
+/// A force within the machine or on its feet, linear in deformation and temperature [N].
+struct ForceGauge {
+    enum class Kind {
+        rod,   ///< in the free length of a part between its two bonded ends, along an axis; tension positive
+        bond,  ///< across a bond, along its normal; tension positive
+        feet   ///< from the ground upwards on the feet
+    };
+    std::string name;
+    Kind kind = Kind::rod;
+    int index = 0;  ///< part, or index into Machine::bonds
+    Axis axis = Axis::y;
 };
 
 /// Rigid motion in the plane of the linkage that closes the joints: rotation by a small angle about `centre`, then a

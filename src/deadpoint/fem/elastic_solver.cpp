@@ -1,7 +1,7 @@
 #include "deadpoint/fem/elastic_solver.hpp"
 
 #include "deadpoint/exchange/face_points.hpp"
-#include <deal.II/hp/fe_values.h>
+#include "deadpoint/fem/elastic_cells.hpp"
 
 #include <algorithm>
 #include <set>
@@ -11,29 +11,23 @@ namespace {
 
 constexpr double relative_tolerance = 1e-10;
 
-struct Lame {
-    double lambda, mu;
-};
-Lame lame(const Material& m)
-{
-    return {m.youngs_modulus * m.poissons_ratio / ((1 + m.poissons_ratio) * (1 - 2 * m.poissons_ratio)),
-            m.youngs_modulus / (2 * (1 + m.poissons_ratio))};
-}
-
 }  // namespace
 
-ElasticSolver::ElasticSolver(const Discretisation& space, const std::vector<Material>& materials, int feet_surface)
-    : space_(space), materials_(materials), ties_(space)
+ElasticSolver::ElasticSolver(const Discretisation& space, const std::vector<Material>& materials,
+                             const Foundation& foundation)
+    : space_(space), materials_(materials), foundation_(foundation), ties_(space)
 {
-    auto held = supported(feet_surface);
-    pieces_ = std::make_unique<RigidPieces>(space_, held, ties_);
-    held.insert(held.end(), pieces_->holds().begin(), pieces_->holds().end());
+    find_supports(foundation);
+    auto supported = held_;
+    supported.insert(supported.end(), feet_.begin(), feet_.end());
+    pieces_ = std::make_unique<RigidPieces>(space_, supported, ties_);
+    held_.insert(held_.end(), pieces_->holds().begin(), pieces_->holds().end());
 
     assemble();
     PetscInt first_free = 0;
     DEADPOINT_PETSC(MatGetOwnershipRange(matrix_, &first_free, nullptr));
     const auto free = ties_.free_nodes(space_);
-    const std::set<PetscInt> wanted(held.begin(), held.end());
+    const std::set<PetscInt> wanted(held_.begin(), held_.end());
     for (std::size_t i = 0; i < free.size(); ++i)
         for (PetscInt c = 0; c < 3; ++c)
             if (wanted.contains(3 * (space_.first + free[i]) + c))
@@ -104,25 +98,32 @@ void ElasticSolver::solve_free(const char* what)
     DEADPOINT_PETSC(MatMult(expansion_, free_solution_, solution_));
 }
 
-std::vector<PetscInt> ElasticSolver::supported(int feet_surface) const
+void ElasticSolver::find_supports(const Foundation& foundation)
 {
-    std::set<PetscInt> held;
+    std::set<PetscInt> held, feet;
     PointShape shape;
-    const auto hold = [&](std::uint32_t face, int component) {
+    const auto collect = [&](std::uint32_t face, int component, std::set<PetscInt>& target) {
         for (const auto& point : face_points(space_.machine, space_.machine.faces[face])) {
             space_.evaluate(face, point.position, false, shape);
             for (int i = 0; i < shape.count; ++i)
                 if (std::abs(shape.value[i]) > 1e-9)
-                    held.insert(3 * shape.dof[i] + component);
+                    target.insert(3 * shape.dof[i] + component);
         }
     };
     for (std::uint32_t f = 0; f < space_.machine.faces.size(); ++f)
         if (space_.machine.faces[f].symmetry)
-            hold(f, 0);
-    if (feet_surface >= 0)
-        for (const auto& foot : space_.machine.surfaces[feet_surface].faces)
-            hold(foot.face, 1);
-    return {held.begin(), held.end()};
+            collect(f, 0, held);
+    const bool elastic = foundation.kind == Foundation::Kind::elastic;
+    const bool sideways = elastic ? foundation.horizontal > 0 : foundation.kind == Foundation::Kind::clamped;
+    if (foundation.surface >= 0)
+        for (const auto& foot : space_.machine.surfaces[foundation.surface].faces)
+            for (const int component : {0, 1, 2})
+                if (component == 1 || sideways)
+                    collect(foot.face, component, feet);
+    if (!elastic)
+        held.insert(feet.begin(), feet.end());
+    held_.assign(held.begin(), held.end());
+    feet_.assign(feet.begin(), feet.end());
 }
 
 void ElasticSolver::clear_fixed(Vec vector) const
@@ -139,41 +140,15 @@ void ElasticSolver::clear_fixed(Vec vector) const
 void ElasticSolver::assemble()
 {
     OwnedMat all = create_matrix(space_, space_.cell_pattern(), 3);
-    dealii::hp::FEValues<3> values(space_.mappings, space_.elements, space_.quadratures,
-                                   dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
-    std::vector<dealii::types::global_dof_index> indices;
     std::vector<PetscInt> nodes;
     std::vector<double> block;
-    for (const auto& cell : space_.dofs.active_cell_iterators()) {
-        if (!cell->is_locally_owned())
-            continue;
-        values.reinit(cell);
-        const auto& v = values.get_present_fe_values();
-        const unsigned n = v.dofs_per_cell;
-        indices.resize(n);
-        cell->get_dof_indices(indices);
-        nodes.assign(indices.begin(), indices.end());
-        block.assign(9 * n * n, 0.0);
-        const auto& material = materials_[cell->material_id()];
-        const auto [lambda, mu] = lame(material);
-        for (const auto q : v.quadrature_point_indices())
-            for (unsigned i = 0; i < n; ++i) {
-                const auto& gi = v.shape_grad(i, q);
-                for (unsigned j = 0; j < n; ++j) {
-                    const auto& gj = v.shape_grad(j, q);
-                    const double w = v.JxW(q);
-                    const double diagonal = w * mu * (gi * gj);
-                    for (unsigned c = 0; c < 3; ++c) {
-                        double* row = &block[(3 * i + c) * 3 * n + 3 * j];
-                        row[c] += diagonal;
-                        for (unsigned d = 0; d < 3; ++d)
-                            row[d] += w * (lambda * gi[c] * gj[d] + mu * gi[d] * gj[c]);
-                    }
-                }
-            }
-        const auto count = static_cast<PetscInt>(n);
+    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+        cell_stiffness(v, materials_[part], block);
+        nodes.assign(dofs.begin(), dofs.end());
+        const auto count = static_cast<PetscInt>(nodes.size());
         DEADPOINT_PETSC(MatSetValuesBlocked(all, count, nodes.data(), count, nodes.data(), block.data(), ADD_VALUES));
-    }
+    });
+    add_pads(all);
     DEADPOINT_PETSC(MatAssemblyBegin(all, MAT_FINAL_ASSEMBLY));
     DEADPOINT_PETSC(MatAssemblyEnd(all, MAT_FINAL_ASSEMBLY));
     expansion_ = ties_.expansion(space_);
@@ -200,12 +175,6 @@ void ElasticSolver::set_near_null_space()
     DEADPOINT_PETSC(MatSetNearNullSpace(matrix_, rigid));
 }
 
-double ElasticSolver::thermal_modulus(int part) const
-{
-    const auto& m = materials_[part];
-    return m.youngs_modulus * expansion_scale(m) / (1 - 2 * m.poissons_ratio);
-}
-
 void ElasticSolver::load(const Functional& functional, Vec target) const
 {
     std::vector<std::pair<PetscInt, double>> entries;
@@ -223,91 +192,57 @@ void ElasticSolver::load(const Functional& functional, Vec target) const
     DEADPOINT_PETSC(VecRestoreArray(target, &values));
 }
 
-template <class Visitor>
-void ElasticSolver::for_each_cell(const Visitor& visit) const
-{
-    dealii::hp::FEValues<3> values(space_.mappings, space_.elements, space_.quadratures,
-                                   dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
-    std::vector<dealii::types::global_dof_index> indices;
-    for (const auto& cell : space_.dofs.active_cell_iterators()) {
-        if (!cell->is_locally_owned())
-            continue;
-        values.reinit(cell);
-        const auto& v = values.get_present_fe_values();
-        indices.resize(v.dofs_per_cell);
-        cell->get_dof_indices(indices);
-        visit(v, indices, thermal_modulus(static_cast<int>(cell->material_id())));
-    }
-}
-
 std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<Functional>& functionals)
 {
     std::vector<Adjoint> result;
     Everywhere gathered(solution_);
-    OwnedVec weights = create_vector(space_, 1);
     for (const auto& functional : functionals) {
         load(functional, rhs_);
         pieces_->equilibrate(rhs_);
         DEADPOINT_PETSC(VecSet(free_solution_, 0));
         solve_free("the deformation's adjoint");
-        const double* u = gathered.gather(solution_);
-
-        DEADPOINT_PETSC(VecSet(weights, 0));
-        std::vector<double> cell_weights;
-        for_each_cell([&](const dealii::FEValues<3>& v, const auto& dofs, double modulus) {
-            cell_weights.assign(dofs.size(), 0.0);
-            for (const auto q : v.quadrature_point_indices()) {
-                double divergence = 0;
-                for (unsigned i = 0; i < dofs.size(); ++i)
-                    for (unsigned c = 0; c < 3; ++c)
-                        divergence += v.shape_grad(i, q)[c] * u[3 * dofs[i] + c];
-                for (unsigned i = 0; i < dofs.size(); ++i)
-                    cell_weights[i] += modulus * v.JxW(q) * divergence * v.shape_value(i, q);
-            }
-            for (unsigned i = 0; i < dofs.size(); ++i)
-                DEADPOINT_PETSC(VecSetValue(weights, static_cast<PetscInt>(dofs[i]), cell_weights[i], ADD_VALUES));
-        });
-        DEADPOINT_PETSC(VecAssemblyBegin(weights));
-        DEADPOINT_PETSC(VecAssemblyEnd(weights));
-        const double* owned = nullptr;
-        DEADPOINT_PETSC(VecGetArrayRead(weights, &owned));
-        result.push_back({functional.name, {owned, owned + (space_.last - space_.first)}});
-        DEADPOINT_PETSC(VecRestoreArrayRead(weights, &owned));
+        result.push_back(temperature_weights(functional.name, gathered.gather(solution_)));
     }
     return result;
 }
 
-Displacement ElasticSolver::displacement(const Field& given)
+Displacement ElasticSolver::displacement(const Field& rise)
 {
-    OwnedVec field = create_vector(space_, 1);
-    double* target = nullptr;
-    DEADPOINT_PETSC(VecGetArray(field, &target));
-    std::ranges::copy(given.owned, target);
-    DEADPOINT_PETSC(VecRestoreArray(field, &target));
-    Everywhere gathered(field);
-    const double* rise = gathered.gather(field);
-
     DEADPOINT_PETSC(VecSet(rhs_, 0));
-    std::vector<double> cell_load;
-    for_each_cell([&](const dealii::FEValues<3>& v, const auto& dofs, double modulus) {
-        cell_load.assign(3 * dofs.size(), 0.0);
-        for (const auto q : v.quadrature_point_indices()) {
-            double at = 0;
-            for (unsigned i = 0; i < dofs.size(); ++i)
-                at += v.shape_value(i, q) * rise[dofs[i]];
-            for (unsigned i = 0; i < dofs.size(); ++i)
-                for (unsigned c = 0; c < 3; ++c)
-                    cell_load[3 * i + c] += modulus * at * v.JxW(q) * v.shape_grad(i, q)[c];
-        }
-        for (unsigned i = 0; i < dofs.size(); ++i)
-            for (unsigned c = 0; c < 3; ++c)
-                DEADPOINT_PETSC(
-                    VecSetValue(rhs_, static_cast<PetscInt>(3 * dofs[i] + c), cell_load[3 * i + c], ADD_VALUES));
-    });
-    DEADPOINT_PETSC(VecAssemblyBegin(rhs_));
-    DEADPOINT_PETSC(VecAssemblyEnd(rhs_));
+    load_thermal(rise, rhs_);
     solve_free("the thermal deformation");
     pieces_->remove_rigid_motion(solution_);
+    return owned_solution();
+}
+
+Displacement ElasticSolver::displacement(const RestLoads& loads)
+{
+    DEADPOINT_PETSC(VecSet(rhs_, 0));
+    load_weight(loads.gravity, rhs_);
+    require_equilibrium();
+    load_initial_strain(loads.initial_strain, rhs_);
+    DEADPOINT_PETSC(VecSet(free_solution_, 0));
+    solve_free("the deformation by weights and preload");
+    pieces_->remove_rigid_motion(solution_);
+    return owned_solution();
+}
+
+// Of a load that the feet must carry.
+void ElasticSolver::require_equilibrium()
+{
+    PetscReal whole = 0, moving = 0;
+    DEADPOINT_PETSC(VecNorm(rhs_, NORM_2, &whole));
+    DEADPOINT_PETSC(VecCopy(rhs_, solution_));
+    pieces_->equilibrate(solution_);
+    DEADPOINT_PETSC(VecAXPY(solution_, -1, rhs_));
+    DEADPOINT_PETSC(VecNorm(solution_, NORM_2, &moving));
+    if (moving > 1e-6 * whole)
+        throw InputError("the feet leave the machine free to follow its weight; let gravity act straight down on feet "
+                         "that carry the machine, or add kind = \"clamped\" to [foundation]");
+}
+
+Displacement ElasticSolver::owned_solution() const
+{
     Displacement result;
     const double* owned = nullptr;
     DEADPOINT_PETSC(VecGetArrayRead(solution_, &owned));

@@ -115,8 +115,8 @@ double HeatAdjoint::mean_coefficient(std::size_t film, const StageRecord& stage)
     const double air = surroundings(condition, stage);
     const double mean = stage.film_mean[film], rise = mean - air;
     const double squares = mean * mean + air * air;
-    const double by_law = solver_.film_at(condition, air)(mean).value +
-                          condition.emissivity * stefan_boltzmann * squares * (mean + air);
+    const double by_law =
+        solver_.film_at(condition, air)(mean).value + condition.emissivity * stefan_boltzmann * squares * (mean + air);
     const double heat = stage.variable_to_air[solver_.films_[film].index];
     const double by_heat = heat / (solver_.films_[film].area * rise);
     return std::isfinite(by_heat) && by_heat > 0.5 * by_law && by_heat < 2 * by_law ? by_heat : by_law;

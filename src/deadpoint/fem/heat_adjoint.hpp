@@ -14,8 +14,8 @@ namespace deadpoint::fem {
 ///     (M + d K_1) t_1 = M (bdf_middle t_m - bdf_now t_0) + d f_1
 ///
 /// K_0, K_m and K_1 differ only in films that follow the temperature: each takes the mean coefficient of its surface at
-/// that stage. Materials that follow it have their constants, enclosed air its temperature as booked. For weights l_1 on t_1 the transposed step gives those on its loads, d y_2 on f_1 and d y_1 on f_m and
-/// f_0, and those on t_0:
+/// that stage. Materials that follow it have their constants, enclosed air its temperature as booked. For weights l_1
+/// on t_1 the transposed step gives those on its loads, d y_2 on f_1 and d y_1 on f_m and f_0, and those on t_0:
 ///
 ///     (M + d K_1) y_2 = l_1
 ///     (M + d K_m) y_1 = bdf_middle M y_2

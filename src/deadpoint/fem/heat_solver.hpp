@@ -214,8 +214,8 @@ private:
     double reference_ = 0;
     int attribution_ = -1;
     std::vector<std::uint32_t> part_of_unknown_;
-    std::vector<StepRecord> steps_;  ///< accepted
-    OwnedVec start_;                 ///< temperature from which the run started
+    std::vector<StepRecord> steps_;         ///< accepted
+    OwnedVec start_;                        ///< temperature from which the run started
     std::vector<double> lowest_, highest_;  ///< nodal temperature so far, per part, on this rank [K]
     int iterations_ = 0;
     int solves_ = 0;

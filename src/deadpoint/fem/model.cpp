@@ -5,6 +5,7 @@
 #include "deadpoint/fem/expansion.hpp"
 #include "deadpoint/fem/heat_adjoint.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
+#include "deadpoint/fem/stress_recovery.hpp"
 #include "deadpoint/fem/thermal_state.hpp"
 #include "deadpoint/fem/transfer.hpp"
 
@@ -38,8 +39,13 @@ struct Model::Implementation {
     ElasticSolver& deformation()
     {
         if (!elastic)
-            elastic = std::make_unique<ElasticSolver>(deformed(), materials, feet);
+            elastic = std::make_unique<ElasticSolver>(deformed(), materials, foundation);
         return *elastic;
+    }
+    /// A field of the heat at the unknowns of the deformation.
+    [[nodiscard]] Field where_deformed(const Field& field) const
+    {
+        return own ? Field{own->to.apply(field.owned, 1)} : field;
     }
     /// A displacement at the unknowns of the heat.
     [[nodiscard]] std::vector<double> on_heat_mesh(const Displacement& u) const
@@ -50,6 +56,14 @@ struct Model::Implementation {
             own->back.emplace(own->space, space);
         return own->back->apply(u.owned, 3);
     }
+    /// Weights on the temperatures of the heat.
+    [[nodiscard]] std::vector<Adjoint> on_heat_mesh(std::vector<Adjoint> adjoints) const
+    {
+        if (own)
+            for (auto& adjoint : adjoints)
+                adjoint.owned = own->to.apply_transposed(adjoint.owned);
+        return adjoints;
+    }
     const Machine& machine;
     std::vector<Material> materials;
     Discretisation space;
@@ -59,7 +73,7 @@ struct Model::Implementation {
     std::unique_ptr<HeatSolver> heat;
     std::unique_ptr<HeatSolver> finished;
     ThermalState last;
-    int feet = -1;
+    Foundation foundation;
     int elastic_iterations = 0;
 };
 
@@ -98,6 +112,42 @@ void require_sound(const Machine& machine, const std::vector<Material>& material
             throw InputError("the material of part '" + machine.parts[p].name +
                              "' has a density, conductivity, specific heat or Young's modulus that is not positive");
     }
+}
+
+// What stress is recovered from, on every rank.
+class GatheredState {
+public:
+    GatheredState(const Discretisation& space, const Displacement& displacement, const Field& rise)
+        : displacement_(gather_all(space, displacement.owned, 3)), rise_(gather_all(space, rise.owned, 1))
+    {
+        state_.displacement = displacement_.data();
+        state_.rise = rise_.data();
+    }
+    GatheredState(const Discretisation& space, const Displacement& displacement, const RestLoads& loads)
+        : displacement_(gather_all(space, displacement.owned, 3))
+    {
+        state_.displacement = displacement_.data();
+        state_.initial = loads.initial_strain;
+    }
+    GatheredState(const GatheredState&) = delete;
+    [[nodiscard]] const StrainedState& state() const { return state_; }
+
+private:
+    std::vector<double> displacement_, rise_;
+    StrainedState state_;
+};
+
+std::vector<PartStress> stress_of(const Discretisation& space, const std::vector<Material>& materials,
+                                  const std::vector<int>& parts, const StrainedState& state)
+{
+    std::vector<PartStress> result;
+    for (const int part : parts) {
+        const StressRecovery recovery(space, materials[part], part, state);
+        auto& entry = result.emplace_back(PartStress{part, recovery.nodes(), {}});
+        for (std::size_t i = 0; i < entry.nodes.size(); ++i)
+            entry.stress.push_back(recovery.at_node(i));
+    }
+    return result;
 }
 
 // Entries of a divided vector of `block` values per unknown at nodes of the mesh, on all ranks.
@@ -182,19 +232,28 @@ void Model::write_state(const std::string& file) const
     write_thermal_state(file, implementation_->space, implementation_->last);
 }
 
-void Model::support(int feet_surface)
+void Model::support(const Foundation& foundation)
 {
-    implementation_->feet = feet_surface;
+    implementation_->foundation = foundation;
     release_elasticity();
 }
 
 std::vector<Adjoint> Model::adjoints(const std::vector<Functional>& functionals)
 {
-    auto adjoints = implementation_->deformation().adjoints(functionals);
-    if (const auto& own = implementation_->own)
-        for (auto& adjoint : adjoints)
-            adjoint.owned = own->to.apply_transposed(adjoint.owned);
-    return adjoints;
+    return implementation_->on_heat_mesh(implementation_->deformation().adjoints(functionals));
+}
+
+std::vector<Adjoint> Model::adjoints(const std::vector<ForceGauge>& gauges)
+{
+    return implementation_->on_heat_mesh(implementation_->deformation().adjoints(gauges));
+}
+
+Displacement Model::displacement(const RestLoads& loads) { return implementation_->deformation().displacement(loads); }
+
+std::vector<double> Model::forces(const std::vector<ForceGauge>& gauges, const RestLoads& loads,
+                                  const Displacement& displacement)
+{
+    return implementation_->deformation().forces(gauges, loads, displacement);
 }
 
 Displacement Model::displacement(const Field& temperature, double reference_temperature)
@@ -228,10 +287,7 @@ Field Model::expansion_rise(const Field& temperature, double reference_temperatu
 
 Displacement Model::displacement_of_rise(const Field& rise)
 {
-    auto& solver = implementation_->deformation();
-    if (const auto& own = implementation_->own)
-        return solver.displacement({own->to.apply(rise.owned, 1)});
-    return solver.displacement(rise);
+    return implementation_->deformation().displacement(implementation_->where_deformed(rise));
 }
 
 Adjoint Model::secant(const Adjoint& adjoint, const Field& temperature, double reference_temperature)
@@ -239,6 +295,36 @@ Adjoint Model::secant(const Adjoint& adjoint, const Field& temperature, double r
     auto result = adjoint;
     for (std::size_t i = 0; i < result.owned.size(); ++i)
         result.owned[i] *= implementation_->expansion.secant(i, temperature.owned[i], reference_temperature);
+    return result;
+}
+
+std::vector<PartStress> Model::stress(const std::vector<int>& parts, const Displacement& displacement,
+                                      const Field& temperature, double reference_temperature) const
+{
+    const auto& space = implementation_->deformed();
+    const GatheredState fields(space, displacement,
+                               implementation_->where_deformed(expansion_rise(temperature, reference_temperature)));
+    return stress_of(space, implementation_->materials, parts, fields.state());
+}
+
+std::vector<PartStress> Model::stress(const std::vector<int>& parts, const Displacement& displacement,
+                                      const RestLoads& loads) const
+{
+    const auto& space = implementation_->deformed();
+    const GatheredState fields(space, displacement, loads);
+    return stress_of(space, implementation_->materials, parts, fields.state());
+}
+
+std::vector<Tensor6> Model::stress_at(const std::vector<HeatProbe>& points, const Displacement& displacement,
+                                      const Field& temperature, double reference_temperature) const
+{
+    const auto& space = implementation_->deformed();
+    const GatheredState fields(space, displacement,
+                               implementation_->where_deformed(expansion_rise(temperature, reference_temperature)));
+    std::vector<Tensor6> result;
+    for (const auto& point : points)
+        result.push_back(StressRecovery(space, implementation_->materials[point.part], point.part, fields.state())
+                             .at(point.position));
     return result;
 }
 
@@ -299,7 +385,8 @@ std::vector<Vec3> Model::at_corners(const std::vector<CellCorner>& corners, cons
 
 std::string Model::write_fields(const std::string& folder, const std::string& name, const Field& temperature,
                                 const Displacement* displacement, const std::vector<RigidMotion>& motion_of_part,
-                                const std::vector<int>& body_of_part, const std::vector<std::string>& comments)
+                                const std::vector<int>& body_of_part, const std::vector<std::string>& comments,
+                                const std::vector<PointData>& point_data)
 {
     const auto& space = implementation_->space;
     const auto& machine = implementation_->machine;
@@ -315,6 +402,7 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
     std::vector<std::int64_t> local(machine.nodes.size(), -1);
     std::vector<float> celsius, millimetre;
     std::vector<std::int32_t> part, body;
+    std::vector<std::vector<float>> more(point_data.size());
     for (std::uint32_t c = 0; c < machine.cells.size(); ++c) {
         const auto cell = space.cell(c);
         if (!cell->is_locally_owned())
@@ -328,6 +416,11 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
                 grid.points.push_back(machine.nodes[node]);
                 const auto dof = space.vertex_unknown(c, i);
                 celsius.push_back(static_cast<float>(rise[dof] - 273.15));
+                for (std::size_t k = 0; k < point_data.size(); ++k) {
+                    const int count_k = point_data[k].components;
+                    const auto* from = point_data[k].values.data() + static_cast<std::size_t>(count_k) * node;
+                    more[k].insert(more[k].end(), from, from + count_k);
+                }
                 if (displacement) {
                     const Vec3 u = Vec3{moved[3 * dof], moved[3 * dof + 1], moved[3 * dof + 2]} +
                                    rigid_displacement(motion_of_part[machine.cells[c].part], machine.nodes[node]);
@@ -346,6 +439,8 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
                                  {"body", VtuArray::Place::cell, 1, body}};
     if (displacement)
         arrays.push_back({"displacement [mm]", VtuArray::Place::point, 3, millimetre});
+    for (std::size_t k = 0; k < point_data.size(); ++k)
+        arrays.push_back({point_data[k].name, VtuArray::Place::point, point_data[k].components, std::move(more[k])});
     if (ranks == 1) {
         write_vtu(folder + "/" + name + ".vtu", grid, arrays, {std::nullopt, comments});
         return name + ".vtu";

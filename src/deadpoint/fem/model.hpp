@@ -6,6 +6,7 @@
 #include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/exchange/light_surface.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/exchange/stress.hpp"
 
 #include <functional>
 #include <memory>
@@ -33,6 +34,13 @@ struct Displacement {
 struct Adjoint {
     std::string name;
     std::vector<double> owned;
+};
+
+/// Values at nodes of the mesh for a field file; nodes without any hold not-a-number.
+struct PointData {
+    std::string name;
+    int components = 1;
+    std::vector<float> values;  ///< components times Machine::nodes
 };
 
 /// Called after each accepted step.
@@ -100,13 +108,21 @@ public:
     /// Where the last heat() ended, as a file.
     void write_state(const std::string& file) const;
 
-    /// Feet: faces of this surface keep their height (u_y = 0). To be called before the functions below.
-    void support(int feet_surface);
+    /// How the machine stands; a surface alone keeps its height (u_y = 0). To be called before the functions below.
+    void support(const Foundation& foundation);
+    void support(int feet_surface) { support(Foundation{feet_surface}); }
     /// Temperature weights of displacement functionals, one elastic solve each.
     std::vector<Adjoint> adjoints(const std::vector<Functional>& functionals);
+    /// The same for forces.
+    std::vector<Adjoint> adjoints(const std::vector<ForceGauge>& gauges);
     /// The deformation for a temperature field, each body apart from a rigid motion.
     Displacement displacement(const Field& temperature, double reference_temperature);
+    /// The deformation by weights and initial strain.
+    Displacement displacement(const RestLoads& loads);
     std::vector<double> evaluate(const std::vector<Functional>& functionals, const Displacement& displacement);
+    /// Forces of the deformation by those loads [N], of the whole machine where the symmetry plane cuts it.
+    std::vector<double> forces(const std::vector<ForceGauge>& gauges, const RestLoads& loads,
+                               const Displacement& displacement);
     double apply(const Adjoint& adjoint, const Field& temperature, double reference_temperature);
     /// Whether the deformation is linear in the temperature: no material has a table of its expansion.
     [[nodiscard]] bool expands_linearly() const;
@@ -118,6 +134,15 @@ public:
     /// Weights that give the same value with T - T_reference itself at this temperature:
     /// weight (eps(T) - eps(T_reference)) / (scale (T - T_reference)).
     Adjoint secant(const Adjoint& adjoint, const Field& temperature, double reference_temperature);
+    /// Thermal stress of a deformation at all nodes of the parts, each part recovered by itself (StressRecovery).
+    std::vector<PartStress> stress(const std::vector<int>& parts, const Displacement& displacement,
+                                   const Field& temperature, double reference_temperature) const;
+    /// Stress of the deformation by weights and initial strain.
+    std::vector<PartStress> stress(const std::vector<int>& parts, const Displacement& displacement,
+                                   const RestLoads& loads) const;
+    /// Thermal stress at points of parts.
+    std::vector<Tensor6> stress_at(const std::vector<HeatProbe>& points, const Displacement& displacement,
+                                   const Field& temperature, double reference_temperature) const;
     /// Frees matrices and preconditioner of the deformation.
     void release_elasticity();
     [[nodiscard]] int elastic_iterations() const;
@@ -134,7 +159,8 @@ public:
     /// where one is given, after adding each part's rigid motion. Returns the file name to list in a .pvd.
     std::string write_fields(const std::string& folder, const std::string& name, const Field& temperature,
                              const Displacement* displacement, const std::vector<RigidMotion>& motion_of_part,
-                             const std::vector<int>& body_of_part, const std::vector<std::string>& comments);
+                             const std::vector<int>& body_of_part, const std::vector<std::string>& comments,
+                             const std::vector<PointData>& point_data = {});
 
 private:
     struct Implementation;

@@ -21,6 +21,8 @@ public:
 
     /// Unknowns to hold besides the supported ones, on all ranks.
     [[nodiscard]] const std::vector<PetscInt>& holds() const { return holds_; }
+    /// Number of the piece that a node belongs to.
+    [[nodiscard]] int piece(PetscInt node) const { return piece_of_node_[static_cast<std::size_t>(node)]; }
     /// Takes the mean rigid motion out of a displacement (this rank's share).
     void remove_rigid_motion(Vec displacement) const;
     /// The transpose of that: makes a load do no work in a free rigid motion.

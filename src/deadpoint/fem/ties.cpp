@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 
 namespace deadpoint::fem {
 namespace {
@@ -32,11 +31,16 @@ Ties::Ties(const Discretisation& space)
     const auto place = coarseness(machine);
 
     // Per part: nodes that may be tied, and the cells they may be tied to.
-    std::vector<std::map<PetscInt, std::set<std::uint32_t>>> candidates(machine.parts.size());
+    struct Candidate {
+        std::map<std::uint32_t, int> cells;  // with the bond
+        std::map<int, Vec3> normals;         // by bond, not of unit length
+    };
+    std::vector<std::map<PetscInt, Candidate>> candidates(machine.parts.size());
     PointShape shape;
     std::vector<std::size_t> unknowns;
     std::vector<Vec3> all_positions(static_cast<std::size_t>(space.total));
-    for (const auto& bond : machine.bonds) {
+    for (int b = 0; b < static_cast<int>(machine.bonds.size()); ++b) {
+        const auto& bond = machine.bonds[b];
         std::pair<std::uint32_t, std::uint32_t> previous{~0U, ~0U};
         for (const auto& point : bond.points) {
             if (std::pair(point.face_a, point.face_b) == previous)
@@ -48,8 +52,12 @@ Ties::Ties(const Discretisation& space)
             space.evaluate(fine, a_is_finer ? point.position_a : point.position_b, false, shape);
             space.cell_nodes(machine.faces[fine].cell, unknowns, all_positions);
             for (int i = 0; i < shape.count; ++i)
-                if (std::abs(shape.value[i]) > 1e-9)
-                    candidates[machine.faces[fine].part][shape.dof[i]].insert(machine.faces[coarse].cell);
+                if (std::abs(shape.value[i]) > 1e-9) {
+                    auto& candidate = candidates[machine.faces[fine].part][shape.dof[i]];
+                    candidate.cells.emplace(machine.faces[coarse].cell, b);
+                    auto& normal = candidate.normals[b];
+                    normal = normal + (a_is_finer ? 1.0 : -1.0) * point.normal;
+                }
         }
     }
 
@@ -57,22 +65,26 @@ Ties::Ties(const Discretisation& space)
     std::iota(parts.begin(), parts.end(), 0);
     std::sort(parts.begin(), parts.end(), [&](std::size_t a, std::size_t b) { return place[a] > place[b]; });
     for (const auto part : parts)
-        for (const auto& [node, cells] : candidates[part]) {
+        for (const auto& [node, candidate] : candidates[part]) {
             double least = largest_continuation;
             PointShape best;
-            for (const auto cell : cells) {
+            int followed = -1;
+            for (const auto& [cell, bond] : candidate.cells) {
                 const double outside = space.continue_cell(cell, all_positions[static_cast<std::size_t>(node)], shape);
                 if (outside < least) {
                     least = outside;
                     best = shape;
+                    followed = bond;
                 }
             }
             if (best.count == 0)
                 continue;
+            Direct direct{node, followed, normalised(candidate.normals.at(followed)), {}};
             std::map<PetscInt, double> weights;
             for (int i = 0; i < best.count; ++i) {
                 if (std::abs(best.value[i]) < 1e-12)
                     continue;
+                direct.masters.emplace_back(best.dof[i], best.value[i]);
                 if (const auto chained = tied_.find(best.dof[i]); chained != tied_.end())
                     for (const auto& [master, weight] : chained->second)
                         weights[master] += best.value[i] * weight;
@@ -80,6 +92,7 @@ Ties::Ties(const Discretisation& space)
                     weights[best.dof[i]] += best.value[i];
             }
             tied_[node].assign(weights.begin(), weights.end());
+            direct_.push_back(std::move(direct));
         }
 }
 

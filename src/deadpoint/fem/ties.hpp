@@ -19,6 +19,16 @@ class Ties {
 public:
     explicit Ties(const Discretisation& space);
 
+    /// A node and the cell that it follows, as the bonds say it.
+    struct Direct {
+        PetscInt node = 0;
+        int bond = 0;                                      ///< index into Machine::bonds
+        Vec3 normal{};                                     ///< of the bond there, unit, out of the node's part
+        std::vector<std::pair<PetscInt, double>> masters;  ///< these may be tied themselves
+    };
+    /// All of them; a node stands behind all nodes that it follows.
+    [[nodiscard]] const std::vector<Direct>& direct() const { return direct_; }
+
     /// Per tied node its masters, all of them free, and their weights.
     [[nodiscard]] const std::map<PetscInt, std::vector<std::pair<PetscInt, double>>>& tied() const { return tied_; }
     [[nodiscard]] bool is_tied(PetscInt node) const { return tied_.contains(node); }
@@ -30,6 +40,7 @@ public:
 
 private:
     std::map<PetscInt, std::vector<std::pair<PetscInt, double>>> tied_;
+    std::vector<Direct> direct_;
 };
 
 }  // namespace deadpoint::fem

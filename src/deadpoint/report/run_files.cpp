@@ -6,6 +6,7 @@
 #include "deadpoint/report/csv.hpp"
 #include "deadpoint/report/drift_causes_text.hpp"
 #include "deadpoint/report/drift_summary_text.hpp"
+#include "deadpoint/report/frame_files.hpp"
 #include "deadpoint/report/friction_text.hpp"
 #include "deadpoint/report/heat_flows.hpp"
 #include "deadpoint/report/json_file.hpp"
@@ -112,6 +113,10 @@ void write_history(const std::filesystem::path& path, const casefile::Case& inpu
     if (result.drift)
         for (const auto& [name, series] : dimensions(*result.drift))
             columns.push_back({name, "um", sampled(history.time, *series, times, micrometre, 0)});
+    if (result.frame)
+        add_frame_columns(columns, *result.frame, [&](const Series& series, double factor, double offset) {
+            return sampled(history.time, series, times, factor, offset);
+        });
     write_csv(path, comments, columns);
 }
 
@@ -296,6 +301,8 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     json["drift_summary"] = drift_summary_json(result.probes, summary);
     if (!result.friction.empty())
         json["friction"] = nlohmann::ordered_json::parse(friction_json(result.friction));
+    if (result.frame)
+        json["frame"] = frame_json(*result.frame, history.time);
     if (result.adjoint_check)
         json["adjoint_check"] = {{"time_s", result.adjoint_check->time},
                                  {"E_SW_um_by_adjoint", micrometre * result.adjoint_check->by_adjoint},
@@ -380,6 +387,8 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
     if (result.loads)
         write_loads_files(folder, input, *result.loads, warnings);
     write_json(folder / "summary.json", summary_json(input, machine, result, warnings));
+    if (result.frame && !result.frame->stress.empty())
+        write_stress(folder / "stress.csv", *result.frame, comments);
     if (result.view)
         write_json(folder / "view.json", view_json(input, machine, *result.view));
     write_svg_chart(folder / "temperatures.svg", temperature_chart(input, result), comments);
@@ -436,6 +445,8 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
     }
     if (!result.friction.empty())
         text += friction_text(result.friction) + "\n";
+    if (result.frame)
+        text += frame_text(*result.frame) + "\n";
     text += heat_flows_text(result);
     if (result.deformation_cells > 0 && result.deformation_cells != result.cells)
         text += fmt::format("  mesh: {} cells for the heat, {} cells of their own for the deformation\n", result.cells,

@@ -100,17 +100,24 @@ std::vector<JointHistory> joint_histories(const casefile::Case& input, const Mac
 class FieldWriter {
 public:
     FieldWriter(const casefile::Case& input, const Machine& machine, fem::Model& model, const ChainModel* chain,
-                const std::vector<fem::Adjoint>& adjoints, const RunOptions& options)
-        : machine_(machine), model_(model), chain_(chain), adjoints_(adjoints), folder_(options.field_folder),
-          comments_(options.comments), reference_(input.machine.initial_temperature), bodies_(bodies_by_part(machine))
+                const FrameState* frame, const std::vector<fem::Adjoint>& adjoints, const RunOptions& options)
+        : input_(input), machine_(machine), model_(model), chain_(chain), frame_(frame), adjoints_(adjoints),
+          folder_(options.field_folder), comments_(options.comments), reference_(input.machine.initial_temperature),
+          bodies_(bodies_by_part(machine))
     {}
 
     void write(double time, const fem::Field& field, RunResult& result)
     {
         std::vector<RigidMotion> motions(machine_.parts.size());
         std::optional<fem::Displacement> displacement;
-        if (chain_) {
+        std::vector<fem::PointData> data;
+        if (chain_ || frame_)
             displacement = model_.displacement(field, reference_);
+        if (frame_)
+            data = frame_->add_time(input_, time, field, *displacement, *result.frame);
+        if (const auto size = model_.size(); size.deformation_cells != size.cells)
+            data.clear();  // they belong to the nodes of the deformation's mesh
+        if (chain_) {
             auto closed = close_joints(machine_, model_, *chain_, *displacement);
             motions = std::move(closed.motions);
             result.adjoint_check =
@@ -121,7 +128,7 @@ public:
         const auto name = fmt::format("fields_{:04d}", result.fields.size());
         result.fields.emplace_back(time,
                                    model_.write_fields(folder_, name, field, displacement ? &*displacement : nullptr,
-                                                       motions, bodies_, comments_));
+                                                       motions, bodies_, comments_, data));
         std::vector<PvdEntry> entries;
         for (const auto& [at, file] : result.fields)
             entries.push_back({at, file});
@@ -130,9 +137,11 @@ public:
     }
 
 private:
+    const casefile::Case& input_;
     const Machine& machine_;
     fem::Model& model_;
     const ChainModel* chain_;
+    const FrameState* frame_;
     const std::vector<fem::Adjoint>& adjoints_;
     std::string folder_;
     std::vector<std::string> comments_;
@@ -173,7 +182,9 @@ struct SharedModel::Implementation {
     const Machine* own_deformation;
     std::optional<fem::Model> model;
     std::optional<ChainModel> chain;
+    std::optional<FrameState> frame;
     std::vector<fem::Adjoint> adjoints;
+    std::size_t frame_adjoints = 0;        ///< where those of the frame begin
     std::optional<HeatProblem> assembled;  ///< that the prepared matrices are of
 };
 
@@ -217,11 +228,17 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
         return;
     watch.start("unknowns");
     model.emplace(machine, describe_materials(input, machine), input.numerics.order, observer, own_deformation);
+    model->support(describe_foundation(input, deformed()));
     if (input.chain) {
         watch.start("dimension chain");
         chain.emplace(input, deformed());
-        model->support(surface_index(deformed(), input.chain->ground_surface));
         adjoints = model->adjoints(chain->dimensions);
+    }
+    frame_adjoints = adjoints.size();
+    if (has_frame_state(input)) {
+        watch.start("frame");
+        frame.emplace(input, deformed(), *model);
+        std::ranges::copy(frame->adjoints(), std::back_inserter(adjoints));
     }
     watch.stop();
 }
@@ -235,8 +252,11 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     need_model(input, watch, observer);
     result.cells = model->size().cells;
     result.heat_unknowns = model->size().heat_unknowns;
-    if (chain) {
+    if (chain)
         result.sensitivity = chain->sensitivity;
+    if (frame)
+        result.frame = frame->start();
+    if (chain || frame) {
         result.deformation_cells = model->size().deformation_cells;
         result.deformation_unknowns = model->size().deformation_unknowns;
     }
@@ -255,7 +275,7 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     double end = 0;
     for (const auto& segment : problem.segments)
         end += segment.duration;
-    FieldWriter writer(input, machine, *model, chain ? &*chain : nullptr, adjoints, options);
+    FieldWriter writer(input, machine, *model, chain ? &*chain : nullptr, frame ? &*frame : nullptr, adjoints, options);
     ViewRecorder view;
     double field_seconds = 0;
     result.thermal = model->heat(
@@ -297,6 +317,10 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     }
     result.elastic_iterations = model->elastic_iterations();
     result.joints = joint_histories(input, machine, problem, result.thermal, result.whole);
+    if (result.frame) {
+        read_courses(result.thermal, frame_adjoints, *result.frame);
+        warn_about_frame(input, result.thermal, *result.frame, observer);
+    }
     result.ranks = fem::ranks();
     result.peak_memory = fem::peak_memory();
     warn_about(result.thermal, problem, observer);
@@ -348,7 +372,9 @@ std::string shared_part(const casefile::Case& input)
     shared.heat_sources.clear();
     shared.crankshaft.reset();
     shared.process_force.reset();
+    const auto stress = shared.output.stress;
     shared.output = {};
+    shared.output.stress = stress;
     shared.reference.reset();
     const auto order = shared.numerics.order;
     const auto size = shared.numerics.size;

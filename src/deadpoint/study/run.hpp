@@ -6,6 +6,7 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/frame_state.hpp"
 #include "deadpoint/study/loads.hpp"
 #include "deadpoint/study/translate_friction.hpp"
 #include "deadpoint/study/view_data.hpp"
@@ -50,6 +51,7 @@ struct RunResult {
     std::optional<DriftSeries> drift;
     std::vector<DriftCauses> causes;  ///< at the largest |E_SW| of all steps, where that is not the end, and at the end
     std::optional<AdjointCheck> adjoint_check;
+    std::optional<FrameResult> frame;  ///< where the case states a foundation, preload or wanted stress
     std::optional<ViewData> view;
     long long cells = 0;
     long long heat_unknowns = 0;

@@ -363,7 +363,7 @@ HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, O
     double end = 0;
     for (const auto& operation : input.operation)
         end += operation.duration;
-    if (input.output.fields) {
+    if (input.output.fields || !input.output.stress.empty() || !input.preload.empty()) {
         for (const double time : input.output.field_times)
             if (time < end * (1 - 1e-9))
                 problem.field_times.push_back(time);

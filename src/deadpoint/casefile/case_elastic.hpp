@@ -1,0 +1,30 @@
+#pragma once
+
+#include "deadpoint/core/vec.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The part of a case that says how the machine stands and what strains it besides heat.
+namespace deadpoint::casefile {
+
+struct Foundation {
+    std::string kind = "free";                   ///< or "clamped", "elastic"
+    std::string surface;                         ///< the feet; empty: that of the dimension chain
+    std::optional<double> vertical_stiffness;    ///< of the pads, per area [N/m3]
+    std::optional<double> horizontal_stiffness;  ///< [N/m3]
+    double gravity = 0;                          ///< [m/s2]; 0: weights are left out
+    Vec3 gravity_direction{0, -1, 0};
+};
+
+/// Rods that are stretched when the machine is assembled and press parts of it together.
+struct Preload {
+    std::vector<std::string> parts;   ///< names or patterns; each part is one rod
+    std::string axis = "y";           ///< along the rods
+    double force = 0;                 ///< of each rod at the start, weights acting [N]
+    double process_share = 0;         ///< of the process force, that each rod has to hold
+    std::vector<std::string> closes;  ///< pairs of parts that nothing but the preload holds together
+};
+
+}  // namespace deadpoint::casefile

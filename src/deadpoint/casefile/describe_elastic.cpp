@@ -1,0 +1,60 @@
+#include "deadpoint/casefile/choose.hpp"
+
+namespace deadpoint::casefile {
+namespace {
+
+using D = Dimension;
+constexpr auto required = Need::required;
+
+}  // namespace
+
+void describe(Visitor& v, Foundation& f)
+{
+    v.about("How the feet stand. Without this table they keep their height and slide freely.");
+    choose(v,
+           {"kind",
+            "`free`: the feet keep their height and slide; `clamped`: they do not move; `elastic`: they stand on "
+            "pads that give way in proportion"},
+           f.kind, {"free", "clamped", "elastic"});
+    v.text({"surface", "the feet; else the `ground_surface` of [chain]"}, f.surface);
+    v.quantity({"vertical_stiffness", "of the pads, per area of the feet; `elastic` only"}, f.vertical_stiffness,
+               D::bedding, positive);
+    v.quantity({"horizontal_stiffness", "of the pads, per area of the feet, along x and z; without it they slide"},
+               f.horizontal_stiffness, D::bedding, non_negative);
+    v.quantity({"gravity", "acceleration of gravity on what stands on the feet, for stress and preload; the drift does "
+                           "not depend on it"},
+               f.gravity, D::acceleration, non_negative);
+    v.vector({"gravity_direction", "of the weights"}, f.gravity_direction, D::none);
+    const bool elastic = f.kind == "elastic";
+    v.expect(!elastic || f.vertical_stiffness, "kind", "nothing says how far the pads give way",
+             "add vertical_stiffness = \"0.5 N/mm^3\" (force per travel and area)");
+    v.expect(elastic || !(f.vertical_stiffness || f.horizontal_stiffness),
+             f.vertical_stiffness ? "vertical_stiffness" : "horizontal_stiffness",
+             "only an elastic foundation has pads", "remove it, or add kind = \"elastic\"");
+    v.expect(norm(f.gravity_direction) > 0, "gravity_direction", "the direction has no length",
+             "write it like [0, -1, 0]");
+    const bool sideways = f.gravity_direction[0] != 0 || f.gravity_direction[2] != 0;
+    const bool held = f.kind == "clamped" || (elastic && f.horizontal_stiffness.value_or(0) > 0);
+    v.expect(f.gravity == 0 || held || !sideways, "gravity_direction",
+             "the feet slide freely, so nothing holds the machine against a sideways pull",
+             "let it be vertical, or add kind = \"clamped\"");
+}
+
+void describe(Visitor& v, Preload& p)
+{
+    v.about(
+        "Rods or bolts that are stretched at assembly and press parts together. Every part named is one rod, bonded "
+        "to the machine at its two ends. The run reports how warming changes their forces.");
+    v.texts({"parts", "the rods: names of parts, `*` stands for any letters", required}, p.parts);
+    choose(v, {"axis", "along the rods"}, p.axis, {"x", "y", "z"});
+    v.quantity({"force", "in each rod at the start", required}, p.force, D::force, positive);
+    v.number({"process_share", "share of the process force that each rod has to hold; a rod that falls below it is "
+                               "warned about"},
+             p.process_share, fraction);
+    v.texts({"closes", "pairs \"part|part\" (`*` stands for any letters) that nothing but the preload holds together, "
+                       "neither glue nor weld: one that would open is warned about"},
+            p.closes);
+    v.expect(!p.parts.empty(), "parts", "no rod is named", "name the parts that are the rods");
+}
+
+}  // namespace deadpoint::casefile

@@ -1,0 +1,248 @@
+#include "deadpoint/exchange/stress.hpp"
+#include "deadpoint/study/frame_state.hpp"
+#include "deadpoint/study/translate_heat.hpp"
+#include "solved_case.hpp"
+
+#include <cmath>
+
+using namespace deadpoint;
+using doctest::Approx;
+
+namespace {
+
+Observer silent;
+constexpr double start = 293.15;
+
+struct Solid {
+    Machine machine;
+    fem::Model model;
+
+    explicit Solid(const casefile::Case& input, double size = 1)
+        : machine(study::prepare_machine(input, size, silent)),
+          model(machine, study::describe_materials(input, machine), input.numerics.order, silent)
+    {}
+    [[nodiscard]] int surface(const std::string& name) const { return study::surface_index(machine, name); }
+    [[nodiscard]] int part(const std::string& name) const { return study::part_index(machine, name); }
+    PartStress thermal(const std::string& name, const fem::Field& field)
+    {
+        return model.stress({part(name)}, model.displacement(field, start), field, start).front();
+    }
+};
+
+// A block of 0.2 x 0.6 x 0.1 m on its lower face, its parts and surfaces as in the bar.
+casefile::Case block(const std::vector<std::string>& overrides = {})
+{
+    auto input = verification::read("bar", overrides);
+    for (const char* gone : {"upper", "cap_top", "cap_bottom"})
+        input.parts.erase(gone);
+    std::get<BoxShape>(input.parts["lower"].shapes[0].form) = {{0, 0, 0}, {0.2, 0.6, 0.1}};
+    input.parts["lower"].size = 0.05;
+    input.probes.clear();
+    auto& feet = input.surfaces["bottom"];
+    feet.parts = {"lower"};
+    feet.position = 0;
+    for (const char* gone : {"top", "both_caps", "left_side", "right_side"})
+        input.surfaces.erase(gone);
+    return input;
+}
+
+double largest_difference(const PartStress& stress, const Tensor6& expected)
+{
+    double largest = 0;
+    for (const auto& s : stress.stress)
+        for (std::size_t c = 0; c < 6; ++c)
+            largest = std::max(largest, std::abs(s[c] - expected[c]));
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("stress: invariants of a tensor by hand")
+{
+    // principal stresses 5, 3, -2, turned by 30 degrees about z and then exchanged
+    const double c = std::cos(0.5235987755982988), s = std::sin(0.5235987755982988);
+    const Tensor6 turned{5 * c * c + 3 * s * s, 5 * s * s + 3 * c * c, -2, (5 - 3) * c * s, 0, 0};
+    const auto main = principal(turned);
+    CHECK(main[0] == Approx(5).epsilon(1e-12));
+    CHECK(main[1] == Approx(3).epsilon(1e-12));
+    CHECK(main[2] == Approx(-2).epsilon(1e-12));
+    CHECK(von_mises(turned) == Approx(std::sqrt(0.5 * (4 + 25 + 49))).epsilon(1e-12));
+    CHECK(von_mises({0, 0, 0, 7, 0, 0}) == Approx(7 * std::sqrt(3.0)).epsilon(1e-12));
+    CHECK(principal({4, 4, 4, 0, 0, 0})[2] == Approx(4));
+    CHECK(normal_stress(turned, {c, s, 0}) == Approx(5).epsilon(1e-12));
+    CHECK(normal_stress({0, 0, 0, 0, 6, 0}, {0, std::sqrt(0.5), std::sqrt(0.5)}) == Approx(6).epsilon(1e-12));
+}
+
+TEST_CASE("stress: a clamped bar of 1 m stands under -126 MPa, across meshes that do not match")
+{
+    Solid bar(verification::read("bar"));
+    bar.model.support(bar.surface("both_caps"));
+    const auto warm = bar.model.constant_field(start + 50);
+    const double expected = -210e9 * 1.2e-5 * 50;
+    CHECK(expected == Approx(-126e6));
+    // Ties pass the resultant exactly and a uniform stress nearly: nodes of the finer side follow the coarser cells
+    // point by point, so next to a bond the stress is uneven, by 7 % here, and two cells of the coarser side away (100
+    // mm) by less than 1e-3, the tolerance.
+    for (const std::string part : {"lower", "upper"}) {
+        CAPTURE(part);
+        const auto stress = bar.thermal(part, warm);
+        double away = 0, everywhere = 0;
+        for (std::size_t i = 0; i < stress.nodes.size(); ++i) {
+            const double y = bar.machine.nodes[stress.nodes[i]][1];
+            const double distance = std::min({std::abs(y), std::abs(y - 0.45), std::abs(y - 1)});
+            for (std::size_t c = 0; c < 6; ++c) {
+                const double error = std::abs(stress.stress[i][c] - (c == 1 ? expected : 0)) / 126e6;
+                everywhere = std::max(everywhere, error);
+                if (distance > 0.1)
+                    away = std::max(away, error);
+            }
+        }
+        CHECK(away < 1e-3);
+        CHECK(everywhere < 0.1);
+    }
+    // the force between the two blocks: 126 MPa on 0.1 x 0.08 m
+    const auto between = std::ranges::find_if(bar.machine.bonds, [&](const auto& bond) {
+        return static_cast<int>(bond.part_a) + static_cast<int>(bond.part_b) == bar.part("lower") + bar.part("upper");
+    });
+    REQUIRE(between != bar.machine.bonds.end());
+    const int bond = static_cast<int>(between - bar.machine.bonds.begin());
+    const auto adjoint = bar.model.adjoints({ForceGauge{"between", ForceGauge::Kind::bond, bond, Axis::y}});
+    CHECK(bar.model.apply(adjoint[0], warm, start) == Approx(expected * 0.1 * 0.08).epsilon(1e-3));
+}
+
+TEST_CASE("stress: free uniform warming strains nothing")
+{
+    Solid bar(verification::read("bar"));
+    bar.model.support(-1);
+    const auto warm = bar.model.constant_field(start + 50);
+    // 126 MPa if it were hindered; 1e-10 is the solver's tolerance
+    CHECK(largest_difference(bar.thermal("upper", warm), {}) < 1e-7 * 126e6);
+}
+
+TEST_CASE("stress: a block on its feet carries its own weight")
+{
+    const double gravity = 9.81, density = 7850, height = 0.6;
+    const auto on_feet = [&](const std::vector<std::string>& overrides, const char* kind) {
+        auto input = block(overrides);
+        input.foundation.emplace();
+        input.foundation->kind = kind;
+        input.foundation->surface = "bottom";
+        input.foundation->gravity = gravity;
+        if (input.foundation->kind == "elastic")
+            input.foundation->vertical_stiffness = 1e9;
+        return input;
+    };
+    for (const char* kind : {"free", "clamped", "elastic"})
+        for (const char* order : {"numerics.order=1", "numerics.order=2"}) {
+            CAPTURE(kind);
+            CAPTURE(order);
+            const auto input = on_feet({"materials.steel.poissons_ratio=0", order}, kind);
+            Solid solid(input);
+            solid.model.support(study::describe_foundation(input, solid.machine));
+            const RestLoads weight{{0, -gravity, 0}, {}};
+            const auto u = solid.model.displacement(weight);
+            const auto force = solid.model.forces({{"feet", ForceGauge::Kind::feet, 0, Axis::y}}, weight, u);
+            // the weight, by equilibrium of the discrete forces: only the solver's 1e-10 is left
+            CHECK(force[0] == Approx(density * gravity * 0.2 * 0.6 * 0.1).epsilon(1e-8));
+            // Without lateral contraction the stress is -rho g (H - y), linear, which the patches reproduce; the mean
+            // stress of a cell is exact, since the forces at its nodes are.
+            const auto stress = solid.model.stress({0}, u, weight).front();
+            for (std::size_t i = 0; i < stress.nodes.size(); ++i) {
+                const double y = solid.machine.nodes[stress.nodes[i]][1];
+                CHECK(std::abs(stress.stress[i][1] + density * gravity * (height - y)) <
+                      1e-6 * density * gravity * height);
+            }
+        }
+}
+
+TEST_CASE("stress: a bar between two elastic pads gives way as springs in a row do")
+{
+    auto input = block({"materials.steel.poissons_ratio=0.3"});
+    auto& ends = input.surfaces["ends"];
+    ends.select = "plane";
+    ends.axis = "y";
+    ends.position = 0.6;
+    Solid solid(input);
+    const double youngs = 210e9, length = 0.6, pads = 4e11, free_strain = 1.2e-5 * 50;
+    // pads below only: nothing hinders; held by u_y = 0 above, pads below: sigma = -E alpha dT / (1 + E / (k L))
+    const auto warm = solid.model.constant_field(start + 50);
+    solid.model.support({solid.surface("bottom"), Foundation::Kind::elastic, pads, 0});
+    CHECK(largest_difference(solid.thermal("lower", warm), {}) < 1e-7 * youngs * free_strain);
+
+    // both ends on pads: merge the two surfaces
+    auto& both = solid.machine.surfaces[static_cast<std::size_t>(solid.surface("bottom"))];
+    const auto& above = solid.machine.surfaces[static_cast<std::size_t>(solid.surface("ends"))];
+    both.faces.insert(both.faces.end(), above.faces.begin(), above.faces.end());
+    solid.model.support({solid.surface("bottom"), Foundation::Kind::elastic, pads, 0});
+    // alpha dT L = sigma L / E + 2 sigma / k; a uniform stress lies in the finite-element space, so the solver remains
+    const double expected = -free_strain * length / (length / youngs + 2 / pads);
+    CHECK(largest_difference(solid.thermal("lower", warm), {0, expected, 0, 0, 0, 0}) < 1e-6 * std::abs(expected));
+}
+
+TEST_CASE("stress: a temperature parabolic over the depth of a free bar, after Timoshenko")
+{
+    // A bar of 2 m x 0.2 m x 0.1 m, T = T1 (x / c)^2 over its depth 2 c: sigma_yy = E alpha T1 (1/3 - (x / c)^2) away
+    // from the ends (Timoshenko and Goodier, Theory of Elasticity, art. 150, with the other depth left free).
+    const double warmest = 60, half = 0.1;
+    const auto error = [&](double size, int order) {
+        auto input = block();
+        input.numerics.order = order;
+        std::get<BoxShape>(input.parts["lower"].shapes[0].form) = {{-half, 0, -0.02}, {half, 1.2, 0.02}};
+        input.parts["lower"].size = size;
+        Solid solid(input);
+        solid.model.support(-1);
+        const auto field = solid.model.interpolate_field(
+            [&](const Vec3& x) { return start + warmest * (x[0] / half) * (x[0] / half); });
+        const auto stress = solid.thermal("lower", field);
+        double largest = 0;
+        for (std::size_t i = 0; i < stress.nodes.size(); ++i) {
+            const auto& x = solid.machine.nodes[stress.nodes[i]];
+            if (std::abs(x[1] - 0.6) > 0.21)
+                continue;
+            const double exact = 210e9 * 1.2e-5 * warmest * (1.0 / 3 - x[0] * x[0] / half / half);
+            largest = std::max(largest, std::abs(stress.stress[i][1] - exact));
+        }
+        return largest / (210e9 * 1.2e-5 * warmest);
+    };
+    const double coarse = error(0.04, 1), fine = error(0.02, 1);
+    // second order, at the surface as well as inside; with ten cells over the depth a line through the two outermost
+    // misses the parabola by 3 % of E alpha T1 there, and the elements' own error comes on top
+    CHECK(fine < 0.06);
+    CHECK(std::log2(coarse / fine) > 1.7);
+    // quadratic elements hold the parabola; what is left is the plane-stress state across the bar's small depth
+    CHECK(error(0.04, 2) < 0.005);
+}
+
+TEST_CASE("stress: turning machine and gravity in space changes nothing")
+{
+    const auto solve = [](const casefile::Case& input) {
+        Solid solid(input);
+        solid.model.support(study::describe_foundation(input, solid.machine));
+        const RestLoads weight{input.foundation->gravity * input.foundation->gravity_direction, {}};
+        const auto stress = solid.model.stress({0}, solid.model.displacement(weight), weight).front();
+        std::map<std::array<long, 3>, double> by_place;
+        for (std::size_t i = 0; i < stress.nodes.size(); ++i) {
+            const auto& x = solid.machine.nodes[stress.nodes[i]];
+            by_place[{std::lround(1e6 * x[0]), std::lround(1e6 * x[1]), std::lround(1e6 * x[2])}] =
+                von_mises(stress.stress[i]);
+        }
+        return by_place;
+    };
+    auto input = block();
+    input.foundation.emplace();
+    input.foundation->kind = "clamped";
+    input.foundation->surface = "bottom";
+    input.foundation->gravity = 9.81;
+    const auto upright = solve(input);
+    auto turned = verification::with_axes(input, {1, 0, 2});
+    turned.foundation->gravity_direction = {-1, 0, 0};
+    const auto lying = solve(turned);
+    REQUIRE(upright.size() == lying.size());
+    double largest = 0, difference = 0;
+    for (const auto& [x, value] : upright) {
+        largest = std::max(largest, value);
+        difference = std::max(difference, std::abs(value - lying.at({x[1], x[0], x[2]})));
+    }
+    CHECK(largest > 0.5 * 7850 * 9.81 * 0.6);
+    CHECK(difference < 1e-7 * largest);
+}
