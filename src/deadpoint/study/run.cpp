@@ -5,6 +5,7 @@
 #include "deadpoint/core/vtu.hpp"
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/study/chain_model.hpp"
+#include "deadpoint/study/gap_model.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
@@ -168,7 +169,8 @@ struct SharedModel::Implementation {
     const Machine& machine;
     std::optional<fem::Model> model;
     std::optional<ChainModel> chain;
-    std::vector<fem::Adjoint> adjoints;
+    std::optional<GapModel> gaps;
+    std::vector<fem::Adjoint> adjoints;    ///< of the chain's dimensions, then of the gaps
     std::optional<HeatProblem> assembled;  ///< that the prepared matrices are of
 };
 
@@ -214,7 +216,10 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
         watch.start("dimension chain");
         chain.emplace(input, machine);
         model->support(surface_index(machine, input.chain->ground_surface));
-        adjoints = model->adjoints(chain->dimensions);
+        gaps = describe_gaps(input, machine, *chain);
+        auto functionals = chain->dimensions;
+        functionals.insert(functionals.end(), gaps->functionals.begin(), gaps->functionals.end());
+        adjoints = model->adjoints(functionals);
     }
     watch.stop();
 }
@@ -278,8 +283,12 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     }
     result.elastic_iterations = model->elastic_iterations();
     result.joints = joint_histories(input, machine, problem, result.thermal, result.whole);
-    if (chain)
+    if (chain) {
         result.drift = drift_series(result.thermal);
+        result.gaps = gap_series(input, *gaps, result.thermal, drift::dimension_count);
+        for (const auto& warning : gap_warnings(result.gaps))
+            observer.warn(warning);
+    }
     result.ranks = fem::ranks();
     result.peak_memory = fem::peak_memory();
     warn_about(result.thermal, problem, observer);
@@ -320,7 +329,10 @@ std::string shared_part(const casefile::Case& input)
     for (auto& [name, joint] : shared.joints) {
         joint.friction.clear();
         joint.oil_temperature = casefile::Joint{}.oil_temperature;
+        joint.clearance.reset();
     }
+    if (shared.chain)
+        shared.chain->press_stiffness.reset();
     shared.friction.clear();
     shared.oil.clear();
     shared.oil_circuits.clear();

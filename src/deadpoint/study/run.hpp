@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/case.hpp"
 #include "deadpoint/core/observer.hpp"
 #include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/gaps.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
@@ -47,6 +48,7 @@ struct RunResult {
     std::optional<LoadsResult> loads;  ///< of the first segment in which the press runs, where the case has a linkage
     std::optional<BottomDeadPointSensitivity> sensitivity;
     std::optional<DriftSeries> drift;
+    GapSeries gaps;
     std::optional<AdjointCheck> adjoint_check;
     std::optional<ViewData> view;
     long long cells = 0;
