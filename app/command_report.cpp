@@ -1,7 +1,9 @@
 #include "commands.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/page.hpp"
+#include "deadpoint/report/sweep_page.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
@@ -111,10 +113,31 @@ void take_pictures(const fs::path& page, const fs::path& folder)
     fmt::print("pictures of the machine are in {}\n", folder.string());
 }
 
+/// The page of a study or of results.
+void write_page_of(const std::vector<fs::path>& folders, const fs::path& file)
+{
+    const auto study = std::ranges::find_if(folders, report::is_study);
+    if (study == folders.end()) {
+        report::write_report(file, report::report_sources(folders));
+        return;
+    }
+    if (folders.size() > 1) {
+        throw InputError(
+            fmt::format("'{}' is a study, which has a page of its own\n  help: name it alone, or the folders of "
+                        "its points, '{}'",
+                        study->string(), (*study / "points" / "NAME").string()));
+    }
+    report::write_sweep_report(file, *study);
+}
+
 void make_report(const ReportOptions& options)
 {
+    if (!options.pictures.empty() && report::is_study(options.folders.front())) {
+        throw InputError(
+            "a study has no view of the machine to take pictures of\n  help: take them from one of its points");
+    }
     const auto file = page_file(options);
-    report::write_report(file, report::report_sources(options.folders));
+    write_page_of(options.folders, file);
     fmt::print("the report is {}\n", file.string());
     if (!options.pictures.empty()) {
         take_pictures(file, options.pictures);
@@ -126,7 +149,7 @@ bool is_current(const fs::path& page, const fs::path& folder)
     if (!fs::exists(page)) {
         return false;
     }
-    for (const char* name : {"summary.json", "loads.json"}) {
+    for (const char* name : {"summary.json", "loads.json", "sweep.json"}) {
         if (fs::exists(folder / name) && fs::last_write_time(folder / name) > fs::last_write_time(page)) {
             return false;
         }
@@ -138,7 +161,7 @@ void open_report(const fs::path& folder)
 {
     const auto page = folder / "report.html";
     if (!is_current(page, folder)) {
-        report::write_report(page, report::report_sources(std::vector{folder}));
+        write_page_of({folder}, page);
     }
     const auto shown = fs::absolute(page).lexically_normal().string();
     std::vector<std::string> openers{"xdg-open", "open", "wslview"};
@@ -160,7 +183,7 @@ void add_report(CLI::App& app, int& exit_code)
 {
     auto* command = app.add_subcommand("report", "put one or several results on one page (HTML) to read and send");
     const auto options = std::make_shared<ReportOptions>();
-    command->add_option("folders", options->folders, "folders that 'run' or 'loads' wrote")
+    command->add_option("folders", options->folders, "folders that 'run' or 'loads' wrote, or one that 'sweep' wrote")
         ->required()
         ->type_name("DIR...");
     command->add_option("-o,--output", options->file, "the page; of a single folder it is DIR/report.html if not given")
@@ -180,7 +203,9 @@ void add_view(CLI::App& app, int& exit_code)
 {
     auto* command = app.add_subcommand("view", "open the page of a results folder in the browser");
     const auto folder = std::make_shared<fs::path>();
-    command->add_option("folder", *folder, "a folder that 'run' or 'loads' wrote")->required()->type_name("DIR");
+    command->add_option("folder", *folder, "a folder that 'run', 'loads' or 'sweep' wrote")
+        ->required()
+        ->type_name("DIR");
     command->callback([folder, &exit_code] {
         open_report(*folder);
         exit_code = 0;

@@ -9,6 +9,7 @@
 #include "deadpoint/report/read_result.hpp"
 #include "deadpoint/report/run_files.hpp"
 #include "deadpoint/report/sweep_files.hpp"
+#include "deadpoint/report/sweep_page.hpp"
 #include "deadpoint/report/table.hpp"
 #include "deadpoint/study/sweep.hpp"
 #include "interrupt.hpp"
@@ -169,8 +170,10 @@ int sweep(const SweepOptions& options, const OnRanks& ranks)
     }
     fs::create_directories(options.folder);
     report::write_sweep_files(options.folder, result, console.warnings());
-    fmt::print("{}\nresults{} are in {}\n", report::sweep_text(result),
-               console.cancelled() ? " so far (the same command goes on)" : "", options.folder);
+    const auto page = fs::path(options.folder) / "report.html";
+    report::write_sweep_report(page, options.folder);
+    fmt::print("{}\nresults{} are in {}\nthe page is {}\n", report::sweep_text(result),
+               console.cancelled() ? " so far (the same command goes on)" : "", options.folder, page.string());
     if (console.cancelled()) {
         return interrupted_exit_code;
     }

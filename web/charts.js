@@ -52,13 +52,13 @@ function lineSample({ colour, dash }, bold) {
 }
 
 /** What a chart says, as a table: for screen readers, and to read numbers off. */
-function figuresTable(series, xName, yUnit) {
+function figuresTable(series, xName, yUnit, xFormat) {
     const at = (list, pick) => {
         let best = -1;
         list.y.forEach((value, i) => {
             if (Number.isFinite(value) && (best < 0 || pick(value, list.y[best]))) best = i;
         });
-        return best < 0 ? "–" : `${shown(list.y[best], 4)} (${shown(list.x[best])})`;
+        return best < 0 ? "–" : `${shown(list.y[best], 4)} (${xFormat(list.x[best])})`;
     };
     return make("details", {}, make("summary", {}, "Figures of this chart"), make("div", { class: "wide" },
         make("table", {},
@@ -72,9 +72,12 @@ function figuresTable(series, xName, yUnit) {
 
 /**
  * Lines over a common axis.
+ * xFormat: how a place on the axis is written.
+ * dots: the values are known at the points only, which are marked.
  * series: { name, x, y, bold, style: index of colour and dash, marks: [{ x, y }] published or measured values }
  */
-function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = true, level }) {
+function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = true, dots = false, level,
+    xFormat = (value) => shown(value, 4) }) {
     series = series.filter((list) => list.y && list.y.some(Number.isFinite));
     if (series.length === 0) return null;
     const look = series.map((list, i) => style(list.style ?? i));
@@ -109,6 +112,8 @@ function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = tru
         const marks = series.map((list, i) => Libraries.line(Array.from(list.y, (value, k) => [list.x[k], value]), {
             stroke: look[i].colour, strokeWidth: list.bold ? 3.2 : 1.9, strokeDasharray: look[i].dash || undefined,
             strokeLinejoin: "round", className: "series" }));
+        if (dots) series.forEach((list, i) => marks.push(Libraries.dot(Array.from(list.y, (value, k) => [list.x[k], value]), {
+            r: 3.2, fill: look[i].colour, stroke: look[i].colour, symbol: look[i].symbol })));
         series.forEach((list, i) => list.marks?.length && marks.push(Libraries.dot(list.marks, { x: "x", y: "y", r: 4.5,
             fill: "white", stroke: look[i].colour, strokeWidth: 1.8, symbol: look[i].symbol })));
         if (beside(width)) series.forEach((list, i) => {
@@ -123,14 +128,14 @@ function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = tru
                 fontWeight: list.bold ? "bold" : undefined, fontSize: 12.5 }));
         });
         if (!paper) marks.push(Libraries.tip(points, Libraries.pointer({ x: "x", y: "y", maxRadius: 50,
-            title: (point) => `${series[point.i].name}\n${shown(point.y, 4)} ${yUnit} at ${shown(point.x)} ${xUnit}` })));
+            title: (point) => `${series[point.i].name}\n${shown(point.y, 4)} ${yUnit} at ${xFormat(point.x)} ${xUnit}` })));
         const plot = Libraries.plot({
             width, height, marginTop: top, marginBottom: bottom, marginLeft: 56,
             marginRight: beside(width) ? 40 + 7.1 * longest : 14,
             ariaLabel: `${title}: lines of ${series.map((list) => list.name).join(", ")}`,
             style: { fontSize: "12px", background: "transparent", overflow: "visible" },
             x: { domain: [left, right], label: `${xName} [${xUnit}]`, labelAnchor: "right", labelArrow: "none",
-                ticks: xTicks ?? Math.max(4, Math.round(width / 110)), tickFormat: (value) => shown(value, 4) },
+                ticks: xTicks ?? Math.max(4, Math.round(width / 110)), tickFormat: xFormat },
             y: { domain: [low, high], label: `${yName} [${yUnit}]`, labelArrow: "none", ticks: ticks, grid: true,
                 tickFormat: (value) => shown(value, 4) },
             marks: [low < 0 && high > 0 ? Libraries.ruleY([0], { stroke: "#8a8a8a" }) : null, ...marks],
@@ -141,7 +146,7 @@ function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = tru
     };
     const note = markNote && series.some((list) => list.marks?.length)
         ? make("p", { class: "note" }, `Marks at single times: ${markNote}.`) : null;
-    return figure(id, title, text, draw, make("div", {}, note, figuresTable(series, `${xName} [${xUnit}]`, yUnit)),
+    return figure(id, title, text, draw, make("div", {}, note, figuresTable(series, `${xName} [${xUnit}]`, yUnit, xFormat)),
         level);
 }
 

@@ -128,6 +128,7 @@ function niceTicks(low, high, wanted) {
 function readRun(raw) {
     const facts = raw.summary ?? raw.loads;
     const run = { ...raw, facts, history: parseCsv(raw.history), contributions: parseCsv(raw.contributions),
+        gaps: parseCsv(raw.gaps),
         joints: parseCsv(raw.joints), bearings: parseCsv(raw.bearings) };
     run.hours = column(run.history, "time")?.map((second) => second / 3600);
     return run;

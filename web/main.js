@@ -28,6 +28,10 @@ function sideBySide() {
     row("largest change of the gap [µm]", (run) => run.summary.drift_um && fixed(run.summary.drift_um.largest_E_SW, 1, true));
     row("change of the gap at the end [µm]", (run) => run.summary.drift_um && fixed(run.summary.drift_um.final_E_SW, 1, true));
     row("steady from", (run) => run.summary.warm_up_s && duration(run.summary.warm_up_s));
+    const slope = (run, which) => fixed(run.summary.gaps.parallelism[which].final_um_per_m, 1, true);
+    row("slope of the slide at the end, left to right [µm/m]", (run) => slope(run, "left_to_right"));
+    row("slope of the slide at the end, front to back [µm/m]", (run) => slope(run, "front_to_back"));
+    row("largest change of the force [kN]", (run) => fixed(run.summary.gaps.force.largest_kN, 1, true));
     row("friction heat [MJ]", (run) => shown(run.summary.energy_J.generated / 1e6));
     const probes = [...new Set(runs.flatMap((run) => Object.keys(run.summary?.probe_rises_K ?? {})))];
     for (const probe of probes) row(`rise of ${words(probe)} [K]`, (run) => fixed(run.summary.probe_rises_K[probe].end, 2, true));
@@ -74,7 +78,8 @@ const contents = make("nav", { "aria-label": "Sections" });
 function showRun(run) {
     current?.dispose();
     const view = viewSection(run);
-    const sections = [view?.section, driftSection(run), temperatureSection(run), heatSection(run), loadsSection(run),
+    const sections = [view?.section, driftSection(run), parallelSection(run),
+        clearanceSection(run), temperatureSection(run), heatSection(run), loadsSection(run),
         comparisonSection(run), trustSection(run), aboutSection(run)].filter(Boolean);
     detail.replaceChildren(make("div", {}, lead(run), facts(run)), ...sections);
     const listed = [document.getElementById("side-by-side"), ...sections].filter(Boolean);

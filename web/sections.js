@@ -170,7 +170,7 @@ function driftSection(run) {
             series: lines }),
         table(["", `after ${duration(3600 * at)} [µm]`, `after ${duration(3600 * end)} [µm]`], known.map((line) =>
             [`${line.key}, ${dimensionNames[line.key]}`, fixed(between(run.hours, line.y, at), 1, true),
-                fixed(line.y[line.y.length - 1], 1, true)])), falls);
+                fixed(line.y[line.y.length - 1], 1, true)])), falls, forceChart(run));
 }
 
 function loadsSection(run) {

@@ -510,6 +510,7 @@ TEST_CASE("sweep runs a study, records what fails, and goes on without repeating
     CHECK(has(first.out, "4 distinct points"));
     CHECK(has(first.out, "2 at a time: about"));
     CHECK(has(first.out, "results are in " + target));
+    CHECK(has(first.out, "the page is " + target + "/report.html"));
     CHECK(has(first.err, "the time step collapsed"));
     const auto table = content(target + "/sweep.csv");
     CHECK(has(table, "40 degC"));
@@ -529,6 +530,13 @@ TEST_CASE("sweep runs a study, records what fails, and goes on without repeating
     const auto second = deadpoint("sweep " + study + " -o " + target);
     CHECK(has(second.out, "3 of 4 points are there already"));
     CHECK(fs::last_write_time(warm + "/summary.json") == stamp);
+    fs::remove(target + "/report.html");
+    CHECK(deadpoint("report " + target).out == "the report is " + target + "/report.html\n");
+    CHECK(has(content(target + "/report.html"), "the time step collapsed"));
+    const auto mixed = deadpoint("report " + target + " " + warm + " -o " + (folder / "mixed.html"));
+    CHECK(mixed.code == 2);
+    CHECK(has(mixed.err, "is a study, which has a page of its own"));
+    CHECK(deadpoint("report " + target + " --pictures " + (folder / "pictures")).code == 2);
     // Another size is another study: nothing of it is there.
     CHECK(!has(deadpoint("sweep " + study + " -o " + target + " --size 1.5").out, "there already"));
     CHECK(deadpoint("sweep " + study + " -o " + folder.path.string()).code == 5);  // holds other files

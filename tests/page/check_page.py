@@ -89,7 +89,9 @@ def check_charts(page, folder, width):
     heats = [name for name in history if name.endswith(" heat [W]") and max(history[name]) > 0]
     dimensions = [name for name in history if name.endswith("[um]")]
     wanted = {"probes": len(probes), "joints": min(10, len(joints)), "joint-heat": min(8, len(heats)), "balance": 4,
-              "drift": len(dimensions), "slide": 1, "joint-forces": 7, "bearings": 6}
+              "drift": len(dimensions), "slide": 1, "joint-forces": 7, "bearings": 6,
+              # Half a press: a corner in front and one at the back, and the gap; left and right are alike.
+              "corners": 3, "slopes": 1, "clearance-changes": 8}
     for name, count in wanted.items():
         check(name in charts, f"{width} px: chart '{name}' is missing")
         if name in charts:
@@ -109,6 +111,22 @@ def check_charts(page, folder, width):
     check_axis(page, history)
     check_waterfall(page, history, "waterfall-end")
     check_causes(page, folder, history)
+    check_gaps(page, charts, read_csv(folder + "/gaps.csv"))
+
+
+def check_gaps(page, charts, gaps):
+    """Corners and clearances of the page are those of the file."""
+    for row, name in zip(charts["corners"]["rows"], ("gap front left [um]", "gap back left [um]")):
+        near(number(row[4]), gaps[name][-1], 5e-4 * abs(gaps[name][-1]) + 1e-3, f"end of {name}")
+        check(gaps[name] == gaps[name.replace("left", "right")], f"{name} has no mirror image")
+    changes = {name: values for name, values in gaps.items() if name.startswith("clearance ")}
+    rows = page.run("""[...document.querySelectorAll("#clearances > .wide tbody tr")].map((row) =>
+        [...row.cells].map((cell) => cell.textContent))""")
+    near(len(rows), len(changes), 0, "rows of clearances")
+    for row in rows:
+        column = [values for name, values in changes.items() if name[len("clearance "):-len(" [um]")].replace("_", " ") == row[0]]
+        near(len(column), 1, 0, f"columns of the clearance '{row[0]}'")
+        near(number(row[2]), column[0][-1], 0.051, f"clearance '{row[0]}' at the end")
 
 
 def check_axis(page, history):
@@ -227,7 +245,7 @@ def check_structure(page):
     for (before, _), (level, text) in zip(levels, levels[1:]):
         check(level <= before + 1, f"the heading '{text}' skips a level")
     sections = [text for level, text in levels if level == 2]
-    for word in ("three dimensions", "gap", "Temperatures", "Heat", "Loads", "published", "Warnings", "citation"):
+    for word in ("three dimensions", "gap", "parallelism", "Clearances", "Temperatures", "Heat", "Loads", "published", "Warnings", "citation"):
         check(any(word in text for text in sections), f"no section about '{word}'")
     unnamed = page.run("""[...document.querySelectorAll("input, select, button, canvas")].filter((control) =>
         !control.getAttribute("aria-label") && !control.closest("label") && !control.textContent.trim()).length""")
@@ -283,6 +301,119 @@ def check_both(page, path, count):
     check(page.run(PIXELS)["shown"] > 0.02, "the view of the second result is blank")
 
 
+STUDY = """format = 1
+name = "two speeds, two forces"
+base = "SOURCE/cases/starter/case.toml"
+set = ["operation.0.duration=20 min", "chain.press_stiffness=1e9 N/m"]
+[limits]
+largest = "LIMIT um"
+[[sets]]
+name = "crossed"
+[[sets.axes]]
+key = "operation.0.speed"
+values = ["30 rpm", "60 rpm", "90 rpm"]
+[[sets.axes]]
+key = "operation.0.force"
+values = ["0 kN", "100 kN"]
+[[sets]]
+name = "air"
+[[sets.axes]]
+key = "machine.ambient"
+values = ["20 degC", "25 degC"]
+"""
+
+
+def read_study(folder):
+    with open(folder + "/sweep.csv") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    return [dict(zip(rows[0], row)) for row in rows[1:]]
+
+
+def cells(page, selector):
+    return page.run(f"""[...document.querySelectorAll({json.dumps(selector)})].map((row) =>
+        [...row.cells].map((cell) => cell.textContent))""")
+
+
+def check_study(page, folder, width, pictures):
+    page.size(width, 900, phone=width < 500)
+    page.open(folder + "/report.html")
+    page.settle()
+    near(page.run("document.documentElement.scrollWidth"), width, 0, f"study, {width} px: width of the page")
+    rows = read_study(folder)
+    charts = {chart["id"]: chart for chart in page.run(LINES)}
+    for name, count in {"crossed-drift": 3, "crossed-limits": 3, "crossed-rise": 3, "crossed-rises": 3, "air-drift": 2,
+                        "air-limits": 3, "air-rise": 2, "air-rises": 3}.items():
+        check(name in charts, f"study, {width} px: chart '{name}' is missing")
+        near(charts.get(name, {}).get("lines", 0), count, 0, f"study, {width} px: lines in '{name}'")
+    for row, speed in zip(charts["crossed-drift"]["rows"], ("30 rpm", "60 rpm", "90 rpm")):
+        stated = [entry for entry in rows if entry["speed"] == speed and entry["force"] == "0 kN"]
+        check(row[0] == speed, f"study: the curve of {speed} is called {row[0]}")
+        near(number(row[4]), float(stated[0]["E_SW at end [um]"]), 5e-3, f"study: end of the curve of {speed}")
+    grid = cells(page, "figure[data-map=crossed] tbody tr")
+    for line, force in zip(grid, ("0 kN", "100 kN")):
+        for cell, speed in zip(line[1:], ("30 rpm", "60 rpm", "90 rpm")):
+            stated = [entry for entry in rows if entry["speed"] == speed and entry["force"] == force]
+            near(number(cell), float(stated[0]["largest E_SW [um]"]), 0.051, f"study: map at {speed}, {force}")
+    framed = page.run("document.querySelectorAll('figure[data-map=crossed] td.window').length")
+    near(framed, sum(entry["in window"] == "yes" for entry in rows if entry["set"] == "crossed"), 0, "study: cells in the window")
+    check(0 < framed < 6, f"study: {framed} cells in the window say nothing")
+    if pictures:
+        page.picture(f"{pictures}/study-{width}.png")
+
+
+def check_study_table(page, folder):
+    """The table has a row for each place; headings sort by key, columns come and go."""
+    rows = read_study(folder)
+    near(len(cells(page, "#points-table tbody tr")), len(rows), 0, "study: rows of the table")
+    largest = sorted(float(row["largest E_SW [um]"]) for row in rows)
+    for times, wanted, state in ((1, largest, "ascending"), (2, largest[::-1], "descending")):
+        page.run("document.querySelector('[data-sort=\"largest [µm]\"]').focus()")
+        for kind in ("keyDown", "keyUp"):
+            page.call("Input.dispatchKeyEvent", type=kind, key="Enter", code="Enter", windowsVirtualKeyCode=13, text="\r")
+        page.settle()
+        titles = page.run("[...document.querySelectorAll('#points-table th[scope=col]')].map((t) => [t.textContent, t.ariaSort])")
+        place = [title.startswith("largest [") for title, _ in titles].index(True)
+        check(titles[place][1] == state, f"study: sorted {titles[place][1]} instead of {state}")
+        shown = [number(row[place]) for row in cells(page, "#points-table tbody tr")]
+        near(max(abs(a - b) for a, b in zip(shown, wanted)), 0, 0.051, f"study: order after {times} key presses")
+        check(page.run("document.activeElement.dataset.sort") == "largest [µm]", "study: sorting loses the focus")
+    before = len(titles)
+    page.run("""(() => { const box = document.querySelector('[data-column="force change [kN]"]');
+        box.checked = true; box.dispatchEvent(new Event("change")); })()""")
+    now = page.run("[...document.querySelectorAll('#points-table th[scope=col]')].map((t) => t.textContent)")
+    near(len(now), before + 1, 0, "study: columns after one more is chosen")
+    set_control(page, "only-set", "air")
+    near(len(cells(page, "#points-table tbody tr")), 2, 0, "study: rows of one set")
+    set_control(page, "crossed-axis", "force")
+    near(len([1 for chart in page.run(LINES) if chart["id"] == "crossed-drift" and chart["lines"] == 2]), 1, 0,
+         "study: curves along the other axis")
+    check(page.run("document.activeElement.dataset.control") == "crossed-axis", "study: choosing loses the focus")
+    levels = page.run("[...document.querySelectorAll('h1,h2,h3')].map((h) => Number(h.tagName[1]))")
+    check(levels.count(1) == 1 and all(b <= a + 1 for a, b in zip(levels, levels[1:])), f"study: headings {levels}")
+    text = page.run("document.body.innerText")
+    for word in ("Cite as", "case hash", "Best windows", "Warnings", "Left out"):
+        check(word in text, f"the study's page does not say '{word}'")
+    page.call("Emulation.setEmulatedMedia", media="print")
+    page.run("dispatchEvent(new Event('beforeprint'))")
+    page.settle()
+    near(page.run("[...document.querySelectorAll('.controls, .columns, nav')].filter((e) => e.offsetParent).length"), 0, 0,
+         "study, print: visible controls")
+    near(page.run("[...document.querySelectorAll('#points-table th button')].filter((e) => e.offsetParent).length"), len(now), 0,
+         "study, print: headings")
+    page.call("Emulation.setEmulatedMedia", media="")
+    page.run("dispatchEvent(new Event('afterprint'))")
+
+
+def check_without_scripts(page, path, words):
+    page.call("Emulation.setScriptExecutionDisabled", value=True)
+    page.call("Page.navigate", url="file://" + os.path.abspath(path))
+    page.until("document.readyState === 'complete'")
+    text = page.run("document.body.innerText")
+    for word in words:
+        check(word in text, f"without scripts {os.path.basename(os.path.dirname(path))} does not show '{word}'")
+    page.call("Emulation.setScriptExecutionDisabled", value=False)
+
+
 def check_pictures(folder):
     """The pictures for papers are PNG files of the stated size, and not white all over."""
     for pose in ("oblique", "front", "side", "cut"):
@@ -296,12 +427,15 @@ def check_pictures(folder):
 def compute(deadpoint, source, folder):
     """A coarse press with all that a page can show, and a plain case to set beside it."""
     press, blocks, both = folder + "/press", folder + "/blocks", folder + "/both.html"
+    with open(folder + "/study.toml", "w") as file:
+        file.write(STUDY.replace("SOURCE", os.path.abspath(source)).replace("LIMIT", "25"))
     for arguments in (
             ["run", source + "/cases/jl75g-60/case.toml", "-o", press, "--size", "5", "--quiet", "--set",
              "operation.0.duration=30 min"],
             ["run", source + "/tests/data/cli/two-blocks.toml", "-o", blocks, "--quiet"],
             ["report", blocks, "--pictures", folder + "/pictures"],
-            ["report", press, blocks, "-o", both]):
+            ["report", press, blocks, "-o", both],
+            ["sweep", folder + "/study.toml", "-o", folder + "/study", "--size", "3", "--quiet"]):
         done = subprocess.run([deadpoint, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL)
         if done.returncode != 0:
             raise RuntimeError(f"deadpoint {' '.join(arguments)}: {done.stderr}")
@@ -333,6 +467,13 @@ def main():
             check_view(page, press)
             check_print(page, pictures)
             check_both(page, both, 2)
+            for width in (360, 1280):
+                check_study(page, folder + "/study", width, pictures)
+            check_study_table(page, folder + "/study")
+            check_without_scripts(page, report, ["E_SW at the end", "front left", "pivot_h", "Rises of the probes", "hash",
+                                                 "Cite as", "switched off"])
+            check_without_scripts(page, folder + "/study/report.html", ["Best windows", "speed=90_rpm", "-", "Cite as",
+                                                                        "switched off"])
             for problem in page.problems:
                 check(False, problem)
     print("all well" if not failures else f"{len(failures)} checks failed")

@@ -1,12 +1,14 @@
 #include "../scratch_folder.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/page.hpp"
+#include "deadpoint/report/sweep_page.hpp"
 #include "deadpoint/report/view_file.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
 
@@ -30,6 +32,32 @@ std::string encoded(const std::string& text)
 }
 
 bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+nlohmann::json data_of(const std::string& page)
+{
+    const std::string mark = "id=\"data\">";
+    const auto start = page.find(mark) + mark.size();
+    return nlohmann::json::parse(page.substr(start, page.find("</script>", start) - start));
+}
+
+// A study of two points, one of which has left nothing.
+void put_study(const fs::path& folder, const std::string& name)
+{
+    put(folder / "sweep.json", R"({"version": "1", "study": {"name": ")" + name + R"(", "base": "case.toml", "note": "",
+        "overrides": []}, "warnings": ["<b>hot</b>"], "limits": {"largest_um": null, "end_um": null}, "sets": [{"name": "s",
+        "axes": [], "window": {"text": "speed 1 rpm to 2 rpm", "points": 1}}],
+        "points": [{"name": "one", "state": "done"}, {"name": "../elsewhere", "state": "failed"}]})");
+    put(folder / "sweep.csv", "# by hand\npoint,largest E_SW [um],reason\none,-12.345678,\n\"../elsewhere\",,<i>\n");
+    put(folder / "points/one/summary.json", R"({"version": "1", "case": {"name": "press", "hash": "77"},
+        "initial_temperature_degC": 20, "probe_rises_K": {"P": {"end": 4}}, "gaps": {"force": {"final_kN": 3}},
+        "left_out": ["play"]})");
+    std::string history = "time [s],P [degC],E_SW [um]\n";
+    for (int i = 0; i <= 1000; ++i)
+        history +=
+            std::to_string(36 * i) + "," + std::to_string(20 + 0.004 * i) + "," + std::to_string(-0.01 * i) + "\n";
+    put(folder / "points/one/history.csv", history);
+    put(folder / "elsewhere/summary.json", "not to be read");
+}
 
 }  // namespace
 
@@ -122,5 +150,70 @@ TEST_CASE("a folder without results, and one with a broken file, are refused wit
     put(folder.path / "summary.json", "{\"version\": ");
     CHECK_THROWS_WITH_AS(write_report(folder.path / "page.html", report_sources(empty)),
                          doctest::Contains("summary.json' is not the JSON"), InputError);
+    CHECK(!fs::exists(folder.path / "page.html"));
+}
+
+TEST_CASE("the page of a study holds thinned courses of its points, whatever their names say")
+{
+    const ScratchFolder folder;
+    put_study(folder.path, "a </script> study");
+    CHECK(is_study(folder.path));
+    CHECK_FALSE(is_study(folder.path / "points/one"));
+    write_sweep_report(folder.path / "page.html", folder.path);
+    const auto page = content(folder.path / "page.html");
+    const auto data = data_of(page);
+    const auto& course = data["points"]["one"]["course"];
+    CHECK(course["hours"].size() == 300);
+    CHECK(course["hours"].back() == 10);
+    CHECK(course["E_SW"].back() == -10);
+    CHECK(course["rises"]["P"].back() == 4);
+    CHECK(data["points"]["one"]["gaps"]["force"]["final_kN"] == 3);
+    CHECK(data["points"]["../elsewhere"].empty());
+    CHECK(data["machine"] == "press");
+    CHECK(data["left_out"][0] == "play");
+    CHECK(data["sweep"]["study"]["name"] == "a </script> study");
+    CHECK(has(page, "<h1>a &lt;/script&gt; study</h1>"));
+}
+
+TEST_CASE("without scripts the page of a study shows its table, windows and warnings")
+{
+    const ScratchFolder folder;
+    put_study(folder.path, "study");
+    write_sweep_report(folder.path / "page.html", folder.path);
+    const auto page = content(folder.path / "page.html");
+    const auto start = page.find("<noscript>");
+    const auto shown = page.substr(start, page.find("</noscript>") - start);
+    for (const char* piece : {"switched off", "speed 1 rpm to 2 rpm", "<th scope=\"col\">largest E_SW [um]</th>",
+                              ">-12.346<", "&lt;b&gt;hot&lt;/b&gt;", "&lt;i&gt;", "Cite as: deadpoint 1"})
+        CHECK_MESSAGE(has(shown, piece), piece);
+}
+
+TEST_CASE("without scripts the page of a run shows gap, corners, clearances, rises and warnings")
+{
+    const ScratchFolder folder;
+    put(folder.path / "r/summary.json",
+        R"({"version": "1", "case": {"name": "a & b", "hash": "1f"}, "warnings": ["w < 1"],
+        "drift_um": {"largest_E_SW": -61.29, "time_of_largest_s": 5160, "final": {"E_BG": 12.34}},
+        "gaps": {"parallelism": {"corners": {"front left": {"largest_um": -3.21, "final_um": 1.5}}},
+                 "clearances": [{"name": "guide", "least_change_um": -20.04, "final_change_um": -19}]},
+        "probe_rises_K": {"P1": {"end": 2.626}}, "energy_J": {"generated": 7.1e7}})");
+    const std::vector<fs::path> folders{folder.path / "r"};
+    write_report(folder.path / "page.html", report_sources(folders));
+    const auto page = content(folder.path / "page.html");
+    const auto start = page.find("<noscript>");
+    const auto shown = page.substr(start, page.find("</noscript>") - start);
+    for (const char* piece : {"a &amp; b", "E_SW, largest, after 1 h 26 min", ">-61.3<", ">+12.3<", "front left",
+                              ">-3.2<", "guide", ">-20.0<", ">+2.63<", ">71<", "w &lt; 1", "hash 1f"})
+        CHECK_MESSAGE(has(shown, piece), piece);
+}
+
+TEST_CASE("a study that cannot be read is refused with the remedy")
+{
+    const ScratchFolder folder;
+    CHECK_THROWS_WITH_AS(write_sweep_report(folder.path / "page.html", folder.path),
+                         doctest::Contains("give a folder that 'deadpoint sweep' wrote"), InputError);
+    put(folder.path / "sweep.json", R"({"points": 3})");
+    CHECK_THROWS_WITH_AS(write_sweep_report(folder.path / "page.html", folder.path),
+                         doctest::Contains("run the study again"), InputError);
     CHECK(!fs::exists(folder.path / "page.html"));
 }

@@ -102,6 +102,7 @@ struct Joint {
     bool driver = false;
     std::string friction;
     double oil_temperature = 293.15;
+    std::optional<double> clearance;  ///< at the start: diametral, or of both faces of a slide together [m]
     std::vector<JointElement> elements;
     std::vector<Interface> interfaces;
 };
@@ -144,7 +145,10 @@ struct Chain {
     std::string crank_joint;     ///< its seats give E_BG, its rings E_BC
     double reaction_angle =
         0;  ///< direction in which the crank is pressed into its bearings at bottom dead point [rad from x]
-    double drift_rate_limit = 0;  ///< warm-up is over when |dE/dt| stays below [m/s]
+    double drift_rate_limit = 0;            ///< warm-up is over when |dE/dt| stays below [m/s]
+    bool corners = true;                    ///< also the gap at the slide's four corners
+    bool clearances = true;                 ///< also the clearances of guides and bearings
+    std::optional<double> press_stiffness;  ///< press and tool in series, at the slide [N/m]
 };
 
 struct Numerics {

@@ -284,6 +284,9 @@ void describe(Visitor& v, Joint& j)
     v.text({"friction", "law of its friction heat"}, j.friction);
     v.quantity({"oil_temperature", "of the oil that carries heat away, where no circuit serves the joint"},
                j.oil_temperature, D::temperature, absolute_temperature);
+    v.quantity({"clearance", "at the start of the run, of each of its bearings: on the diameter, of a slide both faces "
+                             "together; a run warns when heat uses it up"},
+               j.clearance, D::length, positive);
     v.list({"elements", "the bearings or bushes that share the joint"}, j.elements);
     v.list({"interfaces", "pairs of touching surfaces"}, j.interfaces);
     v.expect(j.bodies.size() == 2, "bodies", "a joint connects two bodies",
@@ -411,6 +414,13 @@ void describe(Visitor& v, Chain& c)
                c.reaction_angle, D::angle, any_value);
     v.quantity({"drift_rate_limit", "the press is warm when its drift stays slower than this; 0 for no such time"},
                c.drift_rate_limit, D::velocity, non_negative);
+    v.flag({"corners", "also follows the gap at the four corners of the slide; one solve of the deformation each"},
+           c.corners);
+    v.flag({"clearances", "also follows the clearances of guides and bearings; one solve of the deformation each"},
+           c.clearances);
+    v.quantity({"press_stiffness", "of press and tool in series, measured at the slide of the whole press; a run then "
+                                   "states by how much the drift changes the force at a fixed die height"},
+               c.press_stiffness, D::stiffness, positive);
 }
 
 void describe(Visitor& v, Numerics& n)

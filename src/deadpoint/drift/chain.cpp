@@ -1,6 +1,5 @@
-#include "deadpoint/drift/chain.hpp"
-
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/drift/contact_side.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 
 #include <Eigen/Dense>
@@ -9,12 +8,41 @@
 namespace deadpoint::drift {
 namespace {
 
-struct SurfacePoint {
-    std::uint32_t face;
-    Vec3 position;
-    double weight;
-    Vec3 normal;
-};
+CentreFunctionals mean_centre(const Machine& machine, const std::vector<ContactSide>& sides, const Vec2& centre)
+{
+    CentreFunctionals result;
+    for (const auto& side : sides) {
+        const auto fit = fit_circle(machine, side, centre);
+        add(result[0], 1.0 / static_cast<double>(sides.size()), fit.x);
+        add(result[1], 1.0 / static_cast<double>(sides.size()), fit.y);
+    }
+    return result;
+}
+
+CentreFunctionals mean_across(const Machine& machine, const std::vector<ContactSide>& sides, const Vec2& across)
+{
+    CentreFunctionals result;
+    double area = 0;
+    for (const auto& side : sides) {
+        if (machine.half_model && machine.parts[machine.interfaces[side.contact].part_a].cut)
+            return {};
+        if (machine.half_model && machine.parts[machine.interfaces[side.contact].part_b].cut)
+            return {};
+        for (const auto& p : points_of(machine, side)) {
+            if (std::abs(p.normal[0] * across[0] + p.normal[1] * across[1]) < 0.5)
+                continue;
+            area += p.weight;
+            for (int c = 0; c < 2; ++c)
+                result[c].points.push_back({p.face, p.position, across[c] * p.weight * Vec3{across[0], across[1], 0}});
+        }
+    }
+    for (auto& component : result)
+        for (auto& point : component.points)
+            point.weight = (1 / area) * point.weight;
+    return result;
+}
+
+}  // namespace
 
 std::vector<SurfacePoint> points_of(const Machine& machine, const ContactSide& side)
 {
@@ -51,56 +79,19 @@ Functional mean_height(const Machine& machine, int surface)
     return result;
 }
 
-CentreFunctionals mean_centre(const Machine& machine, const std::vector<ContactSide>& sides, const Vec2& centre)
-{
-    CentreFunctionals result;
-    for (const auto& side : sides) {
-        const auto fit = fit_circle(machine, side, centre);
-        add(result[0], 1.0 / static_cast<double>(sides.size()), fit.x);
-        add(result[1], 1.0 / static_cast<double>(sides.size()), fit.y);
-    }
-    return result;
-}
-
-CentreFunctionals mean_across(const Machine& machine, const std::vector<ContactSide>& sides, const Vec2& across)
-{
-    CentreFunctionals result;
-    double area = 0;
-    for (const auto& side : sides) {
-        if (machine.half_model && machine.parts[machine.interfaces[side.contact].part_a].cut)
-            return {};
-        if (machine.half_model && machine.parts[machine.interfaces[side.contact].part_b].cut)
-            return {};
-        for (const auto& p : points_of(machine, side)) {
-            if (std::abs(p.normal[0] * across[0] + p.normal[1] * across[1]) < 0.5)
-                continue;
-            area += p.weight;
-            for (int c = 0; c < 2; ++c)
-                result[c].points.push_back({p.face, p.position, across[c] * p.weight * Vec3{across[0], across[1], 0}});
-        }
-    }
-    for (auto& component : result)
-        for (auto& point : component.points)
-            point.weight = (1 / area) * point.weight;
-    return result;
-}
-
-// Growth of the bore's radius less that of the shaft in it.
 Functional contact_growth(const Machine& machine, int contact, const Vec2& centre)
 {
     const auto fit_a = fit_circle(machine, {contact, false}, centre);
     const auto fit_b = fit_circle(machine, {contact, true}, centre);
     const auto* cylinder = std::get_if<CylinderGeometry>(&machine.interfaces[contact].geometry);
     if (!cylinder)
-        throw InputError("the crank bearing's interface '" + machine.interfaces[contact].name +
-                         "' is not cylindrical, so it has no clearance; unmark it as seat or journal");
+        throw InputError("interface '" + machine.interfaces[contact].name +
+                         "' is not cylindrical, so it has no clearance; if it is marked as seat or journal, unmark it");
     Functional result;
     add(result, cylinder->bore ? 1 : -1, fit_a.growth);
     add(result, cylinder->bore ? -1 : 1, fit_b.growth);
     return result;
 }
-
-}  // namespace
 
 void add(Functional& a, double factor, const Functional& b)
 {

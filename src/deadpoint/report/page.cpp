@@ -2,15 +2,14 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/version.hpp"
-#include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/page_parts.hpp"
+#include "deadpoint/report/page_shell.hpp"
+#include "deadpoint/report/page_tables.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <sstream>
 
 namespace deadpoint::report {
 namespace {
@@ -21,29 +20,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_times = 1000;
 constexpr std::size_t most_angles = 361;
 
-std::optional<std::string> content(const fs::path& path)
-{
-    if (!fs::exists(path))
-        return std::nullopt;
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in)
-        throw IoError(fmt::format("cannot read '{}'\n  help: check that you may read it", path.string()));
-    return std::move(text).str();
-}
-
-Json parsed(const fs::path& path, const std::string& text)
-{
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error&) {
-        throw InputError(fmt::format(
-            "'{}' is not the JSON that deadpoint wrote\n  help: compute the case again, or leave this folder out",
-            path.string()));
-    }
-}
-
 Json source_json(const ReportSource& source)
 {
     Json json{{"name", source.name}};
@@ -51,44 +27,22 @@ Json source_json(const ReportSource& source)
                                     {"loads.json", "loads"},
                                     {"view.json", "view"},
                                     {"motion.json", "motion"}})
-        if (const auto text = content(source.folder / file))
-            json[key] = parsed(source.folder / file, *text);
+        if (const auto text = file_content(source.folder / file))
+            json[key] = parse_json(source.folder / file, *text);
     for (const auto& [file, key, rows] : {std::tuple{"history.csv", "history", most_times},
                                           {"contributions.csv", "contributions", most_times},
+                                          {"gaps.csv", "gaps", most_times},
                                           {"joints.csv", "joints", most_angles},
                                           {"bearings.csv", "bearings", most_angles}})
-        if (const auto text = content(source.folder / file))
+        if (const auto text = file_content(source.folder / file))
             json[key] = thinned_csv(*text, rows);
-    if (const auto text = content(source.folder / "case.toml"))
+    if (const auto text = file_content(source.folder / "case.toml"))
         json["case_file"] = *text;
     if (!json.contains("summary") && !json.contains("loads"))
         throw InputError(fmt::format("'{}' holds no results\n  help: give a folder that 'deadpoint run' or "
                                      "'deadpoint loads' wrote",
                                      source.folder.string()));
     return json;
-}
-
-// JSON that may stand in a script element whatever its strings say.
-std::string embedded(const Json& json)
-{
-    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::string result;
-    result.reserve(text.size());
-    for (const char c : text) {
-        if (c == '<')
-            result += "\\u003c";
-        else
-            result += c;
-    }
-    return result;
-}
-
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text)
-        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return result;
 }
 
 std::string title_of(const Json& runs)
@@ -103,9 +57,6 @@ std::string title_of(const Json& runs)
     }
     return title;
 }
-
-constexpr std::string_view policy =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
 }  // namespace
 
@@ -153,25 +104,17 @@ void write_report(const fs::path& file, std::span<const ReportSource> sources)
     Json data{{"version", version}, {"runs", Json::array()}};
     for (const auto& source : sources)
         data["runs"].push_back(source_json(source));
-    const auto title = escaped(title_of(data["runs"]));
-    write_file(file, [&](std::ostream& out) {
-        out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-            << "<meta http-equiv=\"Content-Security-Policy\" content=\"" << policy << "\">\n"
-            << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-            << "<meta name=\"generator\" content=\"deadpoint " << version << "\">\n"
-            << "<title>" << title << " - deadpoint</title>\n<style>\n"
-            << page_style() << "</style>\n</head>\n<body>\n<main id=\"page\">\n<h1>" << title << "</h1>\n"
-            << "<noscript><p>This page draws its figures with scripts, which are switched off here. The same results "
-               "stand as tables and charts in the folder it was made from.</p></noscript>\n</main>\n"
-            << "<script type=\"application/json\" id=\"data\">" << embedded(data) << "</script>\n"
-            << "<script>\n/*\n"
-            << page_licences() << "*/\n"
-            << page_libraries() << "\n</script>\n<script>\n\"use strict\";\n";
-        for (const auto part : {page_data_script(), page_charts_script(), page_view_script(), page_stage_script(),
-                                page_linkage_script(), page_flow_script(), page_sections_script(), page_main_script()})
-            out << part;
-        out << "</script>\n</body>\n</html>\n";
-    });
+    std::string tables =
+        "<p>This page draws its charts and the view in three dimensions with scripts, which are switched off here; "
+        "they "
+        "are missing below. Charts and all numbers stand as files in the folder it was made from.</p>\n";
+    for (const auto& run : data["runs"])
+        tables += run_tables(run);
+    const auto title = title_of(data["runs"]);
+    const std::array scripts{page_data_script(),  page_charts_script(),   page_view_script(),
+                             page_stage_script(), page_linkage_script(),  page_flow_script(),
+                             page_gaps_script(),  page_sections_script(), page_main_script()};
+    write_page(file, {title, std::move(data), std::move(tables)}, scripts);
 }
 
 }  // namespace deadpoint::report

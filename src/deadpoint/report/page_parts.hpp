@@ -14,7 +14,9 @@ std::string_view page_view_script();
 std::string_view page_stage_script();
 std::string_view page_linkage_script();
 std::string_view page_flow_script();
+std::string_view page_gaps_script();
 std::string_view page_sections_script();
 std::string_view page_main_script();
+std::string_view page_sweep_script();
 
 }  // namespace deadpoint::report

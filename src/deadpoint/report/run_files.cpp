@@ -8,6 +8,7 @@
 #include "deadpoint/report/drift_summary_text.hpp"
 #include "deadpoint/report/frame_files.hpp"
 #include "deadpoint/report/friction_text.hpp"
+#include "deadpoint/report/gaps_files.hpp"
 #include "deadpoint/report/heat_flows.hpp"
 #include "deadpoint/report/json_file.hpp"
 #include "deadpoint/report/loads_files.hpp"
@@ -140,6 +141,19 @@ void write_contributions(const std::filesystem::path& path, const casefile::Case
     for (const auto part : strongest_parts(*result.drift))
         columns.push_back({result.parts[part], "um",
                            sampled_linear(result.drift->time, result.drift->by_part[part], times, micrometre, 0)});
+    write_csv(path, comments, columns);
+}
+
+void write_gaps(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
+                const std::vector<std::string>& comments)
+{
+    const auto times = history_times(input, result);
+    auto columns = gap_columns(result.gaps, [&](const Series& series, double factor) {
+        return sampled(result.thermal.time, series, times, factor, 0);
+    });
+    if (columns.empty())
+        return;
+    columns.insert(columns.begin(), {"time", "s", times});
     write_csv(path, comments, columns);
 }
 
@@ -296,6 +310,8 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
             json["drift_um"]["final_by_part"][result.parts[part]] = micrometre * result.drift->by_part[part].back();
         if (!result.causes.empty())
             json["drift_um"]["by_cause"] = drift_causes_json(result.causes);
+        if (const auto gaps = gaps_json(result.gaps, result.thermal.time); !gaps.is_null())
+            json["gaps"] = gaps;
         json["warm_up_s"] = summary.warm_up_time ? nlohmann::ordered_json(*summary.warm_up_time) : nullptr;
     }
     json["drift_summary"] = drift_summary_json(result.probes, summary);
@@ -396,6 +412,7 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
         write_contributions(folder / "contributions.csv", input, result, comments);
         if (!result.causes.empty())
             write_drift_causes(folder / "causes.csv", comments, result.causes);
+        write_gaps(folder / "gaps.csv", input, result, comments);
         write_svg_chart(folder / "drift.svg", drift_chart(input, result), comments);
         write_svg_chart(folder / "contributions.svg", contribution_chart(input, result), comments);
     }
@@ -435,6 +452,7 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
             text += fmt::format("{} {} {:+.1f}", i ? "," : "", result.parts[order[i]],
                                 micrometre * result.drift->by_part[order[i]].back());
         text += " um\n" + drift_causes_line(result.causes);
+        text += gaps_text(result.gaps, result.thermal.time);
         if (summary.warm_up_time)
             text += fmt::format("  warm: the gap drifts by less than {} um/h from {} on\n",
                                 significant(input.chain->drift_rate_limit * 3600 * micrometre),

@@ -35,7 +35,7 @@ struct RunSummary {
 };
 RunSummary summarise(const casefile::Case& input, const study::RunResult& result);
 
-/// Writes into an existing folder: case.toml (resolved), history.csv, contributions.csv, summary.json,
+/// Writes into an existing folder: case.toml (resolved), history.csv, contributions.csv, gaps.csv, summary.json,
 /// temperatures.svg, drift.svg and contributions.svg; with loads also what write_loads_files writes, with
 /// stress also stress.csv, with a view also view.json, with causes of the drift also causes.csv.
 /// @param warnings  of the whole run; they stand in every file

@@ -6,6 +6,7 @@
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/study/chain_model.hpp"
 #include "deadpoint/study/drift_causes.hpp"
+#include "deadpoint/study/gap_model.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
@@ -182,8 +183,9 @@ struct SharedModel::Implementation {
     const Machine* own_deformation;
     std::optional<fem::Model> model;
     std::optional<ChainModel> chain;
+    std::optional<GapModel> gaps;
     std::optional<FrameState> frame;
-    std::vector<fem::Adjoint> adjoints;
+    std::vector<fem::Adjoint> adjoints;    ///< of the chain's dimensions, of the gaps, of the frame
     std::size_t frame_adjoints = 0;        ///< where those of the frame begin
     std::optional<HeatProblem> assembled;  ///< that the prepared matrices are of
 };
@@ -232,7 +234,10 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
     if (input.chain) {
         watch.start("dimension chain");
         chain.emplace(input, deformed());
-        adjoints = model->adjoints(chain->dimensions);
+        gaps = describe_gaps(input, deformed(), *chain);
+        auto functionals = chain->dimensions;
+        functionals.insert(functionals.end(), gaps->functionals.begin(), gaps->functionals.end());
+        adjoints = model->adjoints(functionals);
     }
     frame_adjoints = adjoints.size();
     if (has_frame_state(input)) {
@@ -317,6 +322,11 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     }
     result.elastic_iterations = model->elastic_iterations();
     result.joints = joint_histories(input, machine, problem, result.thermal, result.whole);
+    if (chain) {
+        result.gaps = gap_series(input, *gaps, result.thermal, drift::dimension_count);
+        for (const auto& warning : gap_warnings(result.gaps))
+            observer.warn(warning);
+    }
     if (result.frame) {
         read_courses(result.thermal, frame_adjoints, *result.frame);
         warn_about_frame(input, result.thermal, *result.frame, observer);
@@ -365,7 +375,10 @@ std::string shared_part(const casefile::Case& input)
     for (auto& [name, joint] : shared.joints) {
         joint.friction.clear();
         joint.oil_temperature = casefile::Joint{}.oil_temperature;
+        joint.clearance.reset();
     }
+    if (shared.chain)
+        shared.chain->press_stiffness.reset();
     shared.friction.clear();
     shared.oil.clear();
     shared.oil_circuits.clear();
@@ -374,6 +387,7 @@ std::string shared_part(const casefile::Case& input)
     shared.process_force.reset();
     const auto stress = shared.output.stress;
     shared.output = {};
+    shared.output.stress = input.output.stress;  // by it the model watches the frame
     shared.output.stress = stress;
     shared.reference.reset();
     const auto order = shared.numerics.order;

@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/case.hpp"
 #include "deadpoint/core/observer.hpp"
 #include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/gaps.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
@@ -50,6 +51,7 @@ struct RunResult {
     std::optional<BottomDeadPointSensitivity> sensitivity;
     std::optional<DriftSeries> drift;
     std::vector<DriftCauses> causes;  ///< at the largest |E_SW| of all steps, where that is not the end, and at the end
+    GapSeries gaps;
     std::optional<AdjointCheck> adjoint_check;
     std::optional<FrameResult> frame;  ///< where the case states a foundation, preload or wanted stress
     std::optional<ViewData> view;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "deadpoint/drift/chain.hpp"
+
+/// Internal to drift/: the points of one side of a contact.
+namespace deadpoint::drift {
+
+struct SurfacePoint {
+    std::uint32_t face;
+    Vec3 position;
+    double weight;
+    Vec3 normal;
+};
+
+/// Of the contact as drawn, at bottom dead point.
+std::vector<SurfacePoint> points_of(const Machine& machine, const ContactSide& side);
+const MeshPart& part_of(const Machine& machine, const ContactSide& side);
+/// The side lies around the symmetry plane of a half model, which keeps its centre and axis.
+bool on_symmetry_plane(const Machine& machine, const ContactSide& side, const Vec2& centre);
+
+/// Mean upward displacement of a surface.
+Functional mean_height(const Machine& machine, int surface);
+
+/// Growth of a cylindrical contact's bore less that of the shaft in it, on the radius.
+/// @throws InputError if the contact is not cylindrical or too little of a circle
+Functional contact_growth(const Machine& machine, int contact, const Vec2& centre);
+
+}  // namespace deadpoint::drift

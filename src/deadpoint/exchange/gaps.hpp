@@ -1,0 +1,45 @@
+#pragma once
+
+#include "deadpoint/exchange/heat.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace deadpoint {
+
+/// The gap between slide and table at one corner of the slide, change since the start.
+struct CornerSeries {
+    std::string name;  ///< "front left": front is z < 0, left is x < 0
+    double x = 0;      ///< place of the corner [m]
+    double z = 0;
+    Series gap;  ///< [m], > 0 opens
+};
+
+/// How the slide stays parallel to the table.
+struct Parallelism {
+    std::vector<CornerSeries> corners;  ///< front left, front right, back left, back right
+    Series left_right;                  ///< gap on the right less that on the left, over their distance along x [m/m]
+    Series front_back;                  ///< gap at the back less that in front, over their distance along z [m/m]
+};
+
+/// A clearance over time.
+struct ClearanceSeries {
+    enum class Kind { bearing, guide };
+    std::string name;
+    Kind kind = Kind::bearing;
+    Series change;                  ///< since the start, < 0 closes; on the diameter, or of both faces together [m]
+    std::optional<double> initial;  ///< what the case states for the start [m]
+    std::optional<double> used_up;  ///< when initial + change first reaches 0 [s]
+};
+
+/// What follows the deformation besides the dimension chain.
+struct GapSeries {
+    std::optional<Parallelism> parallelism;
+    std::vector<ClearanceSeries> clearances;
+    std::vector<std::string> left_out;  ///< joints whose clearance cannot be followed, with the reason
+    std::optional<Series> force;        ///< change of the force at a fixed die height [N]
+    double press_stiffness = 0;         ///< that it is computed with [N/m]
+};
+
+}  // namespace deadpoint

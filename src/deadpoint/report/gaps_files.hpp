@@ -1,0 +1,27 @@
+#pragma once
+
+#include "deadpoint/exchange/gaps.hpp"
+#include "deadpoint/report/csv.hpp"
+#include "deadpoint/report/json_file.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Corners of the slide, clearances and force at a fixed die height, in the files and the text of a run.
+namespace deadpoint::report {
+
+/// Brings a series of the steps to the rows of a table, times a factor.
+using SeriesSampler = std::function<std::vector<double>(const Series& series, double factor)>;
+
+/// Columns of gaps.csv besides the time.
+std::vector<CsvColumn> gap_columns(const GapSeries& gaps, const SeriesSampler& sample);
+
+/// Largest and last values; null where nothing was followed.
+/// @param time  of the steps [s]
+nlohmann::ordered_json gaps_json(const GapSeries& gaps, const std::vector<double>& time);
+
+/// A line each for parallelism, clearances and force; empty where nothing was followed.
+std::string gaps_text(const GapSeries& gaps, const std::vector<double>& time);
+
+}  // namespace deadpoint::report

@@ -1,0 +1,91 @@
+#include "deadpoint/report/page_shell.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/version.hpp"
+#include "deadpoint/core/write_file.hpp"
+#include "deadpoint/report/page_parts.hpp"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+namespace deadpoint::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view policy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+
+// JSON that may stand in a script element whatever its strings say.
+std::string embedded(const Json& json)
+{
+    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string result;
+    result.reserve(text.size());
+    for (const char c : text) {
+        if (c == '<')
+            result += "\\u003c";
+        else
+            result += c;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::optional<std::string> file_content(const fs::path& path)
+{
+    if (!fs::exists(path))
+        return std::nullopt;
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in)
+        throw IoError(fmt::format("cannot read '{}'\n  help: check that you may read it", path.string()));
+    return std::move(text).str();
+}
+
+Json parse_json(const fs::path& path, const std::string& text)
+{
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error&) {
+        throw InputError(fmt::format(
+            "'{}' is not the JSON that deadpoint wrote\n  help: compute the case again, or leave this folder out",
+            path.string()));
+    }
+}
+
+std::string escaped(std::string_view text)
+{
+    std::string result;
+    for (const char c : text)
+        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+    return result;
+}
+
+void write_page(const fs::path& file, const PageContent& content, std::span<const std::string_view> scripts)
+{
+    const auto title = escaped(content.title);
+    write_file(file, [&](std::ostream& out) {
+        out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+            << "<meta http-equiv=\"Content-Security-Policy\" content=\"" << policy << "\">\n"
+            << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+            << "<meta name=\"generator\" content=\"deadpoint " << version << "\">\n"
+            << "<title>" << title << " - deadpoint</title>\n<style>\n"
+            << page_style() << "</style>\n</head>\n<body>\n<main id=\"page\">\n<h1>" << title << "</h1>\n"
+            << "<noscript>\n"
+            << content.without_scripts << "</noscript>\n</main>\n"
+            << "<script type=\"application/json\" id=\"data\">" << embedded(content.data) << "</script>\n"
+            << "<script>\n/*\n"
+            << page_licences() << "*/\n"
+            << page_libraries() << "\n</script>\n<script>\n\"use strict\";\n";
+        for (const auto script : scripts)
+            out << script;
+        out << "</script>\n</body>\n</html>\n";
+    });
+}
+
+}  // namespace deadpoint::report

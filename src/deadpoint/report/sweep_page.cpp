@@ -1,0 +1,134 @@
+#include "deadpoint/report/sweep_page.hpp"
+
+#include "deadpoint/core/csv_table.hpp"
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/version.hpp"
+#include "deadpoint/report/page_parts.hpp"
+#include "deadpoint/report/page_shell.hpp"
+#include "deadpoint/report/page_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace deadpoint::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_values = 40'000;  ///< of one curve, over all points
+constexpr std::size_t fewest_rows = 40;
+constexpr std::size_t most_rows = 300;
+
+// Evenly chosen, first and last included, to five digits.
+Json thinned(const std::vector<double>& values, std::size_t rows)
+{
+    const std::size_t count = std::min(values.size(), rows);
+    Json result = Json::array();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = values[count > 1 ? i * (values.size() - 1) / (count - 1) : 0];
+        result.push_back(std::stod(fmt::format("{:.5g}", value)));
+    }
+    return result;
+}
+
+std::vector<double> changed(std::vector<double> values, double offset, double factor)
+{
+    for (double& value : values)
+        value = factor * (value + offset);
+    return values;
+}
+
+Json course_json(const fs::path& history, const Json& summary, std::size_t rows)
+{
+    const auto table = read_csv(history);
+    Json json{{"hours", thinned(changed(table.numbers(table.column("time")), 0, 1.0 / 3600), rows)}};
+    const auto has = [&](const std::string& name) {
+        return std::ranges::any_of(table.columns, [&](const auto& column) { return column.name == name; });
+    };
+    if (has("E_SW"))
+        json["E_SW"] = thinned(table.numbers(table.column("E_SW")), rows);
+    json["rises"] = Json::object();
+    const double start = summary.value("initial_temperature_degC", 0.0);
+    if (summary.contains("probe_rises_K") && summary.at("probe_rises_K").is_object())
+        for (const auto& [probe, rise] : summary.at("probe_rises_K").items())
+            json["rises"][probe] = thinned(changed(table.numbers(table.column(probe)), -start, 1), rows);
+    return json;
+}
+
+// A name leads nowhere else than into the study.
+fs::path point_folder(const fs::path& study, const std::string& name)
+{
+    return study / "points" / fs::path(name).filename();
+}
+
+Json point_json(const fs::path& folder, std::size_t rows)
+{
+    Json json = Json::object();
+    const auto summary_file = folder / "summary.json";
+    const auto text = file_content(summary_file);
+    if (!text)
+        return json;
+    const auto summary = parse_json(summary_file, *text);
+    if (fs::exists(folder / "history.csv"))
+        json["course"] = course_json(folder / "history.csv", summary, rows);
+    if (summary.contains("gaps"))
+        json["gaps"] = summary.at("gaps");
+    return json;
+}
+
+// What is the same of all points, from the first that is there.
+void add_common(Json& data, const fs::path& folder)
+{
+    const auto file = folder / "summary.json";
+    const auto text = file_content(file);
+    if (!text || data.contains("machine"))
+        return;
+    const auto summary = parse_json(file, *text);
+    data["machine"] = summary.value("case", Json::object()).value("name", "");
+    data["left_out"] = summary.value("left_out", Json::array());
+}
+
+}  // namespace
+
+bool is_study(const fs::path& folder) { return fs::exists(folder / "sweep.json"); }
+
+void write_sweep_report(const fs::path& file, const fs::path& folder)
+{
+    const auto source = folder / "sweep.json";
+    const auto text = file_content(source);
+    if (!text)
+        throw InputError(
+            fmt::format("'{}' holds no study\n  help: give a folder that 'deadpoint sweep' wrote", folder.string()));
+    PageContent content;
+    auto& data = content.data;
+    data = {{"version", version}, {"runs", Json::array()}, {"sweep", parse_json(source, *text)}};
+    try {
+        const auto whole = fs::absolute(folder).lexically_normal();
+        data["folder"] = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+        const auto& points = data.at("sweep").at("points");
+        const std::size_t rows =
+            std::clamp(most_values / std::max<std::size_t>(1, points.size()), fewest_rows, most_rows);
+        Json courses = Json::object();
+        for (const auto& point : points) {
+            const auto name = point.at("name").get<std::string>();
+            courses[name] = point_json(point_folder(folder, name), rows);
+            add_common(data, point_folder(folder, name));
+        }
+        data["points"] = std::move(courses);
+        content.title = data.at("sweep").at("study").at("name").get<std::string>();
+        content.without_scripts = "<p>This page draws its charts and maps with scripts, which are switched off here; "
+                                  "they are missing below. The "
+                                  "charts stand as SVG files in the folder of the study.</p>\n" +
+                                  sweep_tables(data.at("sweep"), folder / "sweep.csv");
+    } catch (const Json::exception& reason) {
+        throw InputError(fmt::format("{}: {}\n  help: it is from another version of the program; run the study again",
+                                     source.string(), reason.what()));
+    }
+    const std::array scripts{page_data_script(), page_charts_script(), page_sweep_script()};
+    write_page(file, content, scripts);
+}
+
+}  // namespace deadpoint::report
