@@ -84,6 +84,12 @@ PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool h
         const auto adjust = [&](PartMesh& raw) {
             for (Vec3& node : raw.nodes) {
                 node = node + part.translation;
+                if (!std::isfinite(norm(node))) {
+                    throw InputError(
+                        fmt::format("part '{}': '{}' holds a node whose place is no finite number; mesh it "
+                                    "again",
+                                    part.name, source.path));
+                }
             }
             if (half) {
                 keep_half(part, raw);

@@ -228,17 +228,19 @@ SweepStudy translate_study(const casefile::StudyFile& file)
     if (file.limits) {
         study.limits = {file.limits->largest, file.limits->final};
     }
+    study.files = file.files;
     return study;
 }
 
 std::function<bool(const std::string&, const std::string&)> base_values(const SweepStudy& study)
 {
-    const auto hash_with = [base = study.base, overrides = study.overrides](const std::string& more) {
+    const auto hash_with = [base = study.base, overrides = study.overrides,
+                            files = study.files](const std::string& more) {
         auto all = overrides;
         if (!more.empty()) {
             all.push_back(more);
         }
-        return casefile::case_hash(casefile::read_case(base, all).value);
+        return casefile::case_hash(casefile::read_case(base, all, files).value);
     };
     const std::string base_hash = hash_with("");
     auto known = std::make_shared<std::map<std::string, bool>>();
