@@ -122,7 +122,8 @@ private:
         }
         const std::string mark = fmt::format("-{}", stable_hash(all).substr(0, 8));
         if (name.size() > longest_name) {
-            name = name.substr(0, longest_name) + mark;
+            name.resize(longest_name);
+            name += mark;
         }
         // Some file systems do not tell upper case from lower case.
         if (!names_.insert(lower(name)).second) {
