@@ -15,6 +15,13 @@ void add_console_options(CLI::App& command, Console::Options& options)
     command.add_flag("-v,--verbose", options.verbose, "show more of what is done");
 }
 
+void add_file_access(CLI::App& command, casefile::FileAccess& files)
+{
+    command.add_flag_callback(
+        "--allow-outside", [&files] { files = casefile::FileAccess::anywhere; },
+        "let the file name others that lie outside its own folder");
+}
+
 void add_case_options(CLI::App& command, CaseOptions& options)
 {
     command.add_option("CASE", options.path, "the case file")->required()->type_name("FILE");
@@ -26,12 +33,13 @@ void add_case_options(CLI::App& command, CaseOptions& options)
     command.add_option("--size", options.size_scale, "scale all cell sizes: 2 is coarser and faster, 0.5 finer")
         ->type_name("FACTOR")
         ->check(CLI::Range(0.01, 100.0));
+    add_file_access(command, options.files);
     add_console_options(command, options.console);
 }
 
 casefile::Case read_case(const CaseOptions& options, Console& console)
 {
-    auto result = casefile::read_case(options.path, options.overrides);
+    auto result = casefile::read_case(options.path, options.overrides, options.files);
     for (const auto& warning : result.warnings) {
         console.warn(warning);
     }

@@ -2,6 +2,7 @@
 
 #include "console.hpp"
 #include "deadpoint/casefile/case.hpp"
+#include "deadpoint/casefile/file_access.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
 #include <CLI/CLI.hpp>
@@ -13,11 +14,15 @@ struct CaseOptions {
     std::string path;
     std::vector<std::string> overrides;  ///< "path=value"
     double size_scale = 1;
+    deadpoint::casefile::FileAccess files = deadpoint::casefile::FileAccess::below;
     Console::Options console;
 };
 
 /// Adds --quiet and --verbose.
 void add_console_options(CLI::App& command, Console::Options& options);
+
+/// Adds --allow-outside.
+void add_file_access(CLI::App& command, deadpoint::casefile::FileAccess& files);
 
 /// Adds the case file, --set, --size, --quiet and --verbose.
 void add_case_options(CLI::App& command, CaseOptions& options);

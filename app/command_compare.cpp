@@ -1,5 +1,5 @@
+#include "case_options.hpp"
 #include "commands.hpp"
-#include "console.hpp"
 #include "deadpoint/casefile/read.hpp"
 #include "deadpoint/casefile/write.hpp"
 #include "deadpoint/core/error.hpp"
@@ -22,6 +22,7 @@ struct CompareOptions {
     std::string output;
     std::string point;
     std::string baseline;
+    casefile::FileAccess files = casefile::FileAccess::below;
     Console::Options console;
 };
 
@@ -31,7 +32,7 @@ std::optional<std::string> point_warning(const study::RunRecord& run, const case
 {
     const fs::path file = fs::path(run.folder) / "case.toml";
     try {
-        const auto as_set = casefile::read_case(file, point.set).value;
+        const auto as_set = casefile::read_case(file, point.set, casefile::FileAccess::anywhere).value;
         if (casefile::case_hash(as_set) == run.hash) {
             return std::nullopt;
         }
@@ -63,12 +64,12 @@ void compare(const CompareOptions& options)
     Console console(options.console);
     const auto run = report::read_result(options.folder);
     const auto contents = study::contents(run);
-    const auto reference = casefile::read_reference(options.reference, options.point, &contents);
+    const auto reference = casefile::read_reference(options.reference, options.point, &contents, options.files);
     std::optional<study::RunRecord> baseline;
     if (!options.baseline.empty()) {
         baseline = report::read_result(options.baseline);
         const auto offered = study::contents(*baseline);
-        (void)casefile::read_reference(options.reference, options.point, &offered);
+        (void)casefile::read_reference(options.reference, options.point, &offered, options.files);
     }
     auto comparison = study::compare(run, reference, options.point, baseline ? &*baseline : nullptr);
     if (!options.point.empty()) {
@@ -106,6 +107,7 @@ void add_compare(CLI::App& app, int& exit_code)
         ->add_option("-o,--output", options->output,
                      "write FILE.json and FILE.md instead of DIR/compare.json and DIR/compare.md")
         ->type_name("FILE");
+    add_file_access(*command, options->files);
     command->add_flag("-q,--quiet", options->console.quiet, "show warnings and results only");
     command->callback([options, &exit_code] {
         compare(*options);

@@ -34,6 +34,7 @@ struct SweepOptions {
     double size_scale = 1;
     int jobs = 0;
     bool fields = false;
+    casefile::FileAccess files = casefile::FileAccess::below;
     Console::Options console;
 };
 
@@ -54,7 +55,7 @@ std::vector<casefile::Case> read_cases(const std::vector<study::SweepPoint>& poi
 {
     std::vector<casefile::Case> cases;
     for (const auto& point : points) {
-        cases.push_back(casefile::read_case(base, point.overrides).value);
+        cases.push_back(casefile::read_case(base, point.overrides, options.files).value);
         auto& input = cases.back();
         input.output.fields = options.fields;
         input.numerics.size *= options.size_scale;
@@ -120,7 +121,7 @@ study::PointAction action_of(const SweepOptions& options, const OnRanks& ranks)
 int sweep(const SweepOptions& options, const OnRanks& ranks)
 {
     auto& console = ranks.console;
-    const auto study = study::translate_study(casefile::read_study(options.study));
+    const auto study = study::translate_study(casefile::read_study(options.study, options.files));
     report::SweepResult result;
     result.study = study;
     result.points = study::sweep_points(study, study::base_values(study));
@@ -195,6 +196,7 @@ void add_sweep(CLI::App& app, int& exit_code)
     command->add_option("-j,--jobs", options->jobs, "points at a time; else as many as cores and memory hold")
         ->check(CLI::Range(1, 1024));
     command->add_flag("--fields", options->fields, "write the fields of every point");
+    add_file_access(*command, options->files);
     add_console_options(*command, options->console);
     command->callback([options, &exit_code] {
         exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return sweep(*options, ranks); });

@@ -14,6 +14,12 @@ if(DEADPOINT_SANITIZE)
     target_link_options(deadpoint_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(DEADPOINT_FUZZ)
+    target_compile_options(deadpoint_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
+        -fno-omit-frame-pointer)
+    target_link_options(deadpoint_options INTERFACE -fsanitize=address,undefined)
+endif()
+
 # deadpoint_folder(NAME DEPENDS target...): the library of one folder below src/deadpoint, from all its sources.
 function(deadpoint_folder name)
     cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE" ${ARGN})

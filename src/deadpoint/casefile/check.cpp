@@ -94,7 +94,8 @@ private:
         if (first.empty() && !c_.bodies.empty()) {
             report("ground", "bodies", "no body is the ground", "add ground = true to the body that stands still");
         }
-        for (const auto& [name, body] : c_.bodies) {
+        for (const auto& entry : c_.bodies) {
+            const std::string& name = entry.first;
             const bool used = std::ranges::any_of(c_.parts, [&](const auto& p) { return p.second.body == name; });
             const bool jointed = std::ranges::any_of(c_.joints, [&](const auto& j) {
                 return std::ranges::find(j.second.bodies, name) != j.second.bodies.end();
@@ -287,8 +288,24 @@ private:
         }
     }
 
+    /// A slip such as "1 ms" must not fill memory and disk.
+    void check_row_count()
+    {
+        constexpr double most_rows = 1e6;
+        double duration = 0;
+        for (const auto& segment : c_.operation) {
+            duration += segment.duration;
+        }
+        if (const double rows = duration / c_.output.history_interval; rows > most_rows) {
+            report("too-many", "output.history_interval",
+                   fmt::format("history.csv would have {:.2g} rows, but may have at most {:.0e}", rows, most_rows),
+                   "make the interval longer");
+        }
+    }
+
     void check_operation()
     {
+        check_row_count();
         for (std::size_t i = 0; i < c_.operation.size(); ++i) {
             if (!c_.parts.empty() && c_.operation[i].duration == 0) {
                 report("missing-key", fmt::format("operation.{}", i), "'duration' is missing",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/casefile/diagnostics.hpp"
+#include "deadpoint/casefile/file_access.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -38,18 +39,22 @@ Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics);
 /// A case file with everything it includes, as one tree.
 struct Document {
     Node root;
+    std::filesystem::path folder;              ///< files must lie below it; empty: anywhere
     std::vector<std::filesystem::path> paths;  ///< of each source, by its index; empty for texts that are no files
 };
 
+/// Whether `path` lies in `folder` or below, after following links.
+bool lies_below(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 /// Reads a case file and its includes, and applies the overrides.
 ///
-/// Includes are relative to the file that names them and must stay below the folder of the case file; tables of
+/// Includes are relative to the file that names them and must be allowed by `files`; tables of
 /// several files are merged, a key stated twice is an error. An override is "path=value" with numbers for items of
 /// lists ("operation.0.speed=400 rpm"); a value that is not TOML is taken as text.
 ///
 /// @throws IoError if the case file itself cannot be read; all else goes to `diagnostics`
 Document load_document(const std::filesystem::path& path, const std::vector<std::string>& overrides,
-                       Diagnostics& diagnostics);
+                       Diagnostics& diagnostics, FileAccess files = FileAccess::below);
 
 /// Place of the value at a path such as "joints.crank.bodies.1", or of the nearest thing above it that exists.
 Place place_of(const Node& root, const std::string& path);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <fmt/format.h>
 #include <fstream>
 #include <optional>
@@ -13,11 +14,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t largest_text = 32U << 20U;  // [byte], thousands of parts
+
 std::optional<std::string> read_text(const fs::path& path)
 {
     std::error_code error;
-    if (fs::is_directory(path, error)) {
+    if (!fs::is_regular_file(path, error)) {
         return std::nullopt;
+    }
+    if (fs::file_size(path, error) > largest_text) {
+        throw InputError(
+            fmt::format("{}: the file is larger than {} MiB\n  help: this is no file written by hand; name "
+                        "the case file",
+                        path.string(), largest_text >> 20U));
     }
     std::ifstream stream(path, std::ios::binary);
     std::ostringstream text;
@@ -28,17 +37,22 @@ std::optional<std::string> read_text(const fs::path& path)
     return text.str();
 }
 
-bool lies_below(const fs::path& path, const fs::path& folder)
+/// With links followed as far as the path exists; a path that cannot be one is left as it is.
+fs::path real_path(const fs::path& path)
 {
-    const auto relative = path.lexically_relative(folder);
-    return !relative.empty() && *relative.begin() != "..";
+    std::error_code error;
+    const auto real = fs::weakly_canonical(fs::absolute(path, error), error);
+    return real.empty() ? path : real;
 }
 
 class Loader {
 public:
-    Loader(const fs::path& path, Diagnostics& diagnostics)
-        : main_(path), folder_(fs::weakly_canonical(fs::absolute(path)).parent_path()), diagnostics_(diagnostics)
-    {}
+    Loader(const fs::path& path, FileAccess files, Diagnostics& diagnostics) : main_(path), diagnostics_(diagnostics)
+    {
+        if (files == FileAccess::below) {
+            document_.folder = real_path(path).parent_path();
+        }
+    }
 
     Document run()
     {
@@ -46,13 +60,14 @@ public:
         if (!text) {
             throw IoError(fmt::format("{}: the file cannot be read; check its path", main_.string()));
         }
-        std::vector<fs::path> chain{fs::weakly_canonical(fs::absolute(main_))};
+        std::vector<fs::path> chain{real_path(main_)};
         document_.root = load(*text, main_, chain);
         return std::move(document_);
     }
 
 private:
     static constexpr std::size_t max_depth = 8;
+    static constexpr std::size_t most_files = 1000;
 
     Node load(const std::string& text, const fs::path& shown, std::vector<fs::path>& chain)
     {
@@ -83,11 +98,11 @@ private:
                    "write it like include = [\"parts.toml\"]");
             return;
         }
-        const fs::path path = fs::weakly_canonical(chain.back().parent_path() / item.text);
-        if (!lies_below(path, folder_)) {
+        const fs::path path = real_path(chain.back().parent_path() / item.text);
+        if (!document_.folder.empty() && !lies_below(path, document_.folder)) {
             report("include-outside", item.place, "include",
                    fmt::format("'{}' lies outside the folder of the case file", item.text),
-                   "keep all files of a case in its folder");
+                   "keep all files of a case in its folder, or allow others with --allow-outside");
             return;
         }
         if (std::ranges::find(chain, path) != chain.end() || chain.size() > max_depth) {
@@ -96,6 +111,11 @@ private:
                        ? "includes are nested too deep"
                        : fmt::format("'{}' is being read already: the files include each other in a circle", item.text),
                    "remove this include");
+            return;
+        }
+        if (document_.paths.size() >= most_files) {
+            report("include-many", item.place, "include", fmt::format("more than {} files are included", most_files),
+                   "include each file once");
             return;
         }
         const auto text = read_text(path);
@@ -140,7 +160,6 @@ private:
     }
 
     fs::path main_;
-    fs::path folder_;
     Diagnostics& diagnostics_;
     Document document_;
 };
@@ -290,9 +309,16 @@ Place place_of(const Node& root, const std::string& path)
     return place;
 }
 
-Document load_document(const fs::path& path, const std::vector<std::string>& overrides, Diagnostics& diagnostics)
+bool lies_below(const fs::path& path, const fs::path& folder)
 {
-    Document document = Loader(path, diagnostics).run();
+    const auto relative = real_path(path).lexically_relative(folder);
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+Document load_document(const fs::path& path, const std::vector<std::string>& overrides, Diagnostics& diagnostics,
+                       FileAccess files)
+{
+    Document document = Loader(path, files, diagnostics).run();
     const auto main = document.paths.front();
     for (const auto& text : overrides) {
         const int file = diagnostics.sources.add("--set", text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <fmt/format.h>
 #include <stdexcept>
 #include <string>
 
@@ -19,6 +20,8 @@ constexpr void require_in_parser(bool holds)
 
 namespace deadpoint::casefile {
 namespace {
+
+constexpr std::size_t most_nested = 40;
 
 struct Complaint {
     int line = 0;
@@ -133,9 +136,26 @@ private:
         }
     }
 
+    // Each step of a dotted key, and each bracket, is one more table in a table for all that walks over the tree.
+    void count_nesting(char c)
+    {
+        if (c == '.') {
+            ++dots_;
+        } else if (c == '=' || c == ',' || c == '\n' || c == '[' || c == '{') {
+            dots_ = 0;
+        }
+        if (open_.size() + dots_ > most_nested) {
+            complain("values or names are nested too deep", fmt::format("at most {} levels are read", most_nested));
+        }
+    }
+
     void step()
     {
         const char c = peek();
+        count_nesting(c);
+        if (complaint_) {
+            return;
+        }
         if (c == '\n' || c == ' ' || c == '\t' || c == '\r') {
             return advance();
         }
@@ -184,6 +204,7 @@ private:
     int column_ = 1;
     bool begins_line_ = true;
     std::vector<Bracket> open_;
+    std::size_t dots_ = 0;  ///< of the key or number that is being read
     std::optional<Complaint> complaint_;
 };
 

@@ -35,9 +35,9 @@ const Library& shipped_library()
 }
 
 Document read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides, Case& value,
-                   Diagnostics& diagnostics)
+                   Diagnostics& diagnostics, FileAccess files)
 {
-    Document document = load_document(path, overrides, diagnostics);
+    Document document = load_document(path, overrides, diagnostics, files);
     if (diagnostics.error_count() > 0) {
         return document;
     }
@@ -50,11 +50,11 @@ Document read_case(const std::filesystem::path& path, const std::vector<std::str
     return document;
 }
 
-ReadResult read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides)
+ReadResult read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides, FileAccess files)
 {
     Diagnostics diagnostics;
     ReadResult result;
-    const Document document = read_case(path, overrides, result.value, diagnostics);
+    const Document document = read_case(path, overrides, result.value, diagnostics, files);
     if (diagnostics.error_count() > 0) {
         throw InputError(diagnostics.render_errors());
     }

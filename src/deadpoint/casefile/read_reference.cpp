@@ -311,9 +311,10 @@ void stop_at_errors(const Diagnostics& diagnostics)
 }
 
 /// Everything the file says, not yet held against a result; its curves are not read yet.
-ReferenceFile parse_reference(const std::filesystem::path& path, Document& document, Diagnostics& diagnostics)
+ReferenceFile parse_reference(const std::filesystem::path& path, FileAccess files, Document& document,
+                              Diagnostics& diagnostics)
 {
-    document = load_document(path, {}, diagnostics);
+    document = load_document(path, {}, diagnostics, files);
     stop_at_errors(diagnostics);
     ReferenceFile file;
     Reader(document, diagnostics, nullptr).read(file);
@@ -347,11 +348,12 @@ LoadUnit load_unit(std::string_view path)
     return {};
 }
 
-ReferenceFile read_reference(const std::filesystem::path& path, const std::string& point, const ResultContents* result)
+ReferenceFile read_reference(const std::filesystem::path& path, const std::string& point, const ResultContents* result,
+                             FileAccess files)
 {
     Diagnostics diagnostics;
     Document document;
-    ReferenceFile file = parse_reference(path, document, diagnostics);
+    ReferenceFile file = parse_reference(path, files, document, diagnostics);
     require_point(file, path.string(), point);
     ReferenceChecker(file, document, diagnostics, result).run(point);
     stop_at_errors(diagnostics);
@@ -371,7 +373,7 @@ std::map<std::string, ReferencePoint> reference_points(const std::filesystem::pa
 {
     Diagnostics diagnostics;
     Document document;
-    return parse_reference(path, document, diagnostics).points;
+    return parse_reference(path, FileAccess::below, document, diagnostics).points;
 }
 
 }  // namespace deadpoint::casefile

@@ -266,7 +266,7 @@ private:
     {
         Diagnostics of_base;
         Case value;
-        (void)read_case(file_.base, {}, value, of_base);
+        (void)read_case(file_.base, {}, value, of_base, file_.files);
         if (of_base.error_count() > 0) {
             if (diagnostics_.error_count() == 0) {
                 throw InputError(of_base.render_errors("the base case of the study; nothing was computed"));
@@ -287,7 +287,7 @@ private:
         overrides.insert(overrides.end(), more.begin(), more.end());
         Diagnostics found;
         Case value;
-        const auto document = read_case(file_.base, overrides, value, found);
+        const auto document = read_case(file_.base, overrides, value, found, file_.files);
         const auto first = static_cast<int>(document.paths.size() - overrides.size());
         const bool any_own = std::ranges::any_of(
             found.items(), [&](const Diagnostic& d) { return d.severity == Severity::error && d.place.file >= first; });
@@ -381,12 +381,13 @@ std::string plain_setting(std::string_view text)
     return value ? trimmed(fmt::format("{} {}", format_number(value->number), value->unit)) : trimmed(text);
 }
 
-StudyFile read_study(const std::filesystem::path& path)
+StudyFile read_study(const std::filesystem::path& path, FileAccess files)
 {
     Diagnostics diagnostics;
-    const Document document = load_document(path, {}, diagnostics);
+    const Document document = load_document(path, {}, diagnostics, files);
     stop_at_errors(diagnostics);
     StudyFile file;
+    file.files = files;
     Reader(document, diagnostics, nullptr).read(file);
     stop_at_errors(diagnostics);
     StudyChecker(file, document, diagnostics).run();

@@ -329,6 +329,12 @@ void Reader::path(const Key& key, std::string& value)
         folder = document_.paths[file].parent_path();
     }
     const auto full = (folder / node->text).lexically_normal();
+    if (!document_.folder.empty() && !lies_below(full, document_.folder)) {
+        report(*node, "file-outside", path_of(key.name),
+               fmt::format("'{}' lies outside the folder of the file you named", node->text),
+               "keep what belongs together in one folder, or allow other files with --allow-outside");
+        return;
+    }
     std::error_code error;
     if (!std::filesystem::is_regular_file(full, error)) {
         report(*node, "missing-file", path_of(key.name), fmt::format("there is no file '{}'", full.string()),

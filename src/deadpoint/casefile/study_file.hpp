@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/casefile/file_access.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -40,6 +42,7 @@ struct StudyFile {
     std::vector<std::string> set;
     std::vector<StudySet> sets;
     std::optional<StudyLimits> limits;
+    FileAccess files = FileAccess::below;  ///< with which it was read
 };
 
 void describe(Visitor& v, StudyFile& f);
@@ -56,7 +59,7 @@ inline constexpr std::size_t most_study_points = 10000;
 /// @throws InputError whose text lists every mistake with file:line:column, the line and a remedy; mistakes of the
 ///         base case itself are listed as for a run
 /// @throws IoError if a file cannot be read
-StudyFile read_study(const std::filesystem::path& path);
+StudyFile read_study(const std::filesystem::path& path, FileAccess files = FileAccess::below);
 
 /// A text such as "300 rpm" in its two halves; the unit of "0.3" is empty.
 struct NumberAndUnit {

@@ -155,7 +155,7 @@ public:
             return;
         }
         if (!value) {
-            value.emplace();
+            value = T{};
         }
         describe(*this, *value);
         end_table();

@@ -7,9 +7,10 @@ namespace deadpoint {
 
 double EnergyBalance::mismatch() const
 {
-    const double scale = std::max(
-        {std::abs(generated), std::abs(to_air), std::abs(to_oil), std::abs(from_surfaces), std::abs(stored), 1e-300});
-    return std::abs(generated + from_surfaces - to_air - to_oil - stored) / scale;
+    constexpr double nothing = 1e-6;  // [J]; a machine that neither warms nor cools has no balance to miss
+    const double scale =
+        std::max({std::abs(generated), std::abs(to_air), std::abs(to_oil), std::abs(from_surfaces), std::abs(stored)});
+    return scale > nothing ? std::abs(generated + from_surfaces - to_air - to_oil - stored) / scale : 0;
 }
 
 double interpolate(const std::vector<double>& time, const Series& series, double at)

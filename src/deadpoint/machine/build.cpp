@@ -4,10 +4,12 @@
 #include "deadpoint/machine/assembly.hpp"
 #include "deadpoint/machine/contacts.hpp"
 #include "deadpoint/machine/extrude.hpp"
+#include "deadpoint/machine/foreign_mesh.hpp"
 #include "deadpoint/machine/gmsh_session.hpp"
 #include "deadpoint/machine/interfaces.hpp"
 #include "deadpoint/machine/layers.hpp"
 #include "deadpoint/machine/overlaps.hpp"
+#include "deadpoint/machine/polygon.hpp"
 #include "deadpoint/machine/select.hpp"
 #include "deadpoint/machine/solids.hpp"
 
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <numbers>
 #include <set>
 
 namespace deadpoint::machine {
@@ -23,6 +26,9 @@ namespace {
 
 /// Good enough not to try another axis.
 constexpr double good_quality = 0.3;
+
+/// Of a part, by its volume: more than any memory here holds.
+constexpr double most_cells = 2e8;
 
 struct Worst {
     double quality = 1;
@@ -155,23 +161,56 @@ bool beyond_symmetry(const std::vector<Prism>& prisms)
     return std::all_of(prisms.begin(), prisms.end(), beyond);
 }
 
+double section_area(const Prism& prism)
+{
+    if (const auto& circle = prism.section.circle) {
+        return std::numbers::pi *
+               (circle->radius * circle->radius - prism.section.bore_radius * prism.section.bore_radius);
+    }
+    double area = std::abs(signed_area(prism.section.points));
+    for (const auto& hole : prism.section.holes) {
+        area -= std::abs(signed_area(hole));
+    }
+    return area;
+}
+
+/// A slip such as "8 um" for "8 mm" must not fill the memory.
+void check_cell_count(const std::string& part, const std::vector<Prism>& prisms, double size)
+{
+    double volume = 0;
+    for (const Prism& shape : prisms) {
+        if (shape.operation == Shape::Operation::add) {
+            const Vec3 edges = shape.max - shape.min;
+            volume += shape.box ? edges[0] * edges[1] * edges[2] : section_area(shape) * (shape.to - shape.from);
+        }
+    }
+    const double cells = volume / (size * size * size);
+    if (cells > most_cells) {
+        throw InputError(
+            fmt::format("part '{}': cells of {:.3g} mm would be {:.1e} of them, but a part may have at most "
+                        "{:.0e}; make its size larger",
+                        part, 1e3 * size, cells, most_cells));
+    }
+}
+
 PartMesh mesh_part(const MachineDescription& description, const PartDescription& part, std::vector<Prism>& prisms,
                    Observer& observer)
 {
     const double size = (part.size > 0 ? part.size : description.size) * description.size_scale;
     const bool half = description.half_model;
     if (const auto* step = std::get_if<StepSource>(&part.source)) {
-        PartMesh mesh = mesh_step(part, *step, size, half);
+        PartMesh mesh = mesh_foreign_file(part.name, step->path, [&] { return mesh_step(part, *step, size, half); });
         check_quality(part, mesh);
         return mesh;
     }
     if (const auto* file = std::get_if<MeshSource>(&part.source)) {
-        return read_mesh(part, *file, half);
+        return mesh_foreign_file(part.name, file->path, [&] { return read_mesh(part, *file, half); });
     }
     prisms = prisms_of(part.name, std::get<std::vector<Shape>>(part.source));
     if (half && beyond_symmetry(prisms)) {
         return {};
     }
+    check_cell_count(part.name, prisms, size);
     PartMesh mesh = mesh_shapes(part, prisms, size, half, observer);
     if (mesh.cells.empty()) {
         throw InputError(fmt::format("part '{}' has no material left after its cuts; correct its shapes", part.name));
@@ -181,7 +220,7 @@ PartMesh mesh_part(const MachineDescription& description, const PartDescription&
 
 void check_imported(const MeshPart& part, Observer& observer)
 {
-    if (part.min_quality <= 1e-6) {
+    if (!(part.min_quality > 1e-6)) {
         throw InputError(fmt::format("part '{}': its mesh holds inverted or flat cells; mesh it again", part.name));
     }
     if (part.min_quality < least_quality) {

@@ -3,9 +3,12 @@
 #include "deadpoint/machine/gmsh_session.hpp"
 #include "deadpoint/machine/solids.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fstream>
 #include <gmsh.h>
+#include <iterator>
 
 namespace deadpoint::machine {
 
@@ -72,11 +75,33 @@ void keep_half(const PartDescription& part, PartMesh& mesh)
     });
 }
 
+/// A file of Gmsh's own format consists of sections, each with its end; Gmsh reads one that is cut short without a
+/// word.
+void require_whole(const std::string& part, const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::string start(11, '\0');
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (start != "$MeshFormat") {
+        return;
+    }
+    constexpr std::streamoff tail = 64;
+    file.seekg(0, std::ios::end);
+    file.seekg(std::max<std::streamoff>(file.tellg() - tail, 0));
+    const std::string end{std::istreambuf_iterator<char>(file), {}};
+    const auto last = end.rfind('$');
+    if (last == std::string::npos || end.compare(last, 4, "$End") != 0) {
+        throw InputError(fmt::format(
+            "part '{}': '{}' is cut short: its last section has no end; write or copy it again", part, path));
+    }
+}
+
 }  // namespace
 
 PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool half)
 {
     require_readable(part.name, source.path);
+    require_whole(part.name, source.path);
     PartMesh mesh;
     guard_gmsh(part.name, "reading its mesh file", [&] {
         reset_gmsh();
@@ -84,6 +109,12 @@ PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool h
         const auto adjust = [&](PartMesh& raw) {
             for (Vec3& node : raw.nodes) {
                 node = node + part.translation;
+                if (!std::isfinite(norm(node))) {
+                    throw InputError(
+                        fmt::format("part '{}': '{}' holds a node whose place is no finite number; mesh it "
+                                    "again",
+                                    part.name, source.path));
+                }
             }
             if (half) {
                 keep_half(part, raw);

@@ -48,10 +48,9 @@ double depth_below(const FaceGeometry& geometry, const Vec3& point)
 /// Tells how deep points lie inside a part that is known by its cells only.
 class CellDepth {
 public:
-    CellDepth(const Assembly& assembly, std::uint32_t part) : machine_(assembly.machine)
+    CellDepth(const Assembly& assembly, std::uint32_t part) : machine_(assembly.machine), box_(assembly.bounds[part])
     {
         const MeshPart& own = machine_.parts[part];
-        box_ = assembly.bounds[part];
         const double cells = std::cbrt(static_cast<double>(own.cell_count));
         for (std::size_t i = 0; i < 3; ++i) {
             counts_[i] = static_cast<int>(std::clamp(std::ceil(cells), 1.0, 100.0));

@@ -184,6 +184,10 @@ std::string read_step_text(const std::string& part, const std::string& path)
         throw InputError(
             fmt::format("part '{}': '{}' is no STEP file (ISO 10303-21); export the part as STEP", part, path));
     }
+    if (text.find("END-ISO-10303-21") == std::string::npos) {
+        throw InputError(
+            fmt::format("part '{}': '{}' is cut short: its end is missing; export or copy it again", part, path));
+    }
     return text;
 }
 

@@ -32,18 +32,22 @@ Json read_json(const fs::path& path)
 }
 
 /// Every number below a value, by the names and indices that lead to it with points between.
-void flatten(const Json& json, const std::string& path, std::map<std::string, double>& numbers)
+void flatten(const Json& json, const std::string& path, std::map<std::string, double>& numbers, int depth = 0)
 {
+    constexpr int deepest = 32;  // ours are four deep
+    if (depth > deepest) {
+        throw InputError(fmt::format("a value at '{}' is nested too deep\n  help: compute the case again", path));
+    }
     const auto below = [&](const std::string& step) { return path.empty() ? step : path + "." + step; };
     if (json.is_number()) {
         numbers[path] = json.get<double>();
     } else if (json.is_object()) {
         for (const auto& [name, value] : json.items()) {
-            flatten(value, below(name), numbers);
+            flatten(value, below(name), numbers, depth + 1);
         }
     } else if (json.is_array()) {
         for (std::size_t i = 0; i < json.size(); ++i) {
-            flatten(json[i], below(std::to_string(i)), numbers);
+            flatten(json[i], below(std::to_string(i)), numbers, depth + 1);
         }
     }
 }

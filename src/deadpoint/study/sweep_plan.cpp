@@ -122,7 +122,8 @@ private:
         }
         const std::string mark = fmt::format("-{}", stable_hash(all).substr(0, 8));
         if (name.size() > longest_name) {
-            name = name.substr(0, longest_name) + mark;
+            name.resize(longest_name);
+            name += mark;
         }
         // Some file systems do not tell upper case from lower case.
         if (!names_.insert(lower(name)).second) {
@@ -228,17 +229,19 @@ SweepStudy translate_study(const casefile::StudyFile& file)
     if (file.limits) {
         study.limits = {file.limits->largest, file.limits->final};
     }
+    study.files = file.files;
     return study;
 }
 
 std::function<bool(const std::string&, const std::string&)> base_values(const SweepStudy& study)
 {
-    const auto hash_with = [base = study.base, overrides = study.overrides](const std::string& more) {
+    const auto hash_with = [base = study.base, overrides = study.overrides,
+                            files = study.files](const std::string& more) {
         auto all = overrides;
         if (!more.empty()) {
             all.push_back(more);
         }
-        return casefile::case_hash(casefile::read_case(base, all).value);
+        return casefile::case_hash(casefile::read_case(base, all, files).value);
     };
     const std::string base_hash = hash_with("");
     auto known = std::make_shared<std::map<std::string, bool>>();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/casefile/file_access.hpp"
 #include "deadpoint/core/quantity.hpp"
 
 #include <functional>
@@ -42,7 +43,8 @@ struct SweepStudy {
     std::vector<std::string> overrides;  ///< "key=value" for all points
     std::vector<SweepSet> sets;
     DriftLimits limits;
-    std::string note;  ///< for reports
+    std::string note;                                          ///< for reports
+    casefile::FileAccess files = casefile::FileAccess::below;  ///< with which the base case is read
 };
 
 /// A place in a set: a step of each of its axes.

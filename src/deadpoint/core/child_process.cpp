@@ -1,0 +1,225 @@
+#include "deadpoint/core/child_process.hpp"
+
+#include "deadpoint/core/error.hpp"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <new>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace deadpoint {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// The first byte of what a child hands over: its bytes follow, or a message.
+constexpr char handed_over = 0;
+constexpr char foreign_error = 1;
+constexpr char out_of_memory = 6;  // an ErrorKind stands for itself in between
+
+std::size_t mapped_memory()
+{
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+void write_all(int to, const char* data, std::size_t size)
+{
+    while (size > 0) {
+        const auto written = write(to, data, size);
+        if (written < 0 && errno == EINTR) {
+            continue;
+        }
+        if (written <= 0) {
+            _exit(1);  // nobody listens any more
+        }
+        data += written;
+        size -= static_cast<std::size_t>(written);
+    }
+}
+
+void hand_over(int to, char kind, const std::string& bytes)
+{
+    write_all(to, &kind, 1);
+    write_all(to, bytes.data(), bytes.size());
+}
+
+void set_limit(int resource, std::uint64_t value)
+{
+    const rlimit limit{value, value};
+    setrlimit(static_cast<__rlimit_resource>(resource), &limit);
+}
+
+[[noreturn]] void be_the_child(int to, const ChildLimits& limits, const std::function<std::string()>& work)
+{
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    set_limit(RLIMIT_AS, mapped_memory() + limits.memory);
+    set_limit(RLIMIT_CORE, 0);
+    for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) {
+        std::signal(signal, SIG_DFL);
+    }
+    if (std::freopen("/dev/null", "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr) {
+        _exit(1);
+    }
+    try {
+        hand_over(to, handed_over, work());
+    } catch (const Error& error) {
+        hand_over(to, static_cast<char>(error.kind()), error.what());
+    } catch (const std::bad_alloc&) {
+        hand_over(to, out_of_memory, "");
+    } catch (const std::exception& error) {
+        hand_over(to, foreign_error, error.what());
+    } catch (...) {
+        hand_over(to, foreign_error, "an error without a message");
+    }
+    _exit(0);
+}
+
+class Child {
+public:
+    Child(const std::string& what, const ChildLimits& limits, const std::function<std::string()>& work)
+        : what_(what), limits_(limits)
+    {
+        std::array<int, 2> ends{};
+        if (pipe(ends.data()) != 0) {
+            throw IoError(fmt::format("{}: no process can be started: {}", what_, std::strerror(errno)));
+        }
+        process_ = fork();
+        if (process_ < 0) {
+            close(ends[0]);
+            close(ends[1]);
+            throw IoError(fmt::format("{}: no process can be started: {}\n  help: end other programs, or allow more "
+                                      "processes",
+                                      what_, std::strerror(errno)));
+        }
+        if (process_ == 0) {
+            close(ends[0]);
+            be_the_child(ends[1], limits, work);
+        }
+        close(ends[1]);
+        from_ = ends[0];
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+    ~Child()
+    {
+        close(from_);
+        if (process_ > 0) {
+            kill(process_, SIGKILL);
+            (void)wait_for_end();
+        }
+    }
+
+    /// Everything that it hands over.
+    std::string read_all()
+    {
+        const auto end =
+            Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits_.seconds));
+        std::string bytes;
+        std::array<char, 65536> buffer{};
+        for (;;) {
+            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+            pollfd wanted{from_, POLLIN, 0};
+            const int ready = left > 0 ? poll(&wanted, 1, static_cast<int>(std::min<long long>(left, 1000))) : 0;
+            if (ready == 0 && left <= 0) {
+                throw InputError(
+                    fmt::format("{} took longer than {:.3g} s and was stopped\n  help: simplify the file, or "
+                                "mesh it with another program and give the mesh",
+                                what_, limits_.seconds));
+            }
+            if (ready <= 0) {
+                continue;
+            }
+            const auto count = read(from_, buffer.data(), buffer.size());
+            if (count < 0 && errno == EINTR) {
+                continue;
+            }
+            if (count <= 0) {
+                return bytes;
+            }
+            bytes.append(buffer.data(), static_cast<std::size_t>(count));
+        }
+    }
+
+    int wait_for_end()
+    {
+        int status = 0;
+        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        }
+        process_ = -1;
+        return status;
+    }
+
+private:
+    std::string what_;
+    ChildLimits limits_;
+    pid_t process_ = -1;
+    int from_ = -1;
+};
+
+[[noreturn]] void throw_as(char kind, const std::string& what, const std::string& message, const ChildLimits& limits)
+{
+    switch (kind) {
+    case static_cast<char>(ErrorKind::input):
+        throw InputError(message);
+    case static_cast<char>(ErrorKind::domain):
+        throw DomainError(message);
+    case static_cast<char>(ErrorKind::convergence):
+        throw ConvergenceError(message);
+    case static_cast<char>(ErrorKind::io):
+        throw IoError(message);
+    case out_of_memory:
+        throw InputError(
+            fmt::format("{} needs more than {:.1f} GB of memory\n  help: make its cells larger, or simplify "
+                        "the file",
+                        what, 1e-9 * static_cast<double>(limits.memory)));
+    default:
+        throw InputError(
+            fmt::format("{} failed: {}\n  help: check the file with the program that wrote it", what, message));
+    }
+}
+
+}  // namespace
+
+std::string run_in_child(const std::string& what, const ChildLimits& limits, const std::function<std::string()>& work)
+{
+    Child child(what, limits, work);
+    std::string bytes = child.read_all();
+    const int status = child.wait_for_end();
+    if (WIFSIGNALED(status)) {
+        throw InputError(fmt::format("{} failed: the reader crashed (signal {}, {})\n  help: check the file with the "
+                                     "program that wrote it, or give the part in another format",
+                                     what, WTERMSIG(status), strsignal(WTERMSIG(status))));
+    }
+    if (bytes.empty()) {
+        throw InputError(fmt::format("{} failed: the reader ended without a result\n  help: check the file with the "
+                                     "program that wrote it",
+                                     what));
+    }
+    const char kind = bytes.front();
+    bytes.erase(0, 1);
+    if (kind != handed_over) {
+        throw_as(kind, what, bytes, limits);
+    }
+    return bytes;
+}
+
+std::size_t half_of_memory()
+{
+    return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) / 2 * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace deadpoint

@@ -1,0 +1,26 @@
+/// Requirement: whatever stands in a case file, reading it gives a case or an error of ours, and a case that was read
+/// without mistakes reads back from what is written of it.
+#include "deadpoint/casefile/read.hpp"
+#include "deadpoint/casefile/write.hpp"
+#include "deadpoint/core/error.hpp"
+#include "input_file.hpp"
+
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    static const InputFile file(".toml");
+    static const InputFile again(".again.toml");
+    file.write(data, size);
+    deadpoint::casefile::Case read;
+    try {
+        read = deadpoint::casefile::read_case(file.path()).value;
+    } catch (const deadpoint::Error&) {
+        return 0;
+    }
+    const auto text = deadpoint::casefile::write_case(read);
+    again.write(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    if (deadpoint::casefile::write_case(deadpoint::casefile::read_case(again.path()).value) != text)
+        std::abort();
+    return 0;
+}
