@@ -22,13 +22,16 @@ struct RunOptions : ResultOptions {
 };
 
 /// Adds the page to finished results. Whatever is wrong with it must not cost them.
-void add_page(const ResultFolder& folder, Console& console)
+/// @return whether it is there
+bool add_page(const ResultFolder& folder, Console& console)
 {
     const std::vector<report::ReportSource> source{{folder.path(), folder.target().filename().string()}};
     try {
         report::write_report(folder.path() / "report.html", source);
+        return true;
     } catch (const std::exception& error) {
         console.warn(fmt::format("report.html is missing: {}", error.what()));
+        return false;
     }
 }
 
@@ -62,12 +65,13 @@ int run_case(const RunOptions& options, const OnRanks& ranks)
     console.finish();
     if (folder) {
         report::write_run_files(folder->path(), input, machine, result, console.warnings());
-        add_page(*folder, console);
+        const bool has_page = add_page(*folder, console);
         folder->commit();
         const auto where = folder->target().string();
-        fmt::print("{}\nresults{} are in {}\nsee them on a page: deadpoint view {}  (opens {}/report.html)\n",
-                   report::run_text(input, result), result.thermal.interrupted ? " up to the interruption" : "", where,
-                   where, where);
+        fmt::print("{}\nresults{} are in {}\n", report::run_text(input, result),
+                   result.thermal.interrupted ? " up to the interruption" : "", where);
+        if (has_page)
+            fmt::print("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
     }
     return result.thermal.interrupted ? interrupted_exit_code : 0;
 }

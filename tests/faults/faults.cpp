@@ -73,7 +73,7 @@ TEST_CASE("a full disk is exit code 5 with the file's name, and leaves nothing b
 {
     const ScratchFolder folder;
     const auto target = (folder.path / "result").string();
-    for (const long long room : {0LL, 30'000LL, 200'000LL}) {
+    for (const long long room : {0LL, 5'000LL, 12'000LL}) {
         CAPTURE(room);
         const auto outcome = run(short_disk(room, false), fmt::format("run {} -o {}", two_blocks, target));
         CHECK(outcome.code == 5);
@@ -81,6 +81,18 @@ TEST_CASE("a full disk is exit code 5 with the file's name, and leaves nothing b
         CHECK(has(outcome.text, "cannot write '" + target));
         CHECK(fs::is_empty(folder.path));
     }
+}
+
+TEST_CASE("a disk too full for the page keeps the results and says what is missing")
+{
+    const ScratchFolder folder;
+    const auto target = folder.path / "result";
+    const auto outcome = run(short_disk(200'000, false), fmt::format("run {} -o {}", two_blocks, target.string()));
+    CHECK(outcome.code == 0);
+    CHECK(has(outcome.text, "report.html is missing"));
+    CHECK_FALSE(has(outcome.text, "see them on a page"));
+    CHECK(fs::exists(target / "summary.json"));
+    CHECK_FALSE(fs::exists(target / "report.html"));
 }
 
 TEST_CASE("a run that is killed leaves a whole result or none, and the same command then goes through")

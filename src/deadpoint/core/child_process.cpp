@@ -97,6 +97,7 @@ public:
         if (pipe(ends.data()) != 0) {
             throw IoError(fmt::format("{}: no process can be started: {}", what_, std::strerror(errno)));
         }
+        std::fflush(nullptr);  // else the child would write what stands in the buffers once more
         process_ = fork();
         if (process_ < 0) {
             close(ends[0]);

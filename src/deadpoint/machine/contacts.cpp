@@ -46,7 +46,8 @@ Polygon shifted(Polygon polygon, const Vec2& shift)
 /// Finds polygons by their bounding boxes through a uniform grid.
 class PolygonGrid {
 public:
-    explicit PolygonGrid(const std::vector<Rectangle>& boxes) : boxes_(boxes), all_(boxes.front()), seen_(boxes.size(), 0)
+    explicit PolygonGrid(const std::vector<Rectangle>& boxes)
+        : boxes_(boxes), all_(boxes.front()), seen_(boxes.size(), 0)
     {
         Vec2 mean{};
         for (const Rectangle& box : boxes) {
