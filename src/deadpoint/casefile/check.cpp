@@ -43,7 +43,9 @@ public:
                 refer(fmt::format("enclosures.{}.surfaces.{}", name, i), "surface", enclosure.surfaces[i], c_.surfaces);
             }
         }
-        std::ranges::move(check_enclosures(c_), std::back_inserter(findings_));
+        for (auto& finding : check_enclosures(c_)) {
+            add(std::move(finding));
+        }
         for (const auto& [name, surface] : c_.surfaces) {
             check_surface("surfaces." + name, surface);
         }
