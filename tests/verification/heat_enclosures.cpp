@@ -108,7 +108,8 @@ TEST_CASE("a sealed box at rest passes on what it makes: temperatures by the bal
     CHECK(solved.probe("block") == Approx(enclosed + power / block_film).epsilon(1e-6));
     CHECK(air(solved).from_surfaces.back() == Approx(-windage).epsilon(1e-5));
     CHECK(solved.history().to_air.back() == Approx(power + windage).epsilon(1e-6));
-    CHECK(solved.history().energy.mismatch() < 1e-8);
+    // Rounding of k T at a hundred times the conductivity of copper, the same in each of many steps at rest.
+    CHECK(solved.history().energy.mismatch() < 1e-7);
 }
 
 TEST_CASE("order in time: enclosed air and films that follow the temperatures on both sides")

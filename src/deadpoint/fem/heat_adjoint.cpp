@@ -31,8 +31,8 @@ HeatAdjoint::HeatAdjoint(HeatSolver& solver)
         return condition.kind == SurfaceCondition::Kind::temperature;
     });
     solver_.shell_slopes_.clear();  // the heat is as booked and no longer follows the temperature
-    for (auto& air : solver_.air_)  // nor do the enclosures
-        DEADPOINT_PETSC(VecSet(air.load, 0));
+    for (std::size_t k = 0; k < solver_.air_->count(); ++k)  // nor do the enclosures
+        DEADPOINT_PETSC(VecSet(solver_.air_->load(k), 0));
     solver_.system_factor_ = -1;
 }
 

@@ -19,7 +19,7 @@ double value_at(const PointShape& shape, const double* values)
 double HeatSolver::ambient(const SurfaceCondition& condition, double time) const
 {
     if (condition.enclosure >= 0)
-        return air_[static_cast<std::size_t>(condition.enclosure)].now;
+        return air_->temperature(static_cast<std::size_t>(condition.enclosure));
     return condition.ambient ? condition.ambient(time) : segment_->ambient(time);
 }
 
@@ -174,7 +174,7 @@ HeatRate HeatSolver::rate(double time, Vec temperature) const
     DEADPOINT_PETSC(MatMult(stiffness_, temperature, result.vector));
     DEADPOINT_PETSC(VecScale(result.vector, -1));
     add_variable_conduction(temperature, Vec(result.vector));
-    result.air.resize(air_.size());
+    result.air.resize(air_->count());
 
     std::vector<const SparseFunctional*> integrals;
     for (const auto& film : films_)

@@ -43,6 +43,7 @@ bool HeatSolver::adopt(const HeatProblem& problem)
     for (auto& [position, condition] : prescribed_at_)
         condition = &problem.surfaces[static_cast<std::size_t>(condition - problem_->surfaces.data())];
     problem_ = &problem;
+    air_->adopt(problem.enclosures);
     laws_ = &laws;
     return true;
 }
@@ -74,8 +75,7 @@ void HeatSolver::start_from(const ThermalState& state)
     std::copy(state.temperature.owned.begin(), state.temperature.owned.end(), values);
     DEADPOINT_PETSC(VecRestoreArray(now_, &values));
     sump_ = state.sumps;
-    for (std::size_t k = 0; k < air_.size(); ++k)
-        air_[k].start = air_[k].now = state.enclosures.at(k);
+    air_->start_from(state.enclosures);
 }
 
 ThermalState HeatSolver::state() const
@@ -86,8 +86,7 @@ ThermalState HeatSolver::state() const
     result.temperature.owned.assign(values, values + (space_.last - space_.first));
     DEADPOINT_PETSC(VecRestoreArrayRead(now_, &values));
     result.sumps = sump_;
-    for (const auto& air : air_)
-        result.enclosures.push_back(air.start);
+    result.enclosures = air_->at_start();
     return result;
 }
 

@@ -82,7 +82,7 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
         *v = duplicate(now_);
     if (variable_films_)
         everywhere_ = std::make_unique<Everywhere>(now_);
-    prepare_enclosures();
+    air_ = std::make_unique<EnclosedAir>(problem_->enclosures, now_);
 
     const PetscInt rows = space_.last - space_.first;
     DEADPOINT_PETSC(MatCreateShell(PETSC_COMM_WORLD, rows, rows, space_.total, space_.total, this, shell_.out()));
@@ -114,7 +114,7 @@ PetscErrorCode HeatSolver::multiply(Mat shell, Vec in, Vec out)
     HeatSolver* self = nullptr;
     MatShellGetContext(shell, &self);
     MatMult(self->system_, in, out);
-    self->add_air(in, out);
+    self->air_->multiply(in, out);
     if (self->shell_slopes_.empty())
         return 0;
     std::vector<const SparseFunctional*> loads;
@@ -137,7 +137,7 @@ void HeatSolver::build_system(double factor, Vec temperature)
     if (factor == system_factor_ && !variable_films_ && !materials_vary())
         return;
     const double* values = variable_films_ ? everywhere_->gather(temperature) : nullptr;
-    build_air_loads(values);
+    build_air_loads(factor, values);
     if (variable_films_)
         assemble_variable_films([&](const Film& film) -> PointCoefficient {
             const double surroundings = ambient(*film.condition, time_);
@@ -204,14 +204,14 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
         for (const PetscInt row : prescribed_)
             residual[row - space_.first] = 0;
         DEADPOINT_PETSC(VecRestoreArray(work_, &residual));
-        const auto of_air = air_residual(current, factor);
-        take_air_out(of_air, work_);
+        const auto of_air = air_->residual(current);
+        air_->take_out(of_air, work_);
         set_tolerance(1e-13, problem_->solver_tolerance);
         iterations_ += solve(solver_, work_, work2_, "the temperature field");
         ++solves_;
         DEADPOINT_PETSC(VecAXPY(temperature, -1, work2_));
         require_finite(temperature, time);
-        const double air_change = move_air(of_air, work2_);
+        const double air_change = air_->move(of_air, work2_);
 
         HeatRate updated = rate(time, temperature);
         const auto corrections = tangent_less_law(current, updated);
@@ -289,7 +289,7 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
     OwnedVec known = duplicate(now_);
     DEADPOINT_PETSC(MatMult(mass_, heat_of(now_), known));
     DEADPOINT_PETSC(VecAXPY(known, factor, rate_now_.vector));
-    begin_first_air_stage(dt);
+    air_->begin_first_stage(dt, have_previous_, rate_now_);
     rate_middle_ = solve_stage(time + gamma_stage * dt, factor, known, first_known_sump(factor), middle_);
 
     DEADPOINT_PETSC(VecCopy(middle_, error_));
@@ -307,7 +307,7 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
         DEADPOINT_PETSC(VecAXPY(next_, 1 / gamma_stage, middle_));
         DEADPOINT_PETSC(VecAXPY(next_, -1 / gamma_stage, now_));
     }
-    begin_second_air_stage();
+    air_->begin_second_stage();
     rate_next_ = solve_stage(time + dt, factor, known, second_known_sump(), next_);
 
     // slope at the end, from the second stage's own formula
@@ -337,7 +337,7 @@ double HeatSolver::estimate_error(double dt)
         DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[0], slope_now_));
         DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[1], slope_middle_));
         DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[2], slope_next_));
-        return air_error(dt);
+        return air_->error(dt);
     }
     DEADPOINT_PETSC(VecCopy(rate_now_.vector, work_));
     DEADPOINT_PETSC(VecScale(work_, dt * error_weights[0]));
@@ -348,13 +348,13 @@ double HeatSolver::estimate_error(double dt)
     for (const PetscInt row : prescribed_)
         residual[row - space_.first] = 0;
     DEADPOINT_PETSC(VecRestoreArray(work_, &residual));
-    const auto of_air = first_air_error(dt);
-    take_air_out(of_air, work_);
+    const auto of_air = air_->first_error(dt, {&rate_now_, &rate_middle_, &rate_next_});
+    air_->take_out(of_air, work_);
     // sharp enough that all numbers of ranks take the same steps
     set_tolerance(1e-4, 1e-4 * problem_->time_tolerance);
     iterations_ += solve(solver_, work_, error_, "the error of a time step");
     double largest = 0;
-    for (const double e : air_solution(of_air, error_))
+    for (const double e : air_->solution(of_air, error_))
         largest = std::max(largest, std::abs(e));
     return largest;
 }
@@ -435,7 +435,7 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
             add_energy(history.energy, dt, outcome.from_prescribed);
             steps_.push_back({static_cast<std::size_t>(segment_ - problem_->segments.data()), history.time.size(), dt,
                               rate_now_, rate_middle_, rate_next_});
-            history.energy.stored += accept_air(dt);
+            history.energy.stored += air_->accept(dt);
             std::swap(before_, now_);
             std::swap(now_, next_);
             previous_dt_ = have_previous_ ? dt : 0;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "deadpoint/fem/discretisation.hpp"
+#include "deadpoint/fem/enclosed_air.hpp"
 #include "deadpoint/fem/expansion.hpp"
-#include "deadpoint/fem/heat_rate.hpp"
 #include "deadpoint/fem/model.hpp"
 
 #include <optional>
@@ -61,15 +61,6 @@ private:
         std::vector<FilmPoint> points;  ///< only where the coefficient depends on temperature
         std::size_t index = 0;          ///< into HeatProblem::surfaces
     };
-    /// The air of an enclosure, an unknown beside the field.
-    struct Air {
-        OwnedVec load;                 ///< slope of its films' heat by its temperature, per unknown [W/K]
-        double conductance = 0;        ///< the sum of it [W/K]
-        double start = 0, middle = 0;  ///< temperature at the start of the step and after its first stage [K]
-        double slope = 0;              ///< at the start [K/s]
-        double now = 0;                ///< as last iterated [K]
-        double known = 0;              ///< of the stage being solved [J]
-    };
     struct Step {
         double error = 0;
         double from_prescribed = 0;
@@ -85,7 +76,6 @@ private:
     void prepare_body_heat();
     void prepare_films();
     void prepare_prescribed();
-    void prepare_enclosures();
     void prepare_materials();
     void prepare_tangents();
     void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
@@ -116,18 +106,7 @@ private:
     double set_oil(const std::vector<double>& temperature);
     void add_variable_films(HeatRate& rate, double time, Vec temperature) const;
     void add_enclosures(HeatRate& rate, double time) const;
-    void build_air_loads(const double* values);
-    [[nodiscard]] double air_pivot(std::size_t enclosure) const;
-    PetscErrorCode add_air(Vec in, Vec out) const;
-    [[nodiscard]] std::vector<double> air_residual(const HeatRate& rate, double factor) const;
-    void take_air_out(const std::vector<double>& residual, Vec field_residual) const;
-    [[nodiscard]] std::vector<double> air_solution(const std::vector<double>& residual, Vec solution) const;
-    double move_air(const std::vector<double>& residual, Vec solution);
-    void begin_first_air_stage(double dt);
-    void begin_second_air_stage();
-    [[nodiscard]] double air_error(double dt) const;
-    [[nodiscard]] std::vector<double> first_air_error(double dt) const;
-    double accept_air(double dt);
+    void build_air_loads(double factor, const double* values);
     [[nodiscard]] bool materials_vary() const { return capacity_varies_ || conduction_varies_; }
     /// What the mass matrix acts on: the temperature, or the one of equal heat [K].
     [[nodiscard]] Vec heat_of(Vec temperature) const;
@@ -183,7 +162,7 @@ private:
     std::vector<SparseFunctional> body_loads_;    ///< watts of unit heat by unknown
     std::vector<double> oil_temperature_;         ///< per interface [K]
     std::vector<double> sump_;                    ///< per circuit, at the start of the step [K]
-    std::vector<Air> air_;                        ///< per enclosure
+    std::unique_ptr<EnclosedAir> air_;
     std::vector<Film> films_;
     bool variable_films_ = false;
     std::vector<PetscInt> prescribed_;  ///< owned unknowns with given temperature, global numbers
