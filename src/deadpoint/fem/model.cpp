@@ -2,24 +2,26 @@
 
 #include "deadpoint/core/vtu.hpp"
 #include "deadpoint/fem/elastic_solver.hpp"
+#include "deadpoint/fem/fitted_transfer.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
 #include "deadpoint/fem/thermal_state.hpp"
-#include "deadpoint/fem/transfer.hpp"
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace deadpoint::fem {
 
 namespace {
 
-// A mesh of the deformation's own, and the ways to it and back; the second is found when first gone.
+// A mesh of the deformation's own, and the ways to it and back.
 struct OwnMesh {
-    OwnMesh(const Machine& machine, const Discretisation& heat) : space(machine, heat.order), to(heat, space) {}
+    OwnMesh(const Machine& machine, const Discretisation& heat)
+        : space(machine, heat.order), values(heat, space), back(space, heat), to(heat, space, values, back)
+    {}
     Discretisation space;
-    Transfer to;
-    std::optional<Transfer> back;
+    Transfer values;
+    Transfer back;
+    FittedTransfer to;
 };
 
 }  // namespace
@@ -41,11 +43,7 @@ struct Model::Implementation {
     /// A displacement at the unknowns of the heat.
     [[nodiscard]] std::vector<double> on_heat_mesh(const Displacement& u) const
     {
-        if (!own)
-            return u.owned;
-        if (!own->back)
-            own->back.emplace(own->space, space);
-        return own->back->apply(u.owned, 3);
+        return own ? own->back.apply(u.owned, 3) : u.owned;
     }
     const Machine& machine;
     std::vector<Material> materials;
@@ -176,7 +174,7 @@ Displacement Model::displacement(const Field& temperature, double reference_temp
 {
     auto& solver = implementation_->deformation();
     if (const auto& own = implementation_->own)
-        return solver.displacement({own->to.apply(temperature.owned, 1)}, reference_temperature);
+        return solver.displacement({own->to.apply(temperature.owned)}, reference_temperature);
     return solver.displacement(temperature, reference_temperature);
 }
 
