@@ -3,27 +3,29 @@
 #include "deadpoint/core/vtu.hpp"
 #include "deadpoint/fem/elastic_solver.hpp"
 #include "deadpoint/fem/expansion.hpp"
+#include "deadpoint/fem/fitted_transfer.hpp"
 #include "deadpoint/fem/heat_adjoint.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
 #include "deadpoint/fem/stress_recovery.hpp"
 #include "deadpoint/fem/thermal_state.hpp"
-#include "deadpoint/fem/transfer.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace deadpoint::fem {
 
 namespace {
 
-// A mesh of the deformation's own, and the ways to it and back; the second is found when first gone.
+// A mesh of the deformation's own, and the ways to it and back.
 struct OwnMesh {
-    OwnMesh(const Machine& machine, const Discretisation& heat) : space(machine, heat.order), to(heat, space) {}
+    OwnMesh(const Machine& machine, const Discretisation& heat)
+        : space(machine, heat.order), values(heat, space), back(space, heat), to(heat, space, values, back)
+    {}
     Discretisation space;
-    Transfer to;
-    std::optional<Transfer> back;
+    Transfer values;
+    Transfer back;
+    FittedTransfer to;
 };
 
 }  // namespace
@@ -45,16 +47,12 @@ struct Model::Implementation {
     /// A field of the heat at the unknowns of the deformation.
     [[nodiscard]] Field where_deformed(const Field& field) const
     {
-        return own ? Field{own->to.apply(field.owned, 1)} : field;
+        return own ? Field{own->to.apply(field.owned)} : field;
     }
     /// A displacement at the unknowns of the heat.
     [[nodiscard]] std::vector<double> on_heat_mesh(const Displacement& u) const
     {
-        if (!own)
-            return u.owned;
-        if (!own->back)
-            own->back.emplace(own->space, space);
-        return own->back->apply(u.owned, 3);
+        return own ? own->back.apply(u.owned, 3) : u.owned;
     }
     /// Weights on the temperatures of the heat.
     [[nodiscard]] std::vector<Adjoint> on_heat_mesh(std::vector<Adjoint> adjoints) const

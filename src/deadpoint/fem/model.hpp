@@ -66,8 +66,8 @@ inline constexpr long long largest_factor = 1'500'000;
 /// the finer side's nodes follow the coarser side's cells. Bodies are free but for the symmetry plane and the feet;
 /// what rigid motion is left is held without force and taken out of all results.
 ///
-/// The deformation may live on a mesh of its own. Temperatures then reach it by their values at its nodes, and
-/// displacements come back by theirs; functionals and feet belong to its machine, all else to that of the heat.
+/// The deformation may live on a mesh of its own. Temperatures then reach it by a least-squares fit, and displacements
+/// come back by their values; functionals and feet belong to its machine, all else to that of the heat.
 ///
 /// Every member function is collective: all ranks call it with the same arguments.
 class Model {

@@ -181,12 +181,12 @@ std::vector<double> Transfer::apply(const std::vector<double>& owned, int block)
     const auto all = gather_all(from_, owned, block);
     const auto width = static_cast<std::size_t>(block);
     std::vector<double> result(width * cell_.size(), 0.0);
-    PointShape shape;
+    PointShape at;
     for (std::size_t row = 0; row < cell_.size(); ++row) {
-        from_.evaluate_at(cell_[row], unit_[row], false, shape);
-        for (int i = 0; i < shape.count; ++i)
+        shape(row, at);
+        for (int i = 0; i < at.count; ++i)
             for (std::size_t b = 0; b < width; ++b)
-                result[width * row + b] += shape.value[i] * all[width * static_cast<std::size_t>(shape.dof[i]) + b];
+                result[width * row + b] += at.value[i] * all[width * static_cast<std::size_t>(at.dof[i]) + b];
     }
     return result;
 }
@@ -195,12 +195,12 @@ std::vector<double> Transfer::apply_transposed(const std::vector<double>& owned)
 {
     OwnedVec sum = create_vector(from_, 1);
     std::array<double, max_cell_dofs> weight{};
-    PointShape shape;
+    PointShape at;
     for (std::size_t row = 0; row < cell_.size(); ++row) {
-        from_.evaluate_at(cell_[row], unit_[row], false, shape);
-        for (int i = 0; i < shape.count; ++i)
-            weight[static_cast<std::size_t>(i)] = shape.value[i] * owned[row];
-        DEADPOINT_PETSC(VecSetValues(sum, shape.count, shape.dof.data(), weight.data(), ADD_VALUES));
+        shape(row, at);
+        for (int i = 0; i < at.count; ++i)
+            weight[static_cast<std::size_t>(i)] = at.value[i] * owned[row];
+        DEADPOINT_PETSC(VecSetValues(sum, at.count, at.dof.data(), weight.data(), ADD_VALUES));
     }
     DEADPOINT_PETSC(VecAssemblyBegin(sum));
     DEADPOINT_PETSC(VecAssemblyEnd(sum));

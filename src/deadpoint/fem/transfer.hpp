@@ -57,6 +57,8 @@ public:
     [[nodiscard]] std::vector<double> apply(const std::vector<double>& owned, int block) const;
     /// P^T w: weights on the old mesh with w . (P f) = (P^T w) . f.
     [[nodiscard]] std::vector<double> apply_transposed(const std::vector<double>& owned) const;
+    /// The old mesh's shape functions at this rank's unknown `row` of the new one.
+    void shape(std::size_t row, PointShape& shape) const { from_.evaluate_at(cell_[row], unit_[row], false, shape); }
 
 private:
     void find_places(std::uint32_t part);
