@@ -107,15 +107,15 @@ void HeatSolver::assemble_cells(Mat mass, Mat stiffness) const
 // side.
 void HeatSolver::assemble_bonds(Mat stiffness) const
 {
-    const double penalty_factor = 10.0 * space_.order * space_.order;
     std::array<PetscInt, 2 * max_cell_dofs> dof{};
     std::array<double, 2 * max_cell_dofs> jump{}, flux{};
     std::vector<double> block;
     for_each_bond_pair(space_, [&](const BondPair& pair) {
         const double k_a = materials_[pair.part_a].conductivity, k_b = materials_[pair.part_b].conductivity;
-        const double stiff_a = k_a / pair.depth_a, stiff_b = k_b / pair.depth_b;
+        const int order_a = space_.orders[pair.part_a], order_b = space_.orders[pair.part_b];
+        const double stiff_a = order_a * order_a * k_a / pair.depth_a, stiff_b = order_b * order_b * k_b / pair.depth_b;
         const double weight_a = stiff_b / (stiff_a + stiff_b), weight_b = stiff_a / (stiff_a + stiff_b);
-        const double penalty = penalty_factor * stiff_a * stiff_b / (stiff_a + stiff_b);
+        const double penalty = 10 * stiff_a * stiff_b / (stiff_a + stiff_b);
         const int n = pair.points.front().a.count + pair.points.front().b.count;
         block.assign(static_cast<std::size_t>(n * n), 0.0);
         for (const auto& p : pair.points) {

@@ -5,14 +5,15 @@
 #include "deadpoint/fem/heat_solver.hpp"
 #include "deadpoint/fem/thermal_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace deadpoint::fem {
 
 struct Model::Implementation {
-    Implementation(const Machine& machine_, std::vector<Material> materials_, int order)
-        : machine(machine_), materials(std::move(materials_)), space(machine, order)
+    Implementation(const Machine& machine_, std::vector<Material> materials_, std::vector<int> orders)
+        : machine(machine_), materials(std::move(materials_)), space(machine, std::move(orders))
     {}
     ElasticSolver& deformation()
     {
@@ -44,12 +45,14 @@ void require_same_mesh(const Machine& machine)
         throw InputError("the ranks built different meshes; run with one rank, and please report the case");
 }
 
-void require_sound(const Machine& machine, const std::vector<Material>& materials)
+void require_sound(const Machine& machine, const std::vector<Material>& materials, const std::vector<int>& orders)
 {
     if (machine.cells.empty())
         throw InputError("the machine has no cells");
     if (materials.size() != machine.parts.size())
         throw InputError("one material is needed per part");
+    if (orders.size() != machine.parts.size() || std::ranges::any_of(orders, [](int o) { return o < 1 || o > 2; }))
+        throw InputError("one order of elements, 1 or 2, is needed per part");
     for (std::size_t p = 0; p < materials.size(); ++p)
         for (const double value :
              {materials[p].density, materials[p].conductivity, materials[p].specific_heat, materials[p].youngs_modulus})
@@ -76,12 +79,15 @@ std::vector<double> gathered(const Discretisation& space, const std::vector<Cell
 
 }  // namespace
 
-Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer&)
+Model::Model(const Machine& machine, std::vector<Material> materials, std::vector<int> orders, Observer&)
 {
-    require_sound(machine, materials);
+    require_sound(machine, materials, orders);
     require_same_mesh(machine);
-    implementation_ = std::make_unique<Implementation>(machine, std::move(materials), order);
+    implementation_ = std::make_unique<Implementation>(machine, std::move(materials), std::move(orders));
 }
+Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer)
+    : Model(machine, std::move(materials), std::vector<int>(machine.parts.size(), order), observer)
+{}
 Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 

@@ -54,8 +54,9 @@ struct ModelSize {
 class Model {
 public:
     /// @param materials  per part of the machine
-    /// @param order      of the elements, 1 or 2
+    /// @param orders     of the elements, 1 or 2, per part of the machine
     /// @throws InputError where ranks built different meshes or a material constant is not positive and finite
+    Model(const Machine& machine, std::vector<Material> materials, std::vector<int> orders, Observer& observer);
     Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer);
     ~Model();
     Model(Model&&) noexcept;

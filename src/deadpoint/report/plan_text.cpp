@@ -2,6 +2,7 @@
 
 #include "deadpoint/report/mesh_files.hpp"
 #include "deadpoint/report/table.hpp"
+#include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,12 +145,21 @@ std::string operation_section(const Case& description)
     return section("Operation", table);
 }
 
+std::string orders_text(const Case& description, const Machine& machine)
+{
+    const auto orders = study::describe_orders(description, machine);
+    const auto second = std::ranges::count(orders, 2);
+    return second == 0                    ? "1"
+           : second == std::ssize(orders) ? "2"
+                                          : fmt::format("2 in {} of {} parts, else 1", second, orders.size());
+}
+
 std::string size_section(const Case& description, const Machine& machine)
 {
     const auto size = estimate_size(description, machine);
     std::string text =
         fmt::format("\nSize\n  {} hexahedra, {} tetrahedra, order {}\n  {} unknowns of heat", grouped(size.hexahedra),
-                    grouped(size.tetrahedra), description.numerics.order, grouped(size.heat_unknowns));
+                    grouped(size.tetrahedra), orders_text(description, machine), grouped(size.heat_unknowns));
     if (size.deformation_unknowns > 0) {
         text += fmt::format(", {} of deformation", grouped(size.deformation_unknowns));
     }
@@ -193,12 +203,20 @@ SizeEstimate estimate_size(const Case& description, const Machine& machine)
     for (const auto& cell : machine.cells) {
         ++(cell.kind == CellKind::hexahedron ? size.hexahedra : size.tetrahedra);
     }
-    const bool second_order = description.numerics.order == 2;
-    size.heat_unknowns = static_cast<long long>(machine.nodes.size()) * (second_order ? 8 : 1);
+    const auto orders = study::describe_orders(description, machine);
+    std::vector<bool> second(machine.nodes.size(), false);
+    for (const auto& cell : machine.cells) {
+        for (int i = 0; orders[cell.part] == 2 && i < (cell.kind == CellKind::hexahedron ? 8 : 4); ++i) {
+            second[cell.nodes[i]] = true;
+        }
+    }
+    const auto of_second = static_cast<long long>(std::ranges::count(second, true));
+    const auto of_first = static_cast<long long>(machine.nodes.size()) - of_second;
+    size.heat_unknowns = of_first + 8 * of_second;
     size.deformation_unknowns = description.chain ? 3 * size.heat_unknowns : 0;
-    const double row = second_order ? 2.5 : 1;
-    size.memory = memory_base + row * (memory_per_heat_unknown * static_cast<double>(size.heat_unknowns) +
-                                       memory_per_deformation_unknown * static_cast<double>(size.deformation_unknowns));
+    const double rows = static_cast<double>(of_first) + 2.5 * 8 * static_cast<double>(of_second);
+    size.memory =
+        memory_base + rows * (memory_per_heat_unknown + (description.chain ? 3 * memory_per_deformation_unknown : 0));
     return size;
 }
 

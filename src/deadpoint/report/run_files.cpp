@@ -13,6 +13,7 @@
 #include "deadpoint/report/svg_chart.hpp"
 #include "deadpoint/report/table.hpp"
 #include "deadpoint/report/view_file.hpp"
+#include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -259,6 +260,7 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
                      {"heat_unknowns", result.heat_unknowns},
                      {"deformation_unknowns", result.drift ? 3 * result.heat_unknowns : 0},
                      {"element_order", input.numerics.order},
+                     {"second_order_parts", std::ranges::count(study::describe_orders(input, machine), 2)},
                      {"half_model", machine.half_model},
                      {"ranks", result.ranks}};
     json["solution"] = {{"steps", history.time.size() - 1},

@@ -209,7 +209,7 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
     if (model)
         return;
     watch.start("unknowns");
-    model.emplace(machine, describe_materials(input, machine), input.numerics.order, observer);
+    model.emplace(machine, describe_materials(input, machine), describe_orders(input, machine), observer);
     if (input.chain) {
         watch.start("dimension chain");
         chain.emplace(input, machine);

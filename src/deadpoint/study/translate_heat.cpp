@@ -338,6 +338,16 @@ std::vector<Material> describe_materials(const casefile::Case& input, const Mach
     return materials;
 }
 
+std::vector<int> describe_orders(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<int> orders;
+    for (const auto& part : machine.parts) {
+        const auto own = input.parts.find(part.name);
+        orders.push_back(own != input.parts.end() && own->second.order > 0 ? own->second.order : input.numerics.order);
+    }
+    return orders;
+}
+
 HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer,
                           const LoadsResult* loads)
 {

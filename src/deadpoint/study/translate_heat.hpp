@@ -14,6 +14,9 @@ namespace deadpoint::study {
 /// Material of every part of the machine.
 std::vector<Material> describe_materials(const casefile::Case& input, const Machine& machine);
 
+/// Order of the elements of every part of the machine.
+std::vector<int> describe_orders(const casefile::Case& input, const Machine& machine);
+
 /// The heat problem of a case: interfaces in the order of the machine's, sources in the order of `Case::friction`.
 ///
 /// A probe beyond the symmetry plane of a half model stands for its mirror image. Warns about friction that no joint
