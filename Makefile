@@ -8,13 +8,17 @@ export OMPI_ALLOW_RUN_AS_ROOT = 1
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
 export OMP_NUM_THREADS = 1
 
-.PHONY: run test build dependencies format clean
+.PHONY: run test validate build dependencies format clean
 
 run: build
 	build/$(PRESET)/app/deadpoint run cases/$(CASE)/case.toml -o results/$(CASE) --force
 
 test: build
 	ctest --preset $(PRESET) --parallel $(JOBS)
+
+validate: build
+	ctest --preset $(PRESET) -R '^verification_(heat|elastic)$$'
+	scripts/validate build/$(PRESET)/validation --write
 
 build: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING

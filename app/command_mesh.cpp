@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "deadpoint/report/calculix_mesh.hpp"
 #include "deadpoint/report/mesh_files.hpp"
 #include "deadpoint/report/plan_text.hpp"
 #include "result_options.hpp"
@@ -8,7 +9,7 @@
 
 namespace {
 
-void write_mesh(const ResultOptions& options)
+void write_mesh(const ResultOptions& options, bool calculix)
 {
     Console console(options.console);
     const auto description = read_case(options, console);
@@ -18,6 +19,10 @@ void write_mesh(const ResultOptions& options)
         console.warn(warning);
     }
     deadpoint::report::write_mesh_files(folder->path(), machine, file_comments(description, console));
+    if (calculix) {
+        deadpoint::report::write_calculix_mesh(folder->path() / "mesh.inp", machine,
+                                               file_comments(description, console));
+    }
     folder->commit();
     fmt::print("{} cells, {} exterior faces; open {} and {} in ParaView\n", machine.cells.size(), machine.faces.size(),
                (folder->target() / "mesh.vtu").string(), (folder->target() / "surfaces.vtu").string());
@@ -30,8 +35,10 @@ void add_mesh(CLI::App& app, int& exit_code)
     auto* command = app.add_subcommand("mesh", "mesh the machine of a case and write it for ParaView");
     const auto options = std::make_shared<ResultOptions>();
     add_result_options(*command, *options);
-    command->callback([options, &exit_code] {
-        write_mesh(*options);
+    const auto calculix = std::make_shared<bool>(false);
+    command->add_flag("--calculix", *calculix, "also write mesh.inp for CalculiX or Abaqus: nodes, elements, surfaces");
+    command->callback([options, calculix, &exit_code] {
+        write_mesh(*options, *calculix);
         exit_code = 0;
     });
 }

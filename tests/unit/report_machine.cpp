@@ -114,6 +114,11 @@ TEST_CASE("unknowns and memory follow order and dimension chain")
     CHECK(drift.heat_unknowns == 72);
     CHECK(drift.deformation_unknowns == 216);
     CHECK(drift.memory == doctest::Approx(0.25e9 + 2.5 * (72 * 2.2e3 + 216 * 3.2e3)));
+    description.parts["rod"].order = 1;  // the tetrahedron: one node of its own
+    auto apart = small_machine();
+    apart.nodes.insert(apart.nodes.end(), {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+    apart.cells[1].nodes = {9, 10, 11, 8};
+    CHECK(estimate_size(description, apart).heat_unknowns == 8 * 8 + 4);
 }
 
 TEST_CASE("the plan names what there is, with area, coverage and condition")

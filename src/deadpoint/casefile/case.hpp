@@ -63,6 +63,7 @@ struct Part {
     std::optional<double> unit;  ///< of the file's lengths
     Vec3 position{};
     bool tetrahedra = false;
+    int order = 0;  ///< of its elements; 0: that of [numerics]
 };
 
 /// One of the bearings or bushes that share a joint.
@@ -87,6 +88,7 @@ struct Interface {
     bool stands_still = false;  ///< does not turn, although the joint turns fully (outer rings)
     bool seat = false;          ///< its fitted centre on the ground body is the joint's centre there (bearing seats)
     bool journal = false;       ///< its fitted centre on the moving body is the joint's centre there
+    bool partial = false;       ///< side a may reach beyond side b
 };
 
 struct Joint {

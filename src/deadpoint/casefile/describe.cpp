@@ -219,6 +219,7 @@ void describe(Visitor& v, Part& p)
     v.quantity({"unit", "length of one unit of the STEP or mesh file"}, p.unit, D::length, positive);
     v.vector({"position", "moves the STEP or mesh file's origin there"}, p.position, D::length);
     v.flag({"tetrahedra", "mesh with tetrahedra even where hexahedra would do"}, p.tetrahedra);
+    v.integer({"order", "of its finite elements; 0: that of [numerics]"}, p.order, {0, 2, false});
     const int sources = (p.shapes.empty() ? 0 : 1) + (p.step.empty() ? 0 : 1) + (p.mesh.empty() ? 0 : 1);
     v.expect(sources > 0, "", "the part has no form", "give one of `shapes`, `step` and `mesh`");
     v.expect(sources < 2, p.step.empty() ? "mesh" : "step", "the part has more than one form",
@@ -328,6 +329,7 @@ void describe(Visitor& v, Interface& i)
     v.flag({"load_zone", "the load part of that heat falls where the joint is pressed over the turn, not evenly; where "
                          "neither side turns away"},
            i.load_zone);
+    v.flag({"partial", "side a may reach beyond side b; only what touches conducts, the rest is exposed"}, i.partial);
     v.flag({"stands_still", "does not turn, although the joint turns fully (outer rings)"}, i.stands_still);
     v.flag({"seat", "its fitted centre on the ground body is the joint's centre there"}, i.seat);
     v.flag({"journal", "its fitted centre on the moving body is the joint's centre there"}, i.journal);

@@ -118,12 +118,13 @@ struct Travel {
 
 struct InterfaceDescription {
     std::string name;   ///< "joint.interface"
-    SurfaceSelector a;  ///< the integrated side: it must be covered by b
+    SurfaceSelector a;  ///< the integrated side
     SurfaceSelector b;
     double gap = 0;  ///< largest distance between the two sides that still counts as contact [m]; 0: automatic
     /// Spreads the contact over what the bodies sweep on each other; for a contact of these two bodies, whichever of
     /// them has side a. Without stops the contact is that of the bodies as drawn.
     Travel travel{};
+    bool partial = false;  ///< side a may reach beyond side b; else most of it must be covered
 };
 
 struct MachineDescription {

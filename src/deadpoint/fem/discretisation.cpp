@@ -58,6 +58,12 @@ dealii::Point<3> inside_reference_cell(const CellAccessor& cell, dealii::Point<3
     return sum > 1 ? dealii::Point<3>(unit / sum) : unit;
 }
 
+// Where an element stands in the collections.
+unsigned element_index(bool hexahedron, int order)
+{
+    return 2 * static_cast<unsigned>(order - 1) + (hexahedron ? 0 : 1);
+}
+
 double cell_volume(const Machine& machine, const Cell& cell)
 {
     const auto tetrahedron = [&](int a, int b, int c, int d) {
@@ -97,19 +103,21 @@ int solve(KSP solver, Vec rhs, Vec solution, const char* what)
     return static_cast<int>(iterations);
 }
 
-Discretisation::Discretisation(const Machine& machine_, int order_)
-    : machine(machine_), order(order_),
+Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_)
+    : machine(machine_), orders(std::move(orders_)),
       triangulation(MPI_COMM_WORLD, dealii::Triangulation<3>::none, false,
                     dealii::parallel::shared::Triangulation<3>::partition_custom_signal),
       dofs(triangulation)
 {
     using namespace dealii;
-    elements.push_back(FE_Q<3>(static_cast<unsigned>(order)));
-    elements.push_back(FE_SimplexP<3>(static_cast<unsigned>(order)));
-    mappings.push_back(MappingQ<3>(1));
-    mappings.push_back(MappingFE<3>(FE_SimplexP<3>(1)));
-    quadratures.push_back(QGauss<3>(static_cast<unsigned>(order + 1)));
-    quadratures.push_back(QGaussSimplex<3>(static_cast<unsigned>(order + 1)));
+    for (unsigned order = 1; order <= 2; ++order) {  // see element_index()
+        elements.push_back(FE_Q<3>(order));
+        elements.push_back(FE_SimplexP<3>(order));
+        mappings.push_back(MappingQ<3>(1));
+        mappings.push_back(MappingFE<3>(FE_SimplexP<3>(1)));
+        quadratures.push_back(QGauss<3>(order + 1));
+        quadratures.push_back(QGaussSimplex<3>(order + 1));
+    }
 
     triangulation.signals.create.connect([this]() { partition(triangulation, machine); });
     triangulation.signals.post_refinement.connect([this]() { partition(triangulation, machine); });
@@ -117,7 +125,8 @@ Discretisation::Discretisation(const Machine& machine_, int order_)
 
     for (const auto& cell : dofs.active_cell_iterators())
         if (cell->is_locally_owned())
-            cell->set_active_fe_index(cell->reference_cell() == ReferenceCells::Hexahedron ? 0 : 1);
+            cell->set_active_fe_index(
+                element_index(cell->reference_cell() == ReferenceCells::Hexahedron, orders[cell->material_id()]));
     dofs.distribute_dofs(elements);
     const auto& owned = dofs.locally_owned_dofs();
     if (owned.n_elements() == 0 || !owned.is_contiguous())

@@ -37,10 +37,11 @@ struct SparseFunctional {
 
 class Discretisation {
 public:
-    Discretisation(const Machine& machine, int order);
+    /// @param orders  of the elements, 1 or 2, per part
+    Discretisation(const Machine& machine, std::vector<int> orders);
 
     const Machine& machine;
-    int order;
+    std::vector<int> orders;  ///< per part
     dealii::parallel::shared::Triangulation<3> triangulation;
     dealii::hp::FECollection<3> elements;
     dealii::hp::MappingCollection<3> mappings;

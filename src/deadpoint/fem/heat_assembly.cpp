@@ -131,7 +131,6 @@ double largest_conductivity(const Material& material)
 // table's largest.
 void HeatSolver::assemble_bonds(Mat stiffness, Mat variable) const
 {
-    const double penalty_factor = 10.0 * space_.order * space_.order;
     std::array<PetscInt, 2 * max_cell_dofs> dof{};
     std::array<double, 2 * max_cell_dofs> jump{}, flux{}, variable_flux{};
     std::vector<double> block, variable_block;
@@ -140,11 +139,12 @@ void HeatSolver::assemble_bonds(Mat stiffness, Mat variable) const
         const auto& material_b = materials_[pair.part_b];
         const bool varies_a = !material_a.conductivity_table.empty(), varies_b = !material_b.conductivity_table.empty();
         const double k_a = material_a.conductivity, k_b = material_b.conductivity;
-        const double stiff_a = k_a / pair.depth_a, stiff_b = k_b / pair.depth_b;
-        const double weight_a = stiff_b / (stiff_a + stiff_b), weight_b = stiff_a / (stiff_a + stiff_b);
-        const double most_a = largest_conductivity(material_a) / pair.depth_a;
-        const double most_b = largest_conductivity(material_b) / pair.depth_b;
-        const double penalty = penalty_factor * most_a * most_b / (most_a + most_b);
+        const int order_a = space_.orders[pair.part_a], order_b = space_.orders[pair.part_b];
+        const double per_a = order_a * order_a / pair.depth_a, per_b = order_b * order_b / pair.depth_b;
+        const double weight_a = per_b * k_b / (per_a * k_a + per_b * k_b), weight_b = 1 - weight_a;
+        const double most_a = per_a * largest_conductivity(material_a);
+        const double most_b = per_b * largest_conductivity(material_b);
+        const double penalty = 10 * most_a * most_b / (most_a + most_b);
         const int n = pair.points.front().a.count + pair.points.front().b.count;
         block.assign(static_cast<std::size_t>(n * n), 0.0);
         variable_block = block;

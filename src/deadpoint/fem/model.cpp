@@ -20,7 +20,7 @@ namespace {
 // A mesh of the deformation's own, and the ways to it and back.
 struct OwnMesh {
     OwnMesh(const Machine& machine, const Discretisation& heat)
-        : space(machine, heat.order), values(heat, space), back(space, heat), to(heat, space, values, back)
+        : space(machine, heat.orders), values(heat, space), back(space, heat), to(heat, space, values, back)
     {}
     Discretisation space;
     Transfer values;
@@ -31,8 +31,10 @@ struct OwnMesh {
 }  // namespace
 
 struct Model::Implementation {
-    Implementation(const Machine& machine_, std::vector<Material> materials_, int order, const Machine* deformation_)
-        : machine(machine_), materials(std::move(materials_)), space(machine, order), expansion(space, materials)
+    Implementation(const Machine& machine_, std::vector<Material> materials_, std::vector<int> orders,
+                   const Machine* deformation_)
+        : machine(machine_), materials(std::move(materials_)), space(machine, std::move(orders)),
+          expansion(space, materials)
     {
         if (deformation_)
             own = std::make_unique<OwnMesh>(*deformation_, space);
@@ -96,12 +98,14 @@ bool is_positive(const Material& material, double Material::*constant, const Lin
     return sound(material.*constant) && std::ranges::all_of(table.y(), sound);
 }
 
-void require_sound(const Machine& machine, const std::vector<Material>& materials)
+void require_sound(const Machine& machine, const std::vector<Material>& materials, const std::vector<int>& orders)
 {
     if (machine.cells.empty())
         throw InputError("the machine has no cells");
     if (materials.size() != machine.parts.size())
         throw InputError("one material is needed per part");
+    if (orders.size() != machine.parts.size() || std::ranges::any_of(orders, [](int o) { return o < 1 || o > 2; }))
+        throw InputError("one order of elements, 1 or 2, is needed per part");
     for (std::size_t p = 0; p < materials.size(); ++p) {
         const auto& m = materials[p];
         if (!is_positive(m, &Material::density, {}) || !is_positive(m, &Material::youngs_modulus, {}) ||
@@ -165,14 +169,18 @@ std::vector<double> gathered(const Discretisation& space, const std::vector<Cell
 
 }  // namespace
 
-Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer&, const Machine* deformation)
+Model::Model(const Machine& machine, std::vector<Material> materials, std::vector<int> orders, Observer&,
+             const Machine* deformation)
 {
-    require_sound(machine, materials);
+    require_sound(machine, materials, orders);
     require_same_mesh(machine);
     if (deformation)
         require_same_mesh(*deformation);
-    implementation_ = std::make_unique<Implementation>(machine, std::move(materials), order, deformation);
+    implementation_ = std::make_unique<Implementation>(machine, std::move(materials), std::move(orders), deformation);
 }
+Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer)
+    : Model(machine, std::move(materials), std::vector<int>(machine.parts.size(), order), observer)
+{}
 Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 

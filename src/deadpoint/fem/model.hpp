@@ -73,11 +73,12 @@ inline constexpr long long largest_factor = 1'500'000;
 class Model {
 public:
     /// @param materials  per part of the machine
-    /// @param order      of the elements, 1 or 2
+    /// @param orders     of the elements, 1 or 2, per part of the machine
     /// @param deformation  the same parts meshed for the deformation; none: the same mesh. Outlives the model.
     /// @throws InputError where ranks built different meshes or a material constant is not positive and finite
-    Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer,
+    Model(const Machine& machine, std::vector<Material> materials, std::vector<int> orders, Observer& observer,
           const Machine* deformation = nullptr);
+    Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer);
     ~Model();
     Model(Model&&) noexcept;
 

@@ -4,6 +4,7 @@
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/fem/session.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -50,10 +51,17 @@ std::vector<std::size_t> order_of_file(const Discretisation& space)
     return order;
 }
 
+// One digit where all parts agree, else one per part.
+std::string orders_text(const std::vector<int>& orders)
+{
+    const bool equal = std::ranges::count(orders, orders.front()) == std::ssize(orders);
+    return equal ? std::to_string(orders.front()) : fmt::format("{}", fmt::join(orders, ""));
+}
+
 std::string heading(const Discretisation& space, const ThermalState& like)
 {
     const auto text = fmt::format("{} mesh {:016x} order {} unknowns {} sumps {}", kind, mesh_mark(space.machine),
-                                  space.order, space.total, like.sumps.size());
+                                  orders_text(space.orders), space.total, like.sumps.size());
     return like.enclosures.empty() ? text : fmt::format("{} enclosures {}", text, like.enclosures.size());
 }
 

@@ -9,14 +9,17 @@ namespace {
 
 constexpr double largest_continuation = 0.1;
 
-// Parts from fine to coarse: a part's place in this order.
-std::vector<std::size_t> coarseness(const Machine& machine)
+// Parts from fine to coarse, by the distance of their nodes: a part's place in this order.
+std::vector<std::size_t> coarseness(const Discretisation& space)
 {
+    const auto& machine = space.machine;
     std::vector<std::size_t> order(machine.parts.size());
     std::iota(order.begin(), order.end(), 0);
-    const auto cell_volume = [&](std::size_t p) { return machine.parts[p].volume / machine.parts[p].cell_count; };
+    const auto volume_per_node = [&](std::size_t p) {
+        return machine.parts[p].volume / machine.parts[p].cell_count / std::pow(space.orders[p], 3);
+    };
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return cell_volume(a) < cell_volume(b); });
+                     [&](std::size_t a, std::size_t b) { return volume_per_node(a) < volume_per_node(b); });
     std::vector<std::size_t> place(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         place[order[i]] = i;
@@ -28,7 +31,7 @@ std::vector<std::size_t> coarseness(const Machine& machine)
 Ties::Ties(const Discretisation& space)
 {
     const auto& machine = space.machine;
-    const auto place = coarseness(machine);
+    const auto place = coarseness(space);
 
     // Per part: nodes that may be tied, and the cells they may be tied to.
     struct Candidate {

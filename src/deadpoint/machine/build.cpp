@@ -325,6 +325,11 @@ void warn_about(const Machine& machine, Observer& observer)
         if (contact.least_coverage() >= least_coverage) {
             continue;
         }
+        if (contact.stroke == 0) {
+            observer.info(
+                fmt::format("interface '{}': {:.1f} % of side a touch side b", contact.name, 100 * contact.coverage()));
+            continue;
+        }
         const std::string text = fmt::format(
             "interface '{}': over its stroke of {:.1f} mm the sides slide off each other; at the far end "
             "{:.1f} % of side a touch side b, {:.1f} % in the mean over time",

@@ -27,8 +27,8 @@ namespace deadpoint::machine {
 /// @param description  what to build; see exchange/machine.hpp
 /// @param observer     gets progress, one line per part that could not be meshed with hexahedra, and warnings
 /// @throws InputError  for wrong shapes, unusable files, bad cells, selectors that match nothing, interfaces between
-///                     more than two parts, interfaces of which less than 98 % is covered, and interfaces whose surface
-///                     does not lie along their travel (all of them at once)
+///                     more than two parts, interfaces that are not `partial` and less than 98 % covered, and
+///                     interfaces whose surface does not lie along their travel (all of them at once)
 /// @throws IoError     if a file cannot be read
 Machine build_machine(const MachineDescription& description, Observer& observer);
 

@@ -112,16 +112,16 @@ std::string nearest_partners(const Assembly& assembly, const Side& a, const std:
 void check_coverage(const Assembly& assembly, const Contact& contact, const InterfaceDescription& description,
                     const Side& a, const std::string& owner)
 {
-    if (contact.coverage() >= least_coverage) {
+    if (contact.coverage() >= least_coverage || (description.partial && contact.drawn_area > 0)) {
         return;
     }
-    throw InputError(fmt::format("{}: only {:.6g} mm2 of the {:.6g} mm2 of side a ({}) find a partner on side b ({}, "
-                                 "{:.6g} mm2), that is {:.1f} %, "
-                                 "but {:.0f} % are needed; {}; move or narrow side a, or widen side b or the gap",
-                                 owner, 1e6 * contact.drawn_area, 1e6 * contact.area_a, describe(description.a),
-                                 describe(description.b), 1e6 * contact.area_b, 100 * contact.coverage(),
-                                 100 * least_coverage,
-                                 nearest_partners(assembly, a, selected_parts(assembly, description.b, owner))));
+    throw InputError(fmt::format(
+        "{}: only {:.6g} mm2 of the {:.6g} mm2 of side a ({}) find a partner on side b ({}, "
+        "{:.6g} mm2), that is {:.1f} %, "
+        "but {:.0f} % are needed; {}; move or narrow side a, widen side b or the gap, or state partial = true",
+        owner, 1e6 * contact.drawn_area, 1e6 * contact.area_a, describe(description.a), describe(description.b),
+        1e6 * contact.area_b, 100 * contact.coverage(), 100 * least_coverage,
+        nearest_partners(assembly, a, selected_parts(assembly, description.b, owner))));
 }
 
 /// The travel of side a against side b; none where another body than the two that slide takes part.

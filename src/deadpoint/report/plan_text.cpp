@@ -3,6 +3,7 @@
 #include "deadpoint/report/mesh_files.hpp"
 #include "deadpoint/report/table.hpp"
 #include "deadpoint/study/prepare.hpp"
+#include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -145,12 +146,21 @@ std::string operation_section(const Case& description)
     return section("Operation", table);
 }
 
+std::string orders_text(const Case& description, const Machine& machine)
+{
+    const auto orders = study::describe_orders(description, machine);
+    const auto second = std::ranges::count(orders, 2);
+    return second == 0                    ? "1"
+           : second == std::ssize(orders) ? "2"
+                                          : fmt::format("2 in {} of {} parts, else 1", second, orders.size());
+}
+
 std::string size_section(const Case& description, const Machine& machine)
 {
     const auto size = estimate_size(description, machine);
     std::string text =
         fmt::format("\nSize\n  {} hexahedra, {} tetrahedra, order {}\n  {} unknowns of heat", grouped(size.hexahedra),
-                    grouped(size.tetrahedra), description.numerics.order, grouped(size.heat_unknowns));
+                    grouped(size.tetrahedra), orders_text(description, machine), grouped(size.heat_unknowns));
     if (size.deformation_unknowns > 0) {
         text += fmt::format(", {}{} of deformation", size.deformation_scale == 1 ? "" : "about ",
                             grouped(size.deformation_unknowns));
@@ -198,16 +208,13 @@ SizeEstimate estimate_size(const Case& description, const Machine& machine)
     for (const auto& cell : machine.cells) {
         ++(cell.kind == CellKind::hexahedron ? size.hexahedra : size.tetrahedra);
     }
-    const bool second_order = description.numerics.order == 2;
-    size.heat_unknowns = static_cast<long long>(machine.nodes.size()) * (second_order ? 8 : 1);
+    const auto corners = study::count_corners(description, machine);
+    size.heat_unknowns = corners.unknowns();
     size.deformation_scale = study::deformation_scale(description, machine);
-    size.deformation_unknowns =
-        description.chain
-            ? std::llround(3 * static_cast<double>(size.heat_unknowns) / std::pow(size.deformation_scale, 3))
-            : 0;
-    const double row = second_order ? 2.5 : 1;
-    size.memory = memory_base + row * (memory_per_heat_unknown * static_cast<double>(size.heat_unknowns) +
-                                       memory_per_deformation_unknown * static_cast<double>(size.deformation_unknowns));
+    const double share = description.chain ? std::pow(size.deformation_scale, -3) : 0;
+    size.deformation_unknowns = std::llround(3 * share * static_cast<double>(size.heat_unknowns));
+    const double rows = static_cast<double>(corners.first_order) + 2.5 * 8 * static_cast<double>(corners.second_order);
+    size.memory = memory_base + rows * (memory_per_heat_unknown + 3 * share * memory_per_deformation_unknown);
     return size;
 }
 

@@ -16,6 +16,7 @@
 #include "deadpoint/report/svg_chart.hpp"
 #include "deadpoint/report/table.hpp"
 #include "deadpoint/report/view_file.hpp"
+#include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -280,6 +281,7 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
                      {"deformation_cells", result.deformation_cells},
                      {"deformation_unknowns", result.deformation_unknowns},
                      {"element_order", input.numerics.order},
+                     {"second_order_parts", std::ranges::count(study::describe_orders(input, machine), 2)},
                      {"half_model", machine.half_model},
                      {"ranks", result.ranks}};
     json["solution"] = {{"steps", history.time.size() - 1},

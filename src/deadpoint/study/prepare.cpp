@@ -4,6 +4,7 @@
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/machine/build.hpp"
 #include "deadpoint/study/check_machine.hpp"
+#include "deadpoint/study/translate_heat.hpp"
 #include "deadpoint/study/translate_machine.hpp"
 
 #include <algorithm>
@@ -92,8 +93,7 @@ double deformation_scale(const casefile::Case& input, const Machine& machine)
 {
     if (input.numerics.deformation_size > 0)
         return input.numerics.deformation_size;
-    const double nodes_per_vertex = input.numerics.order == 2 ? 8 : 1;
-    const double unknowns = 3 * nodes_per_vertex * static_cast<double>(machine.nodes.size());
+    const double unknowns = 3 * static_cast<double>(count_corners(input, machine).unknowns());
     return unknowns <= static_cast<double>(fem::largest_factor) ? 1 : std::cbrt(unknowns / wanted_unknowns);
 }
 

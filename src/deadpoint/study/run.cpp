@@ -229,7 +229,8 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
     if (model)
         return;
     watch.start("unknowns");
-    model.emplace(machine, describe_materials(input, machine), input.numerics.order, observer, own_deformation);
+    model.emplace(machine, describe_materials(input, machine), describe_orders(input, machine), observer,
+                  own_deformation);
     model->support(describe_foundation(input, deformed()));
     if (input.chain) {
         watch.start("dimension chain");

@@ -331,6 +331,27 @@ int surface_index(const Machine& machine, const std::string& name)
     return found == machine.surfaces.end() ? -1 : static_cast<int>(found - machine.surfaces.begin());
 }
 
+std::vector<int> describe_orders(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<int> orders;
+    for (const auto& part : machine.parts) {
+        const auto own = input.parts.find(part.name);
+        orders.push_back(own != input.parts.end() && own->second.order > 0 ? own->second.order : input.numerics.order);
+    }
+    return orders;
+}
+
+CornerCount count_corners(const casefile::Case& input, const Machine& machine)
+{
+    const auto orders = describe_orders(input, machine);
+    std::vector<bool> second(machine.nodes.size(), false);
+    for (const auto& cell : machine.cells)
+        for (int i = 0; orders[cell.part] == 2 && i < (cell.kind == CellKind::hexahedron ? 8 : 4); ++i)
+            second[cell.nodes[i]] = true;
+    const auto of_second = static_cast<long long>(std::ranges::count(second, true));
+    return {static_cast<long long>(machine.nodes.size()) - of_second, of_second};
+}
+
 HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer,
                           const LoadsResult* loads)
 {

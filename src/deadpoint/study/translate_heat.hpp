@@ -12,6 +12,18 @@
 
 namespace deadpoint::study {
 
+/// Order of the elements of every part of the machine.
+std::vector<int> describe_orders(const casefile::Case& input, const Machine& machine);
+
+/// Corners of cells in parts of either order.
+struct CornerCount {
+    long long first_order = 0;
+    long long second_order = 0;
+    /// Of the heat, about: a second-order mesh has eight for each corner.
+    [[nodiscard]] long long unknowns() const { return first_order + 8 * second_order; }
+};
+CornerCount count_corners(const casefile::Case& input, const Machine& machine);
+
 /// The heat problem of a case: interfaces in the order of the machine's, sources in the order of `Case::friction`.
 ///
 /// A probe beyond the symmetry plane of a half model stands for its mirror image. Warns about friction that no joint

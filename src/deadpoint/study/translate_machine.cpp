@@ -135,7 +135,7 @@ MachineDescription describe_machine(const casefile::Case& input, double size_sca
             const std::string name = joint_name + "." + interface.name;
             result.interfaces.push_back({name, side_of(input, joint, interface, interface.a, name),
                                          side_of(input, joint, interface, interface.b, name), 0,
-                                         travel == travels.end() ? Travel{} : travel->second});
+                                         travel == travels.end() ? Travel{} : travel->second, interface.partial});
         }
     }
     return result;
