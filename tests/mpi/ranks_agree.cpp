@@ -68,3 +68,8 @@ TEST_CASE("two ranks give what one gives: elements of second order")
     check_agreement("two-slabs", 293.15,
                     "numerics.order=2 parts.steel_slab.size=\"1 mm\" parts.aluminium_slab.size=\"0.8 mm\"");
 }
+
+TEST_CASE("two ranks refine to the same meshes")
+{
+    check_agreement("hot-patch", 293.15, "numerics.accuracy=\"0.5 K\" numerics.solver_tolerance=1e-9");
+}

@@ -1,18 +1,28 @@
 #include "deadpoint/casefile/read.hpp"
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/study/prepare.hpp"
-#include "deadpoint/study/run.hpp"
+#include "deadpoint/study/refine.hpp"
 
 #include <exception>
 #include <fstream>
 #include <iostream>
 
 // solve_on_ranks CASE FILE [path=value ...]: solves a case on all ranks and writes, number by number, how many they
-// are, the mismatch of the energy balance, and the last temperatures of probes, interface sides and parts.
+// are, the mismatch of the energy balance, and the last temperatures of probes, interface sides and parts. A case that
+// states an accuracy is refined to it.
 
 using namespace deadpoint;
 
 namespace {
+
+study::RunResult solve(const casefile::Case& input)
+{
+    Observer silent;
+    if (casefile::wanted_accuracy(input))
+        return study::run_to_accuracy(input, 1, {}, silent).result;
+    const auto machine = study::prepare_machine(input, 1, silent);
+    return study::run_case(input, machine, {}, silent);
+}
 
 void write(const std::string& path, const study::RunResult& result)
 {
@@ -34,9 +44,7 @@ int main(int argc, char** argv)
     const fem::Session session(none, nothing);
     try {
         const auto input = casefile::read_case(argv[1], {argv + 3, argv + argc}).value;
-        Observer silent;
-        const auto machine = study::prepare_machine(input, 1, silent);
-        const auto result = study::run_case(input, machine, {}, silent);
+        const auto result = solve(input);
         if (session.rank() == 0)
             write(argv[2], result);
     } catch (const std::exception& error) {

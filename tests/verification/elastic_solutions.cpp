@@ -1,36 +1,20 @@
 #include "deadpoint/drift/chain.hpp"
-#include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 #include "deadpoint/study/translate_linkage.hpp"
 #include "solved_case.hpp"
+#include "surface_mean.hpp"
 
 #include <cmath>
 
 using namespace deadpoint;
 using doctest::Approx;
+using verification::mean_over;
 
 namespace {
 
 Observer silent;
-
-// Mean of a displacement component over a surface, or its value at the surface's point of largest coordinate.
-Functional mean_over(const Machine& machine, const std::string& surface, int component)
-{
-    Functional result;
-    double area = 0;
-    for (const auto& entry : machine.surfaces[study::surface_index(machine, surface)].faces)
-        for (const auto& point : face_points(machine, machine.faces[entry.face])) {
-            PointWeight weight{entry.face, point.position, {}};
-            weight.weight[component] = point.weight;
-            area += point.weight;
-            result.points.push_back(weight);
-        }
-    for (auto& point : result.points)
-        point.weight[component] /= area;
-    return result;
-}
 
 struct Bar {
     Machine machine;

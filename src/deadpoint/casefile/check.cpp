@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/check.hpp"
 
+#include "deadpoint/casefile/accuracy.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
 #include "deadpoint/core/suggest.hpp"
@@ -66,6 +67,9 @@ public:
         check_process_force();
         check_mirrors();
         check_operation();
+        if (auto finding = check_accuracy(c_)) {
+            findings_.push_back(std::move(*finding));
+        }
         if (c_.reference) {
             for (const auto& [probe, rise] : c_.reference->rises) {
                 refer("reference.rises." + probe, "probe", probe, c_.probes);

@@ -241,16 +241,38 @@ void ElasticSolver::for_each_cell(const Visitor& visit) const
     }
 }
 
+// Into solution_.
+void ElasticSolver::solve_dual(const Functional& functional)
+{
+    load(functional, rhs_);
+    pieces_->equilibrate(rhs_);
+    DEADPOINT_PETSC(VecSet(free_solution_, 0));
+    solve_free("the deformation's adjoint");
+}
+
+Displacement ElasticSolver::owned_solution() const
+{
+    Displacement result;
+    const double* owned = nullptr;
+    DEADPOINT_PETSC(VecGetArrayRead(solution_, &owned));
+    result.owned.assign(owned, owned + 3 * (space_.last - space_.first));
+    DEADPOINT_PETSC(VecRestoreArrayRead(solution_, &owned));
+    return result;
+}
+
+Displacement ElasticSolver::dual(const Functional& functional)
+{
+    solve_dual(functional);
+    return owned_solution();
+}
+
 std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<Functional>& functionals)
 {
     std::vector<Adjoint> result;
     Everywhere gathered(solution_);
     OwnedVec weights = create_vector(space_, 1);
     for (const auto& functional : functionals) {
-        load(functional, rhs_);
-        pieces_->equilibrate(rhs_);
-        DEADPOINT_PETSC(VecSet(free_solution_, 0));
-        solve_free("the deformation's adjoint");
+        solve_dual(functional);
         const double* u = gathered.gather(solution_);
 
         DEADPOINT_PETSC(VecSet(weights, 0));
@@ -310,12 +332,7 @@ Displacement ElasticSolver::displacement(const Field& temperature, double refere
     DEADPOINT_PETSC(VecAssemblyEnd(rhs_));
     solve_free("the thermal deformation");
     pieces_->remove_rigid_motion(solution_);
-    Displacement result;
-    const double* owned = nullptr;
-    DEADPOINT_PETSC(VecGetArrayRead(solution_, &owned));
-    result.owned.assign(owned, owned + 3 * (space_.last - space_.first));
-    DEADPOINT_PETSC(VecRestoreArrayRead(solution_, &owned));
-    return result;
+    return owned_solution();
 }
 
 std::vector<double> ElasticSolver::evaluate(const std::vector<Functional>& functionals,

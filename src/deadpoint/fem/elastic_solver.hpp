@@ -15,6 +15,8 @@ public:
     ElasticSolver(const Discretisation& space, const std::vector<Material>& materials, int feet_surface);
 
     std::vector<Adjoint> adjoints(const std::vector<Functional>& functionals);
+    /// The displacement under a functional's weights as forces [m/N].
+    Displacement dual(const Functional& functional);
     Displacement displacement(const Field& temperature, double reference_temperature);
     std::vector<double> evaluate(const std::vector<Functional>& functionals, const Displacement& displacement);
     [[nodiscard]] int iterations() const { return iterations_; }
@@ -30,6 +32,8 @@ private:
     template <class Visitor>
     void for_each_cell(const Visitor& visit) const;
     void load(const Functional& functional, Vec target) const;
+    void solve_dual(const Functional& functional);
+    [[nodiscard]] Displacement owned_solution() const;
     void clear_fixed(Vec vector) const;
     [[nodiscard]] double thermal_modulus(int part) const;  ///< E alpha / (1 - 2 nu) [Pa/K]
 

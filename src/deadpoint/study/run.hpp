@@ -6,10 +6,13 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/accuracy.hpp"
 #include "deadpoint/study/loads.hpp"
 #include "deadpoint/study/translate_friction.hpp"
 #include "deadpoint/study/view_data.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +52,7 @@ struct RunResult {
     std::optional<DriftSeries> drift;
     std::optional<AdjointCheck> adjoint_check;
     std::optional<ViewData> view;
+    std::optional<AccuracyReport> accuracy;  ///< where the case asks for one
     long long cells = 0;
     long long heat_unknowns = 0;
     int elastic_iterations = 0;
@@ -58,12 +62,27 @@ struct RunResult {
     std::vector<std::pair<double, std::string>> fields;   ///< time [s], file in the results folder
 };
 
+struct ChainModel;
+
+/// What is at hand when the time steps are done.
+struct RunInside {
+    const Machine& machine;
+    fem::Model& model;
+    const HeatProblem& problem;
+    const ChainModel* chain;  ///< where the case has one
+    const std::vector<fem::Adjoint>& adjoints;
+    const std::vector<std::pair<double, fem::Field>>& fields;  ///< at RunOptions::kept_times
+    double reference;                                          ///< temperature without deformation [K]
+};
+
 struct RunOptions {
     std::string start_from;    ///< temperature state to start from instead of the initial temperature; empty: none
     std::string state_file;    ///< where the state at the end is written; empty: nowhere
     std::string field_folder;  ///< existing folder for field files; empty: no field files
     std::vector<std::string> comments = {};  ///< for the head of the field files: version, case hash, warnings so far
     bool view = false;                       ///< make RunResult::view
+    std::vector<double> kept_times = {};     ///< ascending: fields that `at_end` is given [s]
+    std::function<void(const RunInside&)> at_end = {};
 };
 
 /// One machine, ready for runs of like cases: what does not change between them is made once, the unknowns, the factor
