@@ -3,7 +3,7 @@
 #include "deadpoint/report/plan_text.hpp"
 #include "deadpoint/report/run_files.hpp"
 #include "deadpoint/study/prepare.hpp"
-#include "deadpoint/study/run.hpp"
+#include "deadpoint/study/refine.hpp"
 #include "interrupt.hpp"
 #include "ranks.hpp"
 #include "result_options.hpp"
@@ -18,7 +18,8 @@ using report::ResultFolder;
 namespace {
 
 struct RunOptions : ResultOptions {
-    std::string from;  ///< result folder whose final temperatures are the start
+    std::string from;      ///< result folder whose final temperatures are the start
+    std::string accuracy;  ///< numerics.accuracy, in place of the case's
 };
 
 /// Adds the page to finished results. Whatever is wrong with it must not cost them.
@@ -35,23 +36,50 @@ bool add_page(const ResultFolder& folder, Console& console)
     }
 }
 
-int run_case(const RunOptions& options, const OnRanks& ranks)
+/// The case on its mesh, or on as many as its accuracy takes.
+study::RefinedRun compute(casefile::Case input, const RunOptions& options, const study::RunOptions& wanted,
+                          const OnRanks& ranks)
 {
     auto& console = ranks.console;
-    const auto input = read_case(options, console);
-    std::unique_ptr<ResultFolder> folder;
-    using enum ResultFolder::IfExists;
-    const auto path = start_folder(options.folder, options.force ? replace : refuse, ranks.first, folder);
-
+    if (casefile::wanted_accuracy(input)) {
+        ranks.agree = false;
+        auto run = study::run_to_accuracy(
+            input, options.size_scale,
+            [&](const casefile::Case& refined) {
+                auto of_last = wanted;
+                of_last.comments = file_comments(refined, console);
+                return of_last;
+            },
+            console);
+        for (const auto& warning : report::plan_warnings(run.input, run.machine)) {
+            console.warn(warning);
+        }
+        return run;
+    }
     const auto start = std::chrono::steady_clock::now();
-    const auto machine = mesh_case(input, options, console);
+    auto machine = mesh_case(input, options, console);
     const auto deformed = study::prepare_deformation_machine(input, options.size_scale, machine, console);
     const double mesh_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     for (const auto& warning : report::plan_warnings(input, machine)) {
         console.warn(warning);
     }
-
     ranks.agree = false;
+    auto result = study::run_case(input, machine, wanted, console, deformed ? &*deformed : nullptr);
+    result.timings.insert(result.timings.begin(), {"mesh", mesh_seconds});
+    return {std::move(input), std::move(machine), std::move(result)};
+}
+
+int run_case(RunOptions options, const OnRanks& ranks)
+{
+    auto& console = ranks.console;
+    if (!options.accuracy.empty()) {
+        options.overrides.push_back("numerics.accuracy=\"" + options.accuracy + "\"");
+    }
+    const auto input = read_case(options, console);
+    std::unique_ptr<ResultFolder> folder;
+    using enum ResultFolder::IfExists;
+    const auto path = start_folder(options.folder, options.force ? replace : refuse, ranks.first, folder);
+
     const auto state_in = [](const std::string& place) { return place.empty() ? place : place + "/state.bin"; };
     study::RunOptions wanted;
     wanted.start_from = state_in(options.from);
@@ -60,15 +88,15 @@ int run_case(const RunOptions& options, const OnRanks& ranks)
     wanted.comments = file_comments(input, console);
     wanted.view = true;
     wanted.causes = true;
-    auto result = study::run_case(input, machine, wanted, console, deformed ? &*deformed : nullptr);
-    result.timings.insert(result.timings.begin(), {"mesh", mesh_seconds});
+    const auto run = compute(input, options, wanted, ranks);
+    const auto& result = run.result;
     console.finish();
     if (folder) {
-        report::write_run_files(folder->path(), input, machine, result, console.warnings());
+        report::write_run_files(folder->path(), run.input, run.machine, result, console.warnings());
         const bool has_page = add_page(*folder, console);
         folder->commit();
         const auto where = folder->target().string();
-        fmt::print("{}\nresults{} are in {}\n", report::run_text(input, result),
+        fmt::print("{}\nresults{} are in {}\n", report::run_text(run.input, result),
                    result.thermal.interrupted ? " up to the interruption" : "", where);
         if (has_page)
             fmt::print("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
@@ -85,6 +113,10 @@ void add_run(CLI::App& app, int& exit_code)
     add_result_options(*command, *options);
     command->add_option("--from", options->from, "a result folder to go on from: its final temperatures are the start")
         ->type_name("DIR");
+    command
+        ->add_option("--accuracy", options->accuracy,
+                     "refine until the rises (0.1K) or the gap (0.2um) change by less; as numerics.accuracy")
+        ->type_name("VALUE");
     command->callback([options, &exit_code] {
         exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return run_case(*options, ranks); });
     });

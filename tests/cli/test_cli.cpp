@@ -622,3 +622,48 @@ TEST_CASE("view makes the page where it is missing and hands it to the browser")
     CHECK(fs::exists(folder / "a/report.html"));
     CHECK(deadpoint("view " + (folder / "nothing")).code != 0);
 }
+
+TEST_CASE("--accuracy refuses what is no accuracy of something in the case")
+{
+    const Folder folder;
+    const auto refused = [&](const std::string& value) {
+        const auto result = deadpoint("run " + two_blocks + " --accuracy " + value + " -o " + (folder / "results"));
+        CHECK(result.code == 2);
+        CHECK_FALSE(fs::exists(folder / "results"));
+        return result.err;
+    };
+    CHECK(has(refused("3"), "numerics.accuracy"));
+    CHECK(has(refused("3"), "\"0.1 K\" for the rises"));
+    CHECK(has(refused("3kg"), "neither a temperature difference nor a length"));
+    CHECK(has(refused("3degC"), "neither a temperature difference nor a length"));
+    CHECK(has(refused("0K"), "not positive"));
+    CHECK(has(refused("-1um"), "not positive"));
+    CHECK(has(refused("0.2um"), "needs a dimension chain"));
+    REQUIRE(deadpoint("run --quiet " + two_blocks + " -o " + (folder / "first")).code == 0);
+    CHECK(has(refused("0.1K --from " + (folder / "first")), "leave out --accuracy"));
+}
+
+TEST_CASE("--accuracy refines, says what it took, and leaves the sizes")
+{
+    const Folder folder;
+    const auto cooling = two_blocks + " --set \"machine.initial_temperature=60 degC\" ";
+    const auto result = deadpoint("run --quiet " + cooling + "--accuracy 0.02K -o " + (folder / "a"));
+    REQUIRE(result.code == 0);
+    CHECK(has(result.out, "accuracy of 0.0200 K reached: change 0.0"));
+    CHECK(has(result.out, "estimate [K]"));
+    const auto table = content(folder / "a/accuracy.csv");
+    CHECK(has(table, "cells,finer parts,largest rise [K],change [K],estimate [K],worst part,time [s]"));
+    CHECK(has(content(folder / "a/summary.json"), "\"reached\": true"));
+    CHECK(has(content(folder / "a/sizes.toml"), "[parts.lower]\nsize = \""));
+    // the case that was written gives the same without asking for an accuracy
+    const auto again = deadpoint("run --quiet " + (folder / "a/case.toml") + " -o " + (folder / "b"));
+    REQUIRE(again.code == 0);
+    const auto history = content(folder / "a/history.csv"), repeated = content(folder / "b/history.csv");
+    CHECK(history.substr(history.find("\ntime")) == repeated.substr(repeated.find("\ntime")));
+
+    const auto limited = deadpoint("run --quiet " + cooling +
+                                   "--accuracy 0.00001K --set numerics.accuracy_cells=40 -o " + (folder / "c"));
+    CHECK(limited.code == 0);
+    CHECK(has(limited.out, "not reached: "));
+    CHECK(has(limited.out, "as many cells as numerics.accuracy_cells allows"));
+}

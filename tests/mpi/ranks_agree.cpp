@@ -124,3 +124,8 @@ TEST_CASE("two ranks give what one gives: enclosed air")
     check_agreement("warm-box", 353.15,
                     "machine.initial_temperature=\"80 degC\" enclosures.box.temperature=\"30 degC\"");
 }
+
+TEST_CASE("two ranks refine to the same meshes")
+{
+    check_agreement("hot-patch", 293.15, "numerics.accuracy=\"0.5 K\" numerics.solver_tolerance=1e-9");
+}

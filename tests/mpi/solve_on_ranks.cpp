@@ -1,7 +1,7 @@
 #include "deadpoint/casefile/read.hpp"
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/study/prepare.hpp"
-#include "deadpoint/study/run.hpp"
+#include "deadpoint/study/refine.hpp"
 
 #include <exception>
 #include <fstream>
@@ -11,11 +11,23 @@
 // are, the mismatch of the energy balance, the gap at the end [um], how far the deformation solved then and the adjoint
 // differ in it, the last temperatures of probes, interface sides, parts and enclosures, the highest of each part, and
 // forces and stress of the frame. What each joint, the oil and the air have done to the gap, over the gap, goes into
-// FILE.causes.
+// FILE.causes. A case that states an accuracy is refined to it.
 
 using namespace deadpoint;
 
 namespace {
+
+study::RunResult solve(const casefile::Case& input)
+{
+    Observer silent;
+    if (casefile::wanted_accuracy(input))
+        return study::run_to_accuracy(input, 1, {}, silent).result;
+    const auto machine = study::prepare_machine(input, 1, silent);
+    const auto deformed = study::prepare_deformation_machine(input, 1, machine, silent);
+    study::RunOptions options;
+    options.causes = true;
+    return study::run_case(input, machine, options, silent, deformed ? &*deformed : nullptr);
+}
 
 void write(const std::string& path, const study::RunResult& result)
 {
@@ -61,12 +73,7 @@ int main(int argc, char** argv)
     const fem::Session session(none, nothing);
     try {
         const auto input = casefile::read_case(argv[1], {argv + 3, argv + argc}).value;
-        Observer silent;
-        const auto machine = study::prepare_machine(input, 1, silent);
-        const auto deformed = study::prepare_deformation_machine(input, 1, machine, silent);
-        study::RunOptions options;
-        options.causes = true;
-        const auto result = study::run_case(input, machine, options, silent, deformed ? &*deformed : nullptr);
+        const auto result = solve(input);
         if (session.rank() == 0)
             write(argv[2], result);
     } catch (const std::exception& error) {

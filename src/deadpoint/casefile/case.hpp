@@ -160,7 +160,10 @@ struct Numerics {
     double initial_step = 1;
     double max_step = 1800;
     double solver_tolerance = 1e-6;
-    int order = 1;  ///< of the elements
+    int order = 1;                ///< of the elements
+    std::string accuracy;         ///< of rises or gap (casefile/accuracy.hpp); empty: the mesh stays as it is
+    int accuracy_rounds = 8;      ///< meshes at most
+    int accuracy_cells = 500000;  ///< of a mesh at most
 };
 
 struct Output {

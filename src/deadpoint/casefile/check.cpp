@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/check.hpp"
 
+#include "deadpoint/casefile/accuracy.hpp"
 #include "deadpoint/casefile/check_enclosures.hpp"
 #include "deadpoint/casefile/findings.hpp"
 #include "deadpoint/core/error.hpp"
@@ -69,6 +70,9 @@ public:
         check_process_force();
         check_mirrors();
         check_operation();
+        if (auto finding = check_accuracy(c_)) {
+            findings_.push_back(std::move(*finding));
+        }
         if (c_.reference) {
             for (const auto& [probe, rise] : c_.reference->rises) {
                 refer("reference.rises." + probe, "probe", probe, c_.probes);

@@ -1,3 +1,4 @@
+#include "deadpoint/casefile/accuracy.hpp"
 #include "deadpoint/casefile/choose.hpp"
 #include "deadpoint/casefile/library.hpp"
 
@@ -442,6 +443,17 @@ void describe(Visitor& v, Numerics& n)
               "root mean square error that a linear solve of the temperature field may leave, in kelvin"},
              n.solver_tolerance, {0, 1, true});
     v.integer({"order", "of the finite elements"}, n.order, {1, 2, false});
+    v.text({"accuracy", "refine parts and time steps until the rises (\"0.1 K\") or the gap (\"0.2 um\") change by "
+                        "less; by 'run' only"},
+           n.accuracy);
+    v.integer({"accuracy_rounds", "meshes that `accuracy` may take at most"}, n.accuracy_rounds, {2, 100, false});
+    v.integer({"accuracy_cells", "cells of a mesh that `accuracy` may take at most"}, n.accuracy_cells,
+              {1, 100000000, false});
+    if (const auto parsed = parse_accuracy(n.accuracy); !n.accuracy.empty()) {
+        const auto* problem = std::get_if<AccuracyProblem>(&parsed);
+        v.expect(problem == nullptr, "accuracy", problem != nullptr ? problem->message : "",
+                 problem != nullptr ? problem->help : "");
+    }
     v.expect(n.initial_step <= n.max_step, "initial_step", "the first time step is longer than the largest one",
              "make `initial_step` at most `max_step`");
 }

@@ -192,15 +192,27 @@ void ElasticSolver::load(const Functional& functional, Vec target) const
     DEADPOINT_PETSC(VecRestoreArray(target, &values));
 }
 
+// Into solution_.
+void ElasticSolver::solve_dual(const Functional& functional)
+{
+    load(functional, rhs_);
+    pieces_->equilibrate(rhs_);
+    DEADPOINT_PETSC(VecSet(free_solution_, 0));
+    solve_free("the deformation's adjoint");
+}
+
+Displacement ElasticSolver::dual(const Functional& functional)
+{
+    solve_dual(functional);
+    return owned_solution();
+}
+
 std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<Functional>& functionals)
 {
     std::vector<Adjoint> result;
     Everywhere gathered(solution_);
     for (const auto& functional : functionals) {
-        load(functional, rhs_);
-        pieces_->equilibrate(rhs_);
-        DEADPOINT_PETSC(VecSet(free_solution_, 0));
-        solve_free("the deformation's adjoint");
+        solve_dual(functional);
         result.push_back(temperature_weights(functional.name, gathered.gather(solution_)));
     }
     return result;

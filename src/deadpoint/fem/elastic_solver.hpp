@@ -22,6 +22,8 @@ public:
     /// The deformation by weights and initial strain.
     /// @throws InputError where the feet leave the machine free to follow its weight
     Displacement displacement(const RestLoads& loads);
+    /// The displacement under a functional's weights as forces [m/N].
+    Displacement dual(const Functional& functional);
     std::vector<double> evaluate(const std::vector<Functional>& functionals, const Displacement& displacement);
     /// Forces in the state at rest.
     std::vector<double> forces(const std::vector<ForceGauge>& gauges, const RestLoads& loads,
@@ -49,6 +51,7 @@ private:
     void load_initial_strain(const std::vector<Tensor6>& strain, Vec target) const;
     void load_weight(const Vec3& gravity, Vec target) const;
     [[nodiscard]] Adjoint temperature_weights(const std::string& name, const double* displacement) const;
+    void solve_dual(const Functional& functional);
     void clear_fixed(Vec vector) const;
     [[nodiscard]] double thermal_modulus(int part) const;  ///< E alpha / (1 - 2 nu) [Pa/K], alpha the expansion_scale()
 

@@ -30,6 +30,9 @@ public:
     void start_from(const ThermalState& state);
     /// Where the run ended.
     [[nodiscard]] ThermalState state() const;
+    /// z of (M / time + K) z = weights per functional, with the films, joints and slopes of the heat laws at `time`.
+    /// Changes the state.
+    std::vector<Field> duals(double time, const Field& temperature, const std::vector<Adjoint>& weights);
     ThermalHistory run(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
                        Observer& observer, const StepCallback& on_step, const FieldCallback& on_field);
 

@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/vtu.hpp"
 #include "deadpoint/fem/elastic_solver.hpp"
+#include "deadpoint/fem/error_estimate.hpp"
 #include "deadpoint/fem/expansion.hpp"
 #include "deadpoint/fem/fitted_transfer.hpp"
 #include "deadpoint/fem/heat_adjoint.hpp"
@@ -152,6 +153,16 @@ std::vector<PartStress> stress_of(const Discretisation& space, const std::vector
     return result;
 }
 
+ThermalState start_of(const HeatProblem& problem, Field temperature)
+{
+    ThermalState start{std::move(temperature), {}, {}};
+    for (const auto& circuit : problem.oil)
+        start.sumps.push_back(circuit.sump_start);
+    for (const auto& enclosure : problem.enclosures)
+        start.enclosures.push_back(enclosure.start);
+    return start;
+}
+
 // Entries of a divided vector of `block` values per unknown at nodes of the mesh, on all ranks.
 std::vector<double> gathered(const Discretisation& space, const std::vector<CellCorner>& corners,
                              const std::vector<double>& owned, std::size_t block)
@@ -196,12 +207,7 @@ void Model::assemble_heat(const HeatProblem& problem)
     auto& heat = implementation_->heat;
     if (!heat || !heat->adopt(problem))
         heat = std::make_unique<HeatSolver>(implementation_->space, implementation_->materials, problem);
-    ThermalState start{interpolate_field(problem.initial_temperature), {}, {}};
-    for (const auto& circuit : problem.oil)
-        start.sumps.push_back(circuit.sump_start);
-    for (const auto& enclosure : problem.enclosures)
-        start.enclosures.push_back(enclosure.start);
-    heat->start_from(start);
+    heat->start_from(start_of(problem, interpolate_field(problem.initial_temperature)));
 }
 
 ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
@@ -358,6 +364,47 @@ Field Model::interpolate_field(const std::function<double(const Vec3&)>& tempera
     for (const auto& point : implementation_->space.support_points())
         field.owned.push_back(temperature(point));
     return field;
+}
+
+std::vector<Field> Model::heat_duals(const HeatProblem& problem, double time, const Field& temperature,
+                                     const std::vector<Adjoint>& weights)
+{
+    HeatSolver solver(implementation_->space, implementation_->materials, problem);
+    solver.start_from(start_of(problem, temperature));
+    return solver.duals(time, temperature, weights);
+}
+
+Adjoint Model::probe_weights(const HeatProbe& probe)
+{
+    const auto& space = implementation_->space;
+    PointShape shape;
+    space.evaluate_in_part(probe.part, probe.position, shape);
+    Adjoint result{probe.name, std::vector<double>(static_cast<std::size_t>(space.last - space.first), 0.0)};
+    for (int i = 0; i < shape.count; ++i)
+        if (space.owns(shape.dof[i]))
+            result.owned[static_cast<std::size_t>(shape.dof[i] - space.first)] += shape.value[i];
+    return result;
+}
+
+Displacement Model::deformation_dual(const Functional& functional)
+{
+    return implementation_->deformation().dual(functional);
+}
+
+std::vector<std::vector<double>> Model::conduction_errors(const Field& temperature, const std::vector<Field>& duals)
+{
+    return fem::conduction_errors(implementation_->space, implementation_->materials, temperature, duals);
+}
+
+std::vector<std::vector<double>> Model::deformation_errors(const Displacement& displacement,
+                                                           const std::vector<Displacement>& duals)
+{
+    return fem::deformation_errors(implementation_->deformed(), implementation_->materials, displacement, duals);
+}
+
+std::vector<double> Model::interpolation_errors(const Field& temperature, const std::vector<HeatProbe>& probes)
+{
+    return fem::interpolation_errors(implementation_->space, temperature, probes);
 }
 
 std::vector<double> Model::sample(const std::vector<HeatProbe>& probes, const Field& field)

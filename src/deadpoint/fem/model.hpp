@@ -148,6 +148,22 @@ public:
     void release_elasticity();
     [[nodiscard]] int elastic_iterations() const;
 
+    /// What a watt anywhere, as long as the run has lasted, does to functionals of the temperature at a time of it: z
+    /// of (M / time + K) z = weights, per functional [its unit / W]. Joints, films and the slopes of their laws count
+    /// as at that time, oil as it starts.
+    /// @param time  since the start of the run, > 0 [s]
+    std::vector<Field> heat_duals(const HeatProblem& problem, double time, const Field& temperature,
+                                  const std::vector<Adjoint>& weights);
+    /// The temperature at a point as a functional. @throws InputError if the point is off its part
+    Adjoint probe_weights(const HeatProbe& probe);
+    /// Displacement under the weights of a functional as forces [m/N].
+    Displacement deformation_dual(const Functional& functional);
+    /// What finer parts would add to functionals, per dual and part (error_estimate.hpp).
+    std::vector<std::vector<double>> conduction_errors(const Field& temperature, const std::vector<Field>& duals);
+    std::vector<std::vector<double>> deformation_errors(const Displacement& displacement,
+                                                        const std::vector<Displacement>& duals);
+    std::vector<double> interpolation_errors(const Field& temperature, const std::vector<HeatProbe>& probes);
+
     /// Temperature at points of parts.
     std::vector<double> sample(const std::vector<HeatProbe>& probes, const Field& field);
     /// Temperature [K] or displacement [m] at nodes of the mesh.

@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/write.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
+#include "deadpoint/report/accuracy_text.hpp"
 #include "deadpoint/report/csv.hpp"
 #include "deadpoint/report/drift_causes_text.hpp"
 #include "deadpoint/report/drift_summary_text.hpp"
@@ -292,6 +293,8 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     for (const auto& [stage, seconds] : result.timings)
         json["timings_s"][stage] = seconds;
     json["peak_memory_bytes"] = result.peak_memory;
+    if (result.accuracy)
+        json["accuracy"] = accuracy_json(*result.accuracy);
     const auto& energy = history.energy;
     json["energy_J"] = {
         {"generated", result.whole * energy.generated}, {"from_surfaces", result.whole * energy.from_surfaces},
@@ -407,6 +410,8 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
     write_json(folder / "summary.json", summary_json(input, machine, result, warnings));
     if (result.frame && !result.frame->stress.empty())
         write_stress(folder / "stress.csv", *result.frame, comments);
+    if (result.accuracy)
+        write_accuracy_files(folder, *result.accuracy, comments);
     if (result.view)
         write_json(folder / "view.json", view_json(input, machine, *result.view));
     write_svg_chart(folder / "temperatures.svg", temperature_chart(input, result), comments);
@@ -476,6 +481,8 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
         "  heat: {:.2f} MJ generated, {:.2f} to the air, {:.2f} to the oil, {:.2f} stored (balance closes to {:.0e})\n",
         1e-6 * result.whole * (energy.generated + energy.from_surfaces), 1e-6 * result.whole * energy.to_air,
         1e-6 * result.whole * energy.to_oil, 1e-6 * result.whole * energy.stored, energy.mismatch());
+    if (result.accuracy)
+        text += "\n" + accuracy_text(*result.accuracy);
     return text;
 }
 

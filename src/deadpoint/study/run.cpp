@@ -269,8 +269,10 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
 
     const auto written_times = problem.field_times;
     const auto viewed_times = options.view ? view_times(problem.segments) : std::vector<double>{};
+    std::vector<double> shown_times;
+    std::ranges::set_union(written_times, viewed_times, std::back_inserter(shown_times));
     problem.field_times.clear();
-    std::ranges::set_union(written_times, viewed_times, std::back_inserter(problem.field_times));
+    std::ranges::set_union(shown_times, options.kept_times, std::back_inserter(problem.field_times));
 
     watch.start("heat matrices");
     model->assemble_heat(problem);
@@ -283,6 +285,7 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
         end += segment.duration;
     FieldWriter writer(input, machine, *model, chain ? &*chain : nullptr, frame ? &*frame : nullptr, adjoints, options);
     ViewRecorder view;
+    std::vector<std::pair<double, fem::Field>> kept;
     double field_seconds = 0;
     result.thermal = model->heat(
         adjoints, reference, chain ? static_cast<int>(drift::gap) : -1, observer,
@@ -291,6 +294,8 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
             const double before = watch.seconds();
             if (std::ranges::binary_search(viewed_times, time))
                 view.add(time, field);
+            if (std::ranges::binary_search(options.kept_times, time))
+                kept.emplace_back(time, field);
             if (std::ranges::binary_search(written_times, time))
                 writer.write(time, field, result);
             field_seconds += watch.seconds() - before;
@@ -321,6 +326,8 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
         watch.stop();
         result.timings.push_back(watch.times().back());
     }
+    if (options.at_end)
+        options.at_end({machine, *model, problem, chain ? &*chain : nullptr, adjoints, kept, reference});
     result.elastic_iterations = model->elastic_iterations();
     result.joints = joint_histories(input, machine, problem, result.thermal, result.whole);
     if (chain) {

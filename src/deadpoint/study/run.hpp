@@ -7,11 +7,14 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/accuracy.hpp"
 #include "deadpoint/study/frame_state.hpp"
 #include "deadpoint/study/loads.hpp"
 #include "deadpoint/study/translate_friction.hpp"
 #include "deadpoint/study/view_data.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,6 +58,7 @@ struct RunResult {
     std::optional<AdjointCheck> adjoint_check;
     std::optional<FrameResult> frame;  ///< where the case states a foundation, preload or wanted stress
     std::optional<ViewData> view;
+    std::optional<AccuracyReport> accuracy;  ///< where the case asks for one
     long long cells = 0;
     long long heat_unknowns = 0;
     long long deformation_cells = 0;  ///< the same as cells, or those of its own mesh; 0 without deformation
@@ -66,6 +70,19 @@ struct RunResult {
     std::vector<std::pair<double, std::string>> fields;   ///< time [s], file in the results folder
 };
 
+struct ChainModel;
+
+/// What is at hand when the time steps are done.
+struct RunInside {
+    const Machine& machine;
+    fem::Model& model;
+    const HeatProblem& problem;
+    const ChainModel* chain;  ///< where the case has one
+    const std::vector<fem::Adjoint>& adjoints;
+    const std::vector<std::pair<double, fem::Field>>& fields;  ///< at RunOptions::kept_times
+    double reference;                                          ///< temperature without deformation [K]
+};
+
 struct RunOptions {
     std::string start_from;    ///< temperature state to start from instead of the initial temperature; empty: none
     std::string state_file;    ///< where the state at the end is written; empty: nowhere
@@ -73,6 +90,8 @@ struct RunOptions {
     std::vector<std::string> comments = {};  ///< for the head of the field files: version, case hash, warnings so far
     bool view = false;                       ///< make RunResult::view
     bool causes = false;                     ///< make RunResult::causes, where the case has a dimension chain
+    std::vector<double> kept_times = {};     ///< ascending: fields that `at_end` is given [s]
+    std::function<void(const RunInside&)> at_end = {};
 };
 
 /// One machine, ready for runs of like cases: what does not change between them is made once, the unknowns, the factor
