@@ -71,7 +71,7 @@ public:
         check_mirrors();
         check_operation();
         if (auto finding = check_accuracy(c_)) {
-            findings_.push_back(std::move(*finding));
+            add(std::move(*finding));
         }
         if (c_.reference) {
             for (const auto& [probe, rise] : c_.reference->rises) {

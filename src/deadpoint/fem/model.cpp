@@ -289,7 +289,7 @@ double Model::apply(const Adjoint& adjoint, const Field& temperature, double ref
 
 bool Model::expands_linearly() const { return implementation_->expansion.linear(); }
 
-Field Model::expansion_rise(const Field& temperature, double reference_temperature)
+Field Model::expansion_rise(const Field& temperature, double reference_temperature) const
 {
     Field rise;
     for (std::size_t i = 0; i < temperature.owned.size(); ++i)

@@ -129,7 +129,7 @@ public:
     [[nodiscard]] bool expands_linearly() const;
     /// The rise [K] in which the deformation is linear: T - T_reference where the expansion is constant, else what
     /// strains as much with the part's expansion_scale() (exchange/material).
-    Field expansion_rise(const Field& temperature, double reference_temperature);
+    [[nodiscard]] Field expansion_rise(const Field& temperature, double reference_temperature) const;
     /// The deformation for such a rise.
     Displacement displacement_of_rise(const Field& rise);
     /// Weights that give the same value with T - T_reference itself at this temperature:
