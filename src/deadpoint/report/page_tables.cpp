@@ -49,7 +49,8 @@ std::string gap_table(const Json& drift)
     std::vector<std::vector<std::string>> rows{
         {"E_SW, largest, after " + duration_text(drift.value("time_of_largest_s", 0.0)),
          signed_number(drift.value("largest_E_SW", Json()), 1)}};
-    for (const auto& [name, value] : drift.value("final", Json::object()).items())
+    const auto last = drift.value("final", Json::object());
+    for (const auto& [name, value] : last.items())
         rows.push_back({name + " at the end", signed_number(value, 1)});
     return html_table("The gap between slide and table: changes since the start, + opens", {"", "um"}, rows);
 }
@@ -57,8 +58,8 @@ std::string gap_table(const Json& drift)
 std::string gaps_tables(const Json& gaps)
 {
     std::vector<std::vector<std::string>> corners, clearances;
-    const auto parallel = gaps.value("parallelism", Json::object());
-    for (const auto& [name, corner] : parallel.value("corners", Json::object()).items())
+    const auto parallel = gaps.value("parallelism", Json::object()).value("corners", Json::object());
+    for (const auto& [name, corner] : parallel.items())
         corners.push_back({name, signed_number(corner.value("largest_um", Json()), 1),
                            signed_number(corner.value("final_um", Json()), 1)});
     for (const auto& entry : gaps.value("clearances", Json::array()))

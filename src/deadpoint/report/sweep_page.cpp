@@ -104,11 +104,12 @@ void write_sweep_report(const fs::path& file, const fs::path& folder)
             fmt::format("'{}' holds no study\n  help: give a folder that 'deadpoint sweep' wrote", folder.string()));
     PageContent content;
     auto& data = content.data;
-    data = {{"version", version}, {"runs", Json::array()}, {"sweep", parse_json(source, *text)}};
+    const auto sweep = parse_json(source, *text);
+    data = {{"version", version}, {"runs", Json::array()}, {"sweep", sweep}};
     try {
         const auto whole = fs::absolute(folder).lexically_normal();
         data["folder"] = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-        const auto& points = data.at("sweep").at("points");
+        const auto& points = sweep.at("points");
         const std::size_t rows =
             std::clamp(most_values / std::max<std::size_t>(1, points.size()), fewest_rows, most_rows);
         Json courses = Json::object();
@@ -118,11 +119,11 @@ void write_sweep_report(const fs::path& file, const fs::path& folder)
             add_common(data, point_folder(folder, name));
         }
         data["points"] = std::move(courses);
-        content.title = data.at("sweep").at("study").at("name").get<std::string>();
+        content.title = sweep.at("study").at("name").get<std::string>();
         content.without_scripts = "<p>This page draws its charts and maps with scripts, which are switched off here; "
                                   "they are missing below. The "
                                   "charts stand as SVG files in the folder of the study.</p>\n" +
-                                  sweep_tables(data.at("sweep"), folder / "sweep.csv");
+                                  sweep_tables(sweep, folder / "sweep.csv");
     } catch (const Json::exception& reason) {
         throw InputError(fmt::format("{}: {}\n  help: it is from another version of the program; run the study again",
                                      source.string(), reason.what()));
