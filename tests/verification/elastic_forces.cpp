@@ -228,9 +228,9 @@ TEST_CASE("forces: weights change stress and support, never the drift")
     double difference = 0;
     for (std::size_t i = 0; i < plain.drift->time.size(); ++i)
         difference = std::max(difference, std::abs(plain.drift->gap.value[i] - heavy.drift->gap.value[i]));
-    MESSAGE(difference << " of " << plain.drift->gap.value.back());
-    // weights do not enter the adjoints: rounding only
-    CHECK(difference < 1e-9 * std::abs(plain.drift->gap.value.back()));
+    // Weights do not enter the adjoints. Two runs differ by what their heat solver leaves, 1e-6 K of some kelvin; the
+    // frame itself gives way by rho g H^2 / E, about a micrometre, 10^5 times as much.
+    CHECK(difference < 1e-6 * std::abs(plain.drift->gap.value.back()));
     double weight = 0;
     for (const auto& part : machine.parts)
         if (part.body == "frame")

@@ -80,7 +80,7 @@ TEST_CASE("stress: a clamped bar of 1 m stands under -126 MPa, across meshes tha
     const auto warm = bar.model.constant_field(start + 50);
     const double expected = -210e9 * 1.2e-5 * 50;
     CHECK(expected == Approx(-126e6));
-    // Ties pass the resultant exactly and a uniform stress nearly: nodes of the finer side follow the coarser cells
+    // Ties pass the resultant and a uniform stress nearly: nodes of the finer side follow the coarser cells
     // point by point, so next to a bond the stress is uneven, by 7 % here, and two cells of the coarser side away (100
     // mm) by less than 1e-3, the tolerance.
     for (const std::string part : {"lower", "upper"}) {
@@ -101,8 +101,8 @@ TEST_CASE("stress: a clamped bar of 1 m stands under -126 MPa, across meshes tha
         CHECK(everywhere < 0.1);
     }
     // the force between the two blocks: 126 MPa on 0.1 x 0.08 m
-    const auto between = std::ranges::find_if(bar.machine.bonds, [&](const auto& bond) {
-        return static_cast<int>(bond.part_a) + static_cast<int>(bond.part_b) == bar.part("lower") + bar.part("upper");
+    const auto between = std::ranges::find_if(bar.machine.bonds, [](const auto& bond) {
+        return bond.name.find("lower") != std::string::npos && bond.name.find("upper") != std::string::npos;
     });
     REQUIRE(between != bar.machine.bonds.end());
     const int bond = static_cast<int>(between - bar.machine.bonds.begin());

@@ -46,7 +46,7 @@ void describe(Visitor& v, Preload& p)
         "Rods or bolts that are stretched at assembly and press parts together. Every part named is one rod, bonded "
         "to the machine at its two ends. The run reports how warming changes their forces.");
     v.texts({"parts", "the rods: names of parts, `*` stands for any letters", required}, p.parts);
-    choose(v, {"axis", "along the rods"}, p.axis, {"x", "y", "z"});
+    choose(v, {"axis", "along the rods; y unless stated"}, p.axis, {"x", "y", "z"});
     v.quantity({"force", "in each rod at the start", required}, p.force, D::force, positive);
     v.number({"process_share", "share of the process force that each rod has to hold; a rod that falls below it is "
                                "warned about"},
