@@ -1,6 +1,9 @@
 #pragma once
 
+#include "deadpoint/exchange/heat.hpp"
+
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <variant>
@@ -14,6 +17,9 @@ struct CsvColumn {
     std::string unit;  ///< shown in brackets behind the name; empty: none
     std::variant<std::vector<double>, std::vector<std::string>> values;
 };
+
+/// Brings a series of the steps to the rows of a table: factor * value + offset.
+using SeriesSampler = std::function<std::vector<double>(const Series& series, double factor, double offset)>;
 
 /// Writes columns side by side, complete or absent (core/write_file.hpp).
 ///

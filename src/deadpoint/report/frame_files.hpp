@@ -5,15 +5,11 @@
 #include "deadpoint/study/run.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 /// Forces of preloaded rods, what they close, and stress, in the files and the text of a run.
 namespace deadpoint::report {
-
-/// Brings a series of the steps to the rows of a table: factor * value + offset.
-using SeriesSampler = std::function<std::vector<double>(const Series& series, double factor, double offset)>;
 
 /// Force of every rod and across every closed bond.
 void add_frame_columns(std::vector<CsvColumn>& columns, const study::FrameResult& frame, const SeriesSampler& sample);

@@ -82,14 +82,14 @@ std::vector<CsvColumn> gap_columns(const GapSeries& gaps, const SeriesSampler& s
     std::vector<CsvColumn> columns;
     if (gaps.parallelism) {
         for (const auto& corner : gaps.parallelism->corners)
-            columns.push_back({"gap " + corner.name, "um", sample(corner.gap, micrometre)});
-        columns.push_back({"slope left to right", "um/m", sample(gaps.parallelism->left_right, micrometre)});
-        columns.push_back({"slope front to back", "um/m", sample(gaps.parallelism->front_back, micrometre)});
+            columns.push_back({"gap " + corner.name, "um", sample(corner.gap, micrometre, 0)});
+        columns.push_back({"slope left to right", "um/m", sample(gaps.parallelism->left_right, micrometre, 0)});
+        columns.push_back({"slope front to back", "um/m", sample(gaps.parallelism->front_back, micrometre, 0)});
     }
     for (const auto& clearance : gaps.clearances)
-        columns.push_back({"clearance " + clearance.name, "um", sample(clearance.change, micrometre)});
+        columns.push_back({"clearance " + clearance.name, "um", sample(clearance.change, micrometre, 0)});
     if (gaps.force)
-        columns.push_back({"force change", "kN", sample(*gaps.force, kilonewton)});
+        columns.push_back({"force change", "kN", sample(*gaps.force, kilonewton, 0)});
     return columns;
 }
 

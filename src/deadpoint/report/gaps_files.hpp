@@ -4,15 +4,11 @@
 #include "deadpoint/report/csv.hpp"
 #include "deadpoint/report/json_file.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
 /// Corners of the slide, clearances and force at a fixed die height, in the files and the text of a run.
 namespace deadpoint::report {
-
-/// Brings a series of the steps to the rows of a table, times a factor.
-using SeriesSampler = std::function<std::vector<double>(const Series& series, double factor)>;
 
 /// Columns of gaps.csv besides the time.
 std::vector<CsvColumn> gap_columns(const GapSeries& gaps, const SeriesSampler& sample);

@@ -150,8 +150,8 @@ void write_gaps(const std::filesystem::path& path, const casefile::Case& input, 
                 const std::vector<std::string>& comments)
 {
     const auto times = history_times(input, result);
-    auto columns = gap_columns(result.gaps, [&](const Series& series, double factor) {
-        return sampled(result.thermal.time, series, times, factor, 0);
+    auto columns = gap_columns(result.gaps, [&](const Series& series, double factor, double offset) {
+        return sampled(result.thermal.time, series, times, factor, offset);
     });
     if (columns.empty())
         return;
