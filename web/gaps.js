@@ -34,7 +34,8 @@ function parallelSection(run) {
             + `The slope is steepest after ${duration(steepest[2].time_of_largest_s)}: the gap is wider `
             + `${steepest[2].largest_um_per_m > 0 ? steepest[0] : steepest[1]} by `
             + `${fixed(Math.abs(steepest[2].largest_um_per_m), 1)} µm per metre.`),
-        lineChart({ id: "corners", title: "Gap at the corners of the slide", x: ["time", "h"], y: ["change", "µm"],
+        lineChart({ id: "corners", title: "Gap at the corners of the slide", text: "E_SW is the mean over the whole "
+            + "face; the corners lie off it where the face bends.", x: ["time", "h"], y: ["change", "µm"],
             series: [...corners, ...(gap ? [{ name: "E_SW, mean", x: run.hours, y: gap, bold: true }] : [])] }),
         lineChart({ id: "slopes", title: "Slope of the slide against the table", text: "Positive where the gap opens more to the "
             + "right, or to the back.", x: ["time", "h"], y: ["slope", "µm/m"], series: slopes }),
