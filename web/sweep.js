@@ -238,7 +238,7 @@ function pointsSection() {
     const holder = make("div", { class: "wide" });
     const draw = (focused) => {
         const chosen = columns.filter((column) => column.chosen);
-        const rows = places.filter((place) => only === 0 || place.set === sets[only - 1]);
+        const rows = places.filter((place) => only === 0 || place.set.name === sets[only - 1].name);
         const sort = (column) => make("button", { class: "sort", type: "button", "data-sort": column.title, click: () => {
             descending = by === column && !descending;
             by = column;
