@@ -64,8 +64,8 @@ const std::vector<Meshes> all_meshes{
     {"bar", {}, 1.7, 1},
     {"bar", {"parts.upper.tetrahedra=true", "parts.lower.tetrahedra=true"}, 1.2, 1.9},
     {"bar", {"numerics.order=2"}, 1.3, 2},
-    {"shaft-in-block", {}, 1, 1.6},
-    {"shaft-in-block", {}, 1.6, 1},
+    {"shaft-in-block", {}, 0.4, 1.5},
+    {"shaft-in-block", {}, 1.5, 0.4},
 };
 
 }  // namespace
