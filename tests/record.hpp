@@ -6,9 +6,9 @@
 #include <fstream>
 #include <string>
 
-/// A figure held against its target. With DEADPOINT_RECORD=FILE in the environment each becomes a row of that file, of
+/// A figure held against its figure. With DEADPOINT_RECORD=FILE in the environment each becomes a row of that file, of
 /// which scripts/validate makes docs/validation/verification.md.
-struct Target {
+struct Figure {
     std::string requirement;
     std::string source;
     std::string unit;
@@ -17,17 +17,17 @@ struct Target {
     std::string reason;    ///< for that tolerance
 };
 
-inline void record(const Target& target, double got)
+inline void record(const Figure& figure, double got)
 {
-    CAPTURE(target.requirement);
+    CAPTURE(figure.requirement);
     CAPTURE(got);
-    CAPTURE(target.expected);
-    CHECK(std::abs(got - target.expected) <= target.tolerance);
+    CAPTURE(figure.expected);
+    CHECK(std::abs(got - figure.expected) <= figure.tolerance);
     const char* file = std::getenv("DEADPOINT_RECORD");
     if (!file)
         return;
     static std::ofstream out(file);  // anew in each run
     out.precision(9);
-    out << target.requirement << '\t' << target.source << '\t' << target.unit << '\t' << target.expected << '\t' << got
-        << '\t' << target.tolerance << '\t' << target.reason << std::endl;
+    out << figure.requirement << '\t' << figure.source << '\t' << figure.unit << '\t' << figure.expected << '\t' << got
+        << '\t' << figure.tolerance << '\t' << figure.reason << std::endl;
 }

@@ -177,7 +177,9 @@ TEST_CASE("mesh writes a new folder, refuses an old one and replaces it on reque
     CHECK(refused.code == 5);
     CHECK(has(refused.err, "--force"));
     CHECK(fs::exists(target + "/mine.txt"));
-    CHECK(deadpoint("mesh " + two_blocks + " --force -o " + target).code == 0);
+    CHECK_FALSE(fs::exists(target + "/mesh.inp"));
+    CHECK(deadpoint("mesh " + two_blocks + " --force --calculix -o " + target).code == 0);
+    CHECK(has(content(target + "/mesh.inp"), "*ELEMENT, TYPE=C3D8, ELSET=PART_"));
     CHECK_FALSE(fs::exists(target + "/mine.txt"));
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
 }

