@@ -18,7 +18,7 @@ TEST_CASE("like parts are refined alike, by the order of the error")
 TEST_CASE("the factors take the fewest cells of all that reach the target")
 {
     const std::vector<PartError> parts{{0.9, 500, 2, false}, {0.3, 4000, 2, false}};
-    const double target = 0.5;
+    const double target = 0.4;
     const auto best = size_factors(parts, target, 0.2, 1e9);
     const auto error = [&](double f, double g) { return 0.9 * f * f + 0.3 * g * g; };
     const auto cells = [&](double f, double g) { return 500 / (f * f * f) + 4000 / (g * g * g); };

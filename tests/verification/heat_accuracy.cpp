@@ -110,7 +110,7 @@ TEST_CASE("estimate: the mean temperature of a cube that is heated inside and co
         auto input = cube(order, false, cells);
         input.surfaces.at("outside").temperature_formula = "293.15";
         input.heat_sources["inside"].parts = {"cube"};
-        input.heat_sources["inside"].power = casefile::Course{heat * edge * edge * edge};
+        input.heat_sources["inside"].power = casefile::Course{heat * edge * edge * edge, std::nullopt, std::nullopt};
         input.heat_sources["inside"].at_rest = true;
         const auto machine = study::prepare_machine(input, 1, silent);
         // one point per cell, or two along each edge, integrate elements of first and second order exactly

@@ -16,10 +16,11 @@ std::variant<Accuracy, AccuracyProblem> parse_accuracy(const std::string& text)
     const auto* metre = std::get_if<double>(&length);
     if (kelvin == nullptr && metre == nullptr) {
         const auto& problem = std::get<QuantityProblem>(rise);
-        return AccuracyProblem{problem.code == "unit-mismatch"
-                                   ? fmt::format("'{}' is neither a temperature difference nor a length", text)
-                                   : problem.message,
-                               "write \"0.1 K\" for the rises of the probes or \"0.2 um\" for the gap"};
+        const std::string message = problem.code == "unit-mismatch"
+                                        ? fmt::format("'{}' is neither a temperature difference nor a length", text)
+                                    : problem.code == "missing-unit" ? fmt::format("'{}' has no unit", text)
+                                                                     : problem.message;
+        return AccuracyProblem{message, "write \"0.1 K\" for the rises of the probes or \"0.2 um\" for the gap"};
     }
     const double value = kelvin != nullptr ? *kelvin : *metre;
     if (!(value > 0)) {

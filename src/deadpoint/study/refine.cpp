@@ -8,7 +8,9 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
+#include <string>
 
 namespace deadpoint::study {
 namespace {
@@ -172,7 +174,7 @@ private:
             report_.reached = true;
             return true;
         }
-        if (report_.time_change > share_of_time * wanted_.tolerance)
+        if (report_.time_change >= wanted_.tolerance)
             report_.why_not = "the time steps still count; lower numerics.time_tolerance and max_step";
         else if (static_cast<int>(report_.rounds.size()) >= input_.numerics.accuracy_rounds)
             report_.why_not = "as many meshes as numerics.accuracy_rounds allows";
@@ -216,7 +218,8 @@ private:
     void refine()
     {
         for (std::size_t p = 0; p < factors_.size(); ++p)
-            *input_.parts.at(machine_->parts[p].name).size *= factors_[p];
+            if (double& size = *input_.parts.at(machine_->parts[p].name).size; factors_[p] < 1)
+                size = std::stod(fmt::format("{:.3g}", size * factors_[p]));  // a number to put into a case file
         observer_.info(
             fmt::format("accuracy: mesh {}, with {} parts finer", report_.rounds.size() + 1, refined_parts_));
         solve(true);
