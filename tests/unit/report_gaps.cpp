@@ -90,8 +90,9 @@ TEST_CASE("gaps in files and text: units, signs, what is not followed is left ou
 {
     const auto fixture = Fixture();
     const auto gaps = fixture.series();
-    const auto columns = report::gap_columns(
-        gaps, [](const Series& series, double factor) { return std::vector<double>{factor * series.value.back()}; });
+    const auto columns = report::gap_columns(gaps, [](const Series& series, double factor, double) {
+        return std::vector<double>{factor * series.value.back()};
+    });
     const std::vector<std::tuple<std::string, std::string, double>> wanted{
         {"gap front left", "um", -120},  {"gap front right", "um", -120},    {"gap back left", "um", -80},
         {"gap back right", "um", -80},   {"slope left to right", "um/m", 0}, {"slope front to back", "um/m", 100},

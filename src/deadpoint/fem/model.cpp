@@ -189,8 +189,9 @@ Model::Model(const Machine& machine, std::vector<Material> materials, std::vecto
         require_same_mesh(*deformation);
     implementation_ = std::make_unique<Implementation>(machine, std::move(materials), std::move(orders), deformation);
 }
-Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer)
-    : Model(machine, std::move(materials), std::vector<int>(machine.parts.size(), order), observer)
+Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer,
+             const Machine* deformation)
+    : Model(machine, std::move(materials), std::vector<int>(machine.parts.size(), order), observer, deformation)
 {}
 Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;

@@ -78,7 +78,8 @@ public:
     /// @throws InputError where ranks built different meshes or a material constant is not positive and finite
     Model(const Machine& machine, std::vector<Material> materials, std::vector<int> orders, Observer& observer,
           const Machine* deformation = nullptr);
-    Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer);
+    Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer,
+          const Machine* deformation = nullptr);
     ~Model();
     Model(Model&&) noexcept;
 
