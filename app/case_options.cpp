@@ -19,7 +19,7 @@ void add_file_access(CLI::App& command, casefile::FileAccess& files)
 {
     command.add_flag_callback(
         "--allow-outside", [&files] { files = casefile::FileAccess::anywhere; },
-        "let the file name others that lie outside its own folder");
+        "let the case name files outside its own folder");
 }
 
 void add_case_options(CLI::App& command, CaseOptions& options)

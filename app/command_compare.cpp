@@ -1,5 +1,5 @@
-#include "case_options.hpp"
 #include "commands.hpp"
+#include "console.hpp"
 #include "deadpoint/casefile/read.hpp"
 #include "deadpoint/casefile/write.hpp"
 #include "deadpoint/core/error.hpp"
@@ -22,7 +22,6 @@ struct CompareOptions {
     std::string output;
     std::string point;
     std::string baseline;
-    casefile::FileAccess files = casefile::FileAccess::below;
     Console::Options console;
 };
 
@@ -64,12 +63,12 @@ void compare(const CompareOptions& options)
     Console console(options.console);
     const auto run = report::read_result(options.folder);
     const auto contents = study::contents(run);
-    const auto reference = casefile::read_reference(options.reference, options.point, &contents, options.files);
+    const auto reference = casefile::read_reference(options.reference, options.point, &contents);
     std::optional<study::RunRecord> baseline;
     if (!options.baseline.empty()) {
         baseline = report::read_result(options.baseline);
         const auto offered = study::contents(*baseline);
-        (void)casefile::read_reference(options.reference, options.point, &offered, options.files);
+        (void)casefile::read_reference(options.reference, options.point, &offered);
     }
     auto comparison = study::compare(run, reference, options.point, baseline ? &*baseline : nullptr);
     if (!options.point.empty()) {
@@ -107,7 +106,6 @@ void add_compare(CLI::App& app, int& exit_code)
         ->add_option("-o,--output", options->output,
                      "write FILE.json and FILE.md instead of DIR/compare.json and DIR/compare.md")
         ->type_name("FILE");
-    add_file_access(*command, options->files);
     command->add_flag("-q,--quiet", options->console.quiet, "show warnings and results only");
     command->callback([options, &exit_code] {
         compare(*options);

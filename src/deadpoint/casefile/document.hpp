@@ -39,7 +39,8 @@ Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics);
 /// A case file with everything it includes, as one tree.
 struct Document {
     Node root;
-    std::filesystem::path folder;              ///< files must lie below it; empty: anywhere
+    std::filesystem::path folder;  ///< files must lie below it, but for those that an override names; empty: anywhere
+    int first_override = 1 << 30;  ///< index of the first source that is one
     std::vector<std::filesystem::path> paths;  ///< of each source, by its index; empty for texts that are no files
 };
 

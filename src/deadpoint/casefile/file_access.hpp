@@ -2,8 +2,8 @@
 
 namespace deadpoint::casefile {
 
-/// Which files a case, a study or a reference may name. A file that came from somewhere else must not read what lies
-/// elsewhere on the machine unless its user says so.
+/// Which files a case may name. A case that came from somewhere else must not read what lies elsewhere on the machine
+/// unless its user says so.
 enum class FileAccess {
     below,    ///< those in its own folder and below, after following links
     anywhere  ///< all that the user may read

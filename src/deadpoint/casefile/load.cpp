@@ -320,6 +320,7 @@ Document load_document(const fs::path& path, const std::vector<std::string>& ove
 {
     Document document = Loader(path, files, diagnostics).run();
     const auto main = document.paths.front();
+    document.first_override = static_cast<int>(document.paths.size());
     for (const auto& text : overrides) {
         const int file = diagnostics.sources.add("--set", text);
         document.paths.push_back(main);

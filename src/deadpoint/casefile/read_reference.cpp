@@ -311,10 +311,9 @@ void stop_at_errors(const Diagnostics& diagnostics)
 }
 
 /// Everything the file says, not yet held against a result; its curves are not read yet.
-ReferenceFile parse_reference(const std::filesystem::path& path, FileAccess files, Document& document,
-                              Diagnostics& diagnostics)
+ReferenceFile parse_reference(const std::filesystem::path& path, Document& document, Diagnostics& diagnostics)
 {
-    document = load_document(path, {}, diagnostics, files);
+    document = load_document(path, {}, diagnostics, FileAccess::anywhere);
     stop_at_errors(diagnostics);
     ReferenceFile file;
     Reader(document, diagnostics, nullptr).read(file);
@@ -348,12 +347,11 @@ LoadUnit load_unit(std::string_view path)
     return {};
 }
 
-ReferenceFile read_reference(const std::filesystem::path& path, const std::string& point, const ResultContents* result,
-                             FileAccess files)
+ReferenceFile read_reference(const std::filesystem::path& path, const std::string& point, const ResultContents* result)
 {
     Diagnostics diagnostics;
     Document document;
-    ReferenceFile file = parse_reference(path, files, document, diagnostics);
+    ReferenceFile file = parse_reference(path, document, diagnostics);
     require_point(file, path.string(), point);
     ReferenceChecker(file, document, diagnostics, result).run(point);
     stop_at_errors(diagnostics);
@@ -373,7 +371,7 @@ std::map<std::string, ReferencePoint> reference_points(const std::filesystem::pa
 {
     Diagnostics diagnostics;
     Document document;
-    return parse_reference(path, FileAccess::below, document, diagnostics).points;
+    return parse_reference(path, document, diagnostics).points;
 }
 
 }  // namespace deadpoint::casefile

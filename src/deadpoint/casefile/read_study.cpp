@@ -384,7 +384,7 @@ std::string plain_setting(std::string_view text)
 StudyFile read_study(const std::filesystem::path& path, FileAccess files)
 {
     Diagnostics diagnostics;
-    const Document document = load_document(path, {}, diagnostics, files);
+    const Document document = load_document(path, {}, diagnostics, FileAccess::anywhere);
     stop_at_errors(diagnostics);
     StudyFile file;
     file.files = files;

@@ -329,10 +329,11 @@ void Reader::path(const Key& key, std::string& value)
         folder = document_.paths[file].parent_path();
     }
     const auto full = (folder / node->text).lexically_normal();
-    if (!document_.folder.empty() && !lies_below(full, document_.folder)) {
+    const bool restricted = !document_.folder.empty() && node->place.file < document_.first_override;
+    if (restricted && !lies_below(full, document_.folder)) {
         report(*node, "file-outside", path_of(key.name),
-               fmt::format("'{}' lies outside the folder of the file you named", node->text),
-               "keep what belongs together in one folder, or allow other files with --allow-outside");
+               fmt::format("'{}' lies outside the folder of the case file", node->text),
+               "keep all files of a case in its folder, or allow others with --allow-outside");
         return;
     }
     std::error_code error;

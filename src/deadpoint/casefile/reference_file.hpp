@@ -1,6 +1,5 @@
 #pragma once
 
-#include "deadpoint/casefile/file_access.hpp"
 #include "deadpoint/core/quantity.hpp"
 
 #include <filesystem>
@@ -131,11 +130,10 @@ LoadUnit load_unit(std::string_view path);
 /// @param path    TOML, format = 1
 /// @param point   name of one of its points, or empty for what belongs to none
 /// @param result  checks that the result has what is compared; may be null
-/// @param files   where the curves may lie
 /// @throws InputError whose text lists every mistake with file:line:column, the line and a remedy
 /// @throws IoError if the file cannot be read
 ReferenceFile read_reference(const std::filesystem::path& path, const std::string& point = "",
-                             const ResultContents* result = nullptr, FileAccess files = FileAccess::below);
+                             const ResultContents* result = nullptr);
 
 /// The operating points of a reference file.
 /// @throws InputError, IoError as read_reference, but for what concerns a result or a curve's file

@@ -42,7 +42,7 @@ struct StudyFile {
     std::vector<std::string> set;
     std::vector<StudySet> sets;
     std::optional<StudyLimits> limits;
-    FileAccess files = FileAccess::below;  ///< with which it was read
+    FileAccess files = FileAccess::below;  ///< what the base case may name
 };
 
 void describe(Visitor& v, StudyFile& f);
@@ -55,7 +55,8 @@ inline constexpr std::size_t most_study_points = 10000;
 /// Reads and checks a study file: every axis gets its name, its steps and their labels, and every value has been read
 /// by the base case.
 ///
-/// @param path  TOML, format = 1
+/// @param path   TOML, format = 1; its base case may lie anywhere
+/// @param files  what that case may name
 /// @throws InputError whose text lists every mistake with file:line:column, the line and a remedy; mistakes of the
 ///         base case itself are listed as for a run
 /// @throws IoError if a file cannot be read
