@@ -16,9 +16,17 @@ run: build
 test: build
 	ctest --preset $(PRESET) --parallel $(JOBS)
 
+# Writes docs/validation anew: what the tests hold against exact and published figures, then the paper, then the mesh study and
+# the comparison with CalculiX, which take an hour.
 validate: build
 	ctest --preset $(PRESET) -R '^verification_(heat|elastic)$$'
 	scripts/validate build/$(PRESET)/validation --write
+	scripts/paper-equations
+	scripts/paper-heat --write
+	scripts/paper-loads --write
+	scripts/paper-results --write
+	scripts/mesh-study --write
+	scripts/compare-calculix --write
 
 build: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
