@@ -1,5 +1,4 @@
 #include "../scratch_folder.hpp"
-#include "deadpoint/casefile/check.hpp"
 #include "deadpoint/casefile/library.hpp"
 #include "deadpoint/casefile/read.hpp"
 #include "deadpoint/casefile/reference.hpp"
@@ -10,6 +9,7 @@
 #include <cstdlib>
 #include <doctest/doctest.h>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -185,6 +185,50 @@ TEST_CASE("a case file that cannot be read is an error of input and output")
     CHECK_THROWS_AS(read_case(data), IoError);
 }
 
+TEST_CASE("what would fill memory or screen is refused or cut short")
+{
+    const Scratch scratch;
+    const auto said = [&](const std::string& text) { return error_of(scratch.file("case.toml", text), {}); };
+    std::string names = "format = 1\n[parts]\n";
+    for (int i = 0; i <= 10'000; ++i)
+        names += fmt::format("p{} = 1\n", i);
+    CHECK(has(said(names), "a table of more than 10000 names"));
+    std::string values = "x = [0";
+    for (int i = 0; i < 1'000'000; ++i)
+        values += ",0";
+    CHECK(has(said(values + "]\n"), "there are too many values"));
+
+    // Each mistake would quote the whole line.
+    std::string line = "format = 1\nnumerics = { ";
+    for (int i = 0; i < 5000; ++i)
+        line += fmt::format("x{} = 1, ", i);
+    const auto flood = said(line + "y = 1 }\n");
+    CHECK(flood.size() < 500'000);
+    CHECK(has(flood, "there is no key 'x1' here"));
+    const std::string mark = "\n... and ";
+    const auto at = flood.find(mark);
+    REQUIRE(at != std::string::npos);
+    const int more = std::atoi(flood.c_str() + at + mark.size());
+    CHECK(more >= 5001 - 200);
+    CHECK(has(flood, fmt::format(" more\n\n{} errors in the case file", more + 200)));
+
+    const auto start = said("x = [" + std::string(3000, ' ') + "]\n[numerics]\nsize = \"1 kg\"\n");
+    CHECK(has(start, "unknown-key"));
+    const auto far = said("numerics = { " + std::string(3000, ' ') + "size = \"1 kg\" }\n");
+    CHECK(has(far,
+              "| " + std::string(300 - 7, ' ') + "size = \"1 kg\" }\n       | " + std::string(300, ' ') + "^^^^^^\n"));
+}
+
+TEST_CASE("a file that is included over and over is not read over and over")
+{
+    const Scratch scratch;
+    (void)scratch.file("part.toml", "# " + std::string(5'000'000, 'x') + "\n");
+    std::string text = "include = [";
+    for (int i = 0; i < 20; ++i)
+        text += "\"part.toml\", ";
+    CHECK(has(error_of(scratch.file("case.toml", text + "]\n"), {}), "larger than 32 MiB"));
+}
+
 TEST_CASE("malformed texts end in a message, not in the parser")
 {
     const Scratch scratch;
@@ -264,17 +308,6 @@ TEST_CASE("a case for loads needs neither parts nor materials, surfaces or durat
     CHECK(result.warnings.empty());
     CHECK(result.value.parts.empty());
     CHECK(result.value.operation.at(0).duration == 0);
-}
-
-TEST_CASE("patterns")
-{
-    CHECK(matches("column_*", "column_left"));
-    CHECK(matches("*", ""));
-    CHECK(matches("*_x_*", "a_x_b"));
-    CHECK_FALSE(matches("column_*", "colum_left"));
-    CHECK_FALSE(matches("", "a"));
-    CHECK(matches("a*b*c", "aXbYbZc"));
-    CHECK_FALSE(matches("a*b", "abc"));
 }
 
 TEST_CASE("the starter case is sound and means the same when written back")

@@ -60,6 +60,7 @@ TEST_CASE("what is wrong with a CSV file is said with its line")
     CHECK(has(error_of("time;a\n0;1,5\n", "a"), ":1: the columns are divided by semicolons"));
     CHECK(error_of("\xEF\xBB\xBFtime,a\n0,1\n", "time") == "");
     CHECK(has(error_of("time,upper\n0,1\n", "uper"), "did you mean 'upper'?"));
+    CHECK(has(error_of("a\n" + std::string(10'000, ',') + "\n", "a"), ":2: the table is larger than 10000 columns"));
     CHECK_THROWS_AS((void)read_csv("no/such/file.csv"), IoError);
     CHECK_THROWS_AS((void)read_csv(fs::temp_directory_path()), IoError);
 }

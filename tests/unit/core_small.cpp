@@ -1,5 +1,6 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/hash.hpp"
+#include "deadpoint/core/pattern.hpp"
 #include "deadpoint/core/suggest.hpp"
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/core/version.hpp"
@@ -31,6 +32,29 @@ TEST_CASE("edit distance and suggestions")
     CHECK(closest_name("colour", {"part", "position"}) == "");
     CHECK(closest_name("P2", {"P1", "P17"}) == "P1");
     CHECK(closest_name("x", {}) == "");
+    // Two names of a file may be as long as the file; no table of all their letters is made.
+    const std::string endless(1'000'000, 'a');
+    CHECK(closest_name(endless, {endless + "b"}) == "");
+    CHECK(closest_name("aaa", {endless, "aab"}) == "aab");
+}
+
+TEST_CASE("name patterns")
+{
+    CHECK(matches("column_*", "column_left"));
+    CHECK(matches("*", ""));
+    CHECK(matches("*_x_*", "a_x_b"));
+    CHECK(matches("a*b*c", "aXbYbZc"));
+    CHECK(matches("**b**", "ab"));
+    CHECK_FALSE(matches("column_*", "colum_left"));
+    CHECK_FALSE(matches("upper_*", "lower_plate"));
+    CHECK_FALSE(matches("pin", "pin_2"));
+    CHECK_FALSE(matches("", "a"));
+    CHECK_FALSE(matches("a*b", "abc"));
+    // Takes time without end where every star is tried at every place.
+    std::string stars;
+    for (int i = 0; i < 40; ++i)
+        stars += "a*";
+    CHECK_FALSE(matches(stars + "b", std::string(400, 'a')));
 }
 
 TEST_CASE("linear curves and their derivative")

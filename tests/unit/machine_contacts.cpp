@@ -74,15 +74,6 @@ TEST_CASE("convex polygons are clipped exactly")
     CHECK(moment == Approx(16.0 / 3 + 11.0 / 2).epsilon(1e-13));
 }
 
-TEST_CASE("name patterns")
-{
-    CHECK(machine::matches("upper_*", "upper_plate"));
-    CHECK(machine::matches("*", ""));
-    CHECK(machine::matches("a*b*c", "aXbYbZc"));
-    CHECK_FALSE(machine::matches("upper_*", "lower_plate"));
-    CHECK_FALSE(machine::matches("pin", "pin_2"));
-}
-
 TEST_CASE("shifted rectangles touch over their exact overlap")
 {
     MachineDescription description;

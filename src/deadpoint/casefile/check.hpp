@@ -17,9 +17,6 @@ struct Finding {
     bool warning = false;
 };
 
-/// True if `name` is what `pattern` says; `*` stands for any letters, also none.
-bool matches(std::string_view pattern, std::string_view name);
-
 /// Checks every name that refers to something else, and the rules that span sections. Does not look at geometry.
 /// Names left empty are passed over: that they are missing is found on reading.
 std::vector<Finding> check_references(const Case& c);

@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 #include <sstream>
 #include <tuple>
+#include <utility>
 
 namespace deadpoint::casefile {
 namespace {
+
+constexpr std::size_t most_kept = 200;
+constexpr int longest_line = 600;  // [characters] that are quoted
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
@@ -29,6 +33,24 @@ std::string blanks(const std::string& line, int count)
         result.append(static_cast<std::size_t>(count), ' ');
     }
     return result;
+}
+
+/// A stretch of a long line about a place, and the number of characters before it.
+std::pair<std::string, int> around(const std::string& line, int place)
+{
+    if (character_count(line) <= longest_line) {
+        return {line, 0};
+    }
+    const int begin = std::max(place - longest_line / 2, 0);
+    std::string stretch;
+    int count = 0;
+    for (const char c : line) {
+        count += begins_character(c) ? 1 : 0;
+        if (count > begin && count <= begin + longest_line) {
+            stretch += c;
+        }
+    }
+    return {stretch, begin};
 }
 
 }  // namespace
@@ -57,10 +79,12 @@ std::string Sources::line(const Place& place) const
     return index < lines.size() ? lines[index] : std::string();
 }
 
-std::size_t Diagnostics::error_count() const
+void Diagnostics::add(Diagnostic diagnostic)
 {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(items_, [](const Diagnostic& d) { return d.severity == Severity::error; }));
+    auto& count = diagnostic.severity == Severity::error ? errors_ : warnings_;
+    if (++count <= most_kept) {
+        items_.push_back(std::move(diagnostic));
+    }
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const
@@ -75,11 +99,11 @@ std::vector<Diagnostic> Diagnostics::sorted() const
 
 std::string Diagnostics::quote(const Place& place) const
 {
-    const std::string line = sources.line(place);
+    const auto [line, left_out] = around(sources.line(place), place.column - 1);
     if (line.empty()) {
         return {};
     }
-    const int before = std::max(place.column - 1, 0);
+    const int before = std::max(place.column - 1 - left_out, 0);
     const int room = std::max(character_count(line) - before, 1);
     const auto carets = static_cast<std::size_t>(std::clamp(place.width, 1, room));
     return fmt::format("{:>6} | {}\n       | {}{}\n", place.line, line, blanks(line, before), std::string(carets, '^'));
@@ -118,6 +142,9 @@ std::string Diagnostics::render_errors(std::string_view outcome) const
         }
     }
     const auto count = error_count();
+    if (count > most_kept) {
+        text += fmt::format("... and {} more\n\n", count - most_kept);
+    }
     return text + fmt::format("{} error{} in {}", count, count == 1 ? "" : "s", outcome);
 }
 

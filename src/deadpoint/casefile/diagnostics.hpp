@@ -52,9 +52,10 @@ class Diagnostics {
 public:
     Sources sources;
 
-    void add(Diagnostic diagnostic) { items_.push_back(std::move(diagnostic)); }
-    [[nodiscard]] std::size_t error_count() const;
-    [[nodiscard]] std::size_t size() const { return items_.size(); }
+    /// Beyond some hundred of a severity they are only counted.
+    void add(Diagnostic diagnostic);
+    [[nodiscard]] std::size_t error_count() const { return errors_; }
+    [[nodiscard]] std::size_t size() const { return errors_ + warnings_; }
     [[nodiscard]] const std::vector<Diagnostic>& items() const { return items_; }
     /// All errors in order of place, then a line that counts them; ends without a line break.
     /// @param outcome  end of that line: which file they are in, and what did not happen
@@ -68,6 +69,8 @@ private:
     [[nodiscard]] std::string quote(const Place& place) const;
 
     std::vector<Diagnostic> items_;
+    std::size_t errors_ = 0;
+    std::size_t warnings_ = 0;
 };
 
 }  // namespace deadpoint::casefile

@@ -11,6 +11,8 @@
 
 namespace deadpoint::casefile {
 
+inline constexpr std::size_t most_names = 10'000;  ///< in one table; they are compared with each other
+
 /// A TOML value with its place in the text; keeps the rest of the program free of the TOML library.
 struct Node {
     enum class Kind { table, array, string, integer, real, boolean, date };

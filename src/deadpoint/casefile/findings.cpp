@@ -1,31 +1,36 @@
 #include "deadpoint/casefile/findings.hpp"
 
+#include "deadpoint/core/pattern.hpp"
 #include "deadpoint/core/suggest.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <span>
 
 namespace deadpoint::casefile {
+namespace {
 
-bool matches(std::string_view pattern, std::string_view name)
+constexpr std::size_t most_shown = 30;
+constexpr std::size_t most_findings = 10'000;  // a case that is wrong throughout must not fill memory
+
+}  // namespace
+
+void Findings::add(Finding finding)
 {
-    if (pattern.empty()) {
-        return name.empty();
+    if (findings_.size() < most_findings) {
+        findings_.push_back(std::move(finding));
     }
-    if (pattern.front() == '*') {
-        return matches(pattern.substr(1), name) || (!name.empty() && matches(pattern, name.substr(1)));
-    }
-    return !name.empty() && pattern.front() == name.front() && matches(pattern.substr(1), name.substr(1));
 }
 
 void Findings::report(std::string code, std::string path, std::string message, std::string help)
 {
-    findings_.push_back({std::move(code), std::move(path), std::move(message), std::move(help), false});
+    add({std::move(code), std::move(path), std::move(message), std::move(help), false});
 }
 
 void Findings::warn(std::string code, std::string path, std::string message, std::string help)
 {
-    findings_.push_back({std::move(code), std::move(path), std::move(message), std::move(help), true});
+    add({std::move(code), std::move(path), std::move(message), std::move(help), true});
 }
 
 void Findings::report_unknown(const std::string& path, std::string_view kind, const std::string& name,
@@ -34,11 +39,10 @@ void Findings::report_unknown(const std::string& path, std::string_view kind, co
     const std::string near = closest_name(name, names);
     std::string help = fmt::format("did you mean '{}'?", near);
     if (near.empty()) {
-        std::string list;
-        for (const auto& known : names) {
-            list += (list.empty() ? "" : ", ") + known;
-        }
-        help = names.empty() ? fmt::format("the case has no {} at all", kind) : fmt::format("known: {}", list);
+        const std::span shown(names.data(), std::min(names.size(), most_shown));
+        help = names.empty()
+                   ? fmt::format("the case has no {} at all", kind)
+                   : fmt::format("known: {}{}", fmt::join(shown, ", "), shown.size() < names.size() ? ", ..." : "");
     }
     report("unknown-name", path, fmt::format("there is no {} '{}'", kind, name), help);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/casefile/check.hpp"
+#include "deadpoint/core/suggest.hpp"
 
 #include <map>
 #include <string>
@@ -11,22 +12,12 @@
 /// Internal to casefile/: what checks of several files share.
 namespace deadpoint::casefile {
 
-template <class T>
-std::vector<std::string> names_of(const std::map<std::string, T>& map)
-{
-    std::vector<std::string> names;
-    for (const auto& [name, value] : map) {
-        names.push_back(name);
-    }
-    return names;
-}
-
 /// Findings about names in a case, gathered one after the other.
 class Findings {
 public:
     explicit Findings(const Case& c) : c_(c) {}
 
-    void add(Finding finding) { findings_.push_back(std::move(finding)); }
+    void add(Finding finding);
     std::vector<Finding> take() { return std::move(findings_); }
     void report(std::string code, std::string path, std::string message, std::string help);
     void warn(std::string code, std::string path, std::string message, std::string help);

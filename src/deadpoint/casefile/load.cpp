@@ -1,11 +1,11 @@
 #include "deadpoint/casefile/document.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/read_file.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <fmt/format.h>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
@@ -15,27 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_text = 32U << 20U;  // [byte], thousands of parts
-
-std::optional<std::string> read_text(const fs::path& path)
-{
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) {
-        return std::nullopt;
-    }
-    if (fs::file_size(path, error) > largest_text) {
-        throw InputError(
-            fmt::format("{}: the file is larger than {} MiB\n  help: this is no file written by hand; name "
-                        "the case file",
-                        path.string(), largest_text >> 20U));
-    }
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (!stream) {
-        return std::nullopt;
-    }
-    return text.str();
-}
 
 /// With links followed as far as the path exists; a path that cannot be one is left as it is.
 fs::path real_path(const fs::path& path)
@@ -56,7 +35,7 @@ public:
 
     Document run()
     {
-        auto text = read_text(main_);
+        auto text = read_file(main_, largest_text);
         if (!text) {
             throw IoError(fmt::format("{}: the file cannot be read; check its path", main_.string()));
         }
@@ -71,6 +50,12 @@ private:
 
     Node load(const std::string& text, const fs::path& shown, std::vector<fs::path>& chain)
     {
+        size_ += text.size();
+        if (size_ > largest_text) {
+            throw InputError(
+                fmt::format("{}: the case and what it includes are larger than {} MiB\n  help: include each file once",
+                            main_.string(), largest_text >> 20U));
+        }
         const int file = diagnostics_.sources.add(shown.string(), text);
         document_.paths.push_back(chain.back());
         Node root = parse_toml(text, file, diagnostics_);
@@ -118,7 +103,8 @@ private:
                    "include each file once");
             return;
         }
-        const auto text = read_text(path);
+        std::error_code error;
+        const auto text = fs::is_regular_file(path, error) ? read_file(path, largest_text) : std::nullopt;
         if (!text) {
             report("include-missing", item.place, "include", fmt::format("the file '{}' cannot be read", item.text),
                    "its path is relative to the file that includes it");
@@ -135,6 +121,11 @@ private:
         for (auto& child : from.children) {
             const std::string name = path.empty() ? child.key : path + "." + child.key;
             Node* present = into.find(child.key);
+            if (present == nullptr && into.children.size() >= most_names) {
+                throw InputError(fmt::format("{}: the included files have more than {} names in one table\n  help: "
+                                             "divide what it holds",
+                                             main_.string(), most_names));
+            }
             if (present == nullptr) {
                 into.children.push_back(std::move(child));
             } else if (present->kind == Node::Kind::table && child.kind == Node::Kind::table) {
@@ -162,6 +153,7 @@ private:
     fs::path main_;
     Diagnostics& diagnostics_;
     Document document_;
+    std::uintmax_t size_ = 0;  ///< of all texts so far [byte]
 };
 
 std::string trim(const std::string& text)

@@ -22,6 +22,8 @@ namespace deadpoint::casefile {
 namespace {
 
 constexpr std::size_t most_nested = 40;
+// A value takes some hundred times its text in memory.
+constexpr std::size_t most_values = 1'000'000;
 
 struct Complaint {
     int line = 0;
@@ -136,6 +138,17 @@ private:
         }
     }
 
+    // Each of these leads to at most one more value.
+    void count_values(char c)
+    {
+        if (c == ',' || c == '=' || c == '[' || c == '{' || c == '.') {
+            ++values_;
+        }
+        if (values_ > most_values) {
+            complain("there are too many values", fmt::format("at most {} are read", most_values));
+        }
+    }
+
     // Each step of a dotted key, and each bracket, is one more table in a table for all that walks over the tree.
     void count_nesting(char c)
     {
@@ -153,6 +166,7 @@ private:
     {
         const char c = peek();
         count_nesting(c);
+        count_values(c);
         if (complaint_) {
             return;
         }
@@ -204,8 +218,13 @@ private:
     int column_ = 1;
     bool begins_line_ = true;
     std::vector<Bracket> open_;
+    std::size_t values_ = 0;
     std::size_t dots_ = 0;  ///< of the key or number that is being read
     std::optional<Complaint> complaint_;
+};
+
+struct TooManyNames {
+    Place place;
 };
 
 Place to_place(const toml::source_region& region, int file)
@@ -230,6 +249,9 @@ Node convert(const toml::node& source, int file)
     node.place = to_place(source.source(), file);
     if (const auto* table = source.as_table()) {
         node.kind = Node::Kind::table;
+        if (table->size() > most_names) {
+            throw TooManyNames{to_place(source.source(), file)};
+        }
         for (const auto& [key, value] : *table) {
             Node child = convert(value, file);
             child.key = std::string(key.str());
@@ -335,6 +357,9 @@ Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics)
             diagnostic.code = "duplicate-key";
         }
         diagnostics.add(std::move(diagnostic));
+    } catch (const TooManyNames& error) {
+        diagnostics.add(syntax_error(error.place, fmt::format("a table of more than {} names", most_names),
+                                     "divide what it holds"));
     } catch (const std::logic_error& error) {
         diagnostics.add(syntax_error({file, 0, 0, 1}, std::string("the text is not TOML (") + error.what() + ")",
                                      "look for an unfinished line or a stray character"));

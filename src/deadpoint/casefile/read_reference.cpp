@@ -18,15 +18,6 @@ namespace {
 
 constexpr double same_time = 1e-9;  ///< relative, so that "3 h" is the end of a run of 10800 s
 
-std::vector<std::string> names_of(const std::map<std::string, ReferencePoint>& points)
-{
-    std::vector<std::string> names;
-    for (const auto& [name, point] : points) {
-        names.push_back(name);
-    }
-    return names;
-}
-
 Dimension measured_dimension(const std::string& measures)
 {
     if (measures == "temperature") {

@@ -63,16 +63,6 @@ std::string_view type_help(Node::Kind wanted)
     }
 }
 
-template <class T>
-std::vector<std::string> names_of(const std::map<std::string, T>& map)
-{
-    std::vector<std::string> names;
-    for (const auto& [name, value] : map) {
-        names.push_back(name);
-    }
-    return names;
-}
-
 bool is_plain_name(const std::string& name)
 {
     return !name.empty() && std::ranges::all_of(name, [](unsigned char c) {

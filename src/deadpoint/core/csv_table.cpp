@@ -1,16 +1,21 @@
 #include "deadpoint/core/csv_table.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/read_file.hpp"
 #include "deadpoint/core/suggest.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
+#include <sstream>
 
 namespace deadpoint {
 namespace {
+
+// Every cell takes a multiple of its bytes in memory.
+constexpr std::ptrdiff_t most_columns = 10'000;
+constexpr std::size_t most_cells = 20'000'000;
 
 std::string trimmed(std::string_view text)
 {
@@ -90,13 +95,13 @@ std::vector<double> CsvTable::numbers(std::size_t column) const
 
 CsvTable read_csv(const std::filesystem::path& path)
 {
-    std::ifstream in(path, std::ios::binary);
-    std::error_code ignored;
-    if (!in || std::filesystem::is_directory(path, ignored)) {
+    const auto text = read_file(path, largest_result);
+    if (!text) {
         throw IoError(fmt::format("cannot read '{}'\n  help: check that the file exists", path.string()));
     }
     CsvTable table;
     table.file = path.string();
+    std::istringstream in(*text);
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {
         if (line.ends_with('\r')) {
@@ -107,6 +112,12 @@ CsvTable read_csv(const std::filesystem::path& path)
         }
         if (line.starts_with('#') || trimmed(line).empty()) {
             continue;
+        }
+        if (std::ranges::count(line, ',') >= most_columns || table.rows.size() * table.columns.size() > most_cells) {
+            throw InputError(
+                fmt::format("{}:{}: the table is larger than {} columns or {} cells, the most that is read\n"
+                            "  help: check that it is the table that is meant",
+                            table.file, number, most_columns, most_cells));
         }
         auto cells = split(line);
         if (table.columns.empty()) {
@@ -125,9 +136,6 @@ CsvTable read_csv(const std::filesystem::path& path)
         }
         table.rows.push_back(std::move(cells));
         table.lines.push_back(number);
-    }
-    if (in.bad()) {
-        throw IoError(fmt::format("cannot read '{}'\n  help: check the file", path.string()));
     }
     if (table.columns.empty()) {
         throw InputError(fmt::format("{}: the file is empty\n  help: begin it with the names of its columns, like "

@@ -34,10 +34,17 @@ int edit_distance(std::string_view a, std::string_view b)
 
 std::string closest_name(std::string_view name, const std::vector<std::string>& candidates)
 {
+    constexpr std::size_t longest = 100;  // what is longer is no slip of the pen
+    if (name.size() > longest) {
+        return {};
+    }
     const int limit = std::clamp(static_cast<int>(name.size()) / 3, 1, 3);
     int best = limit + 1;
     std::string found;
     for (const auto& candidate : candidates) {
+        if (candidate.size() > name.size() + static_cast<std::size_t>(limit)) {
+            continue;
+        }
         const int distance = edit_distance(name, candidate);
         if (distance < best) {
             best = distance;

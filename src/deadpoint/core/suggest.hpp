@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,20 @@ namespace deadpoint {
 int edit_distance(std::string_view a, std::string_view b);
 
 /// The candidate closest to `name`, for "did you mean".
-/// @return empty where none is near: more than a third of the letters (at least one, at most three) would change
+/// @return empty where none is near: more than a third of the letters (at least one, at most three) would change, or
+/// the
+///         name is longer than anyone types
 std::string closest_name(std::string_view name, const std::vector<std::string>& candidates);
+
+/// The keys of a map, as candidates.
+template <class T>
+std::vector<std::string> names_of(const std::map<std::string, T>& map)
+{
+    std::vector<std::string> names;
+    for (const auto& [name, value] : map) {
+        names.push_back(name);
+    }
+    return names;
+}
 
 }  // namespace deadpoint

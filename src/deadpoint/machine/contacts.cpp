@@ -1,6 +1,7 @@
 #include "deadpoint/machine/contacts.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/pattern.hpp"
 #include "deadpoint/machine/build.hpp"
 #include "deadpoint/machine/chart.hpp"
 
@@ -303,32 +304,6 @@ bool listed(const std::vector<PatternPair>& pairs, const std::string& a, const s
 }
 
 }  // namespace
-
-bool matches(const std::string& pattern, const std::string& name)
-{
-    std::size_t p = 0;
-    std::size_t n = 0;
-    std::size_t star = std::string::npos;
-    std::size_t resume = 0;
-    while (n < name.size()) {
-        if (p < pattern.size() && pattern[p] == '*') {
-            star = p++;
-            resume = n;
-        } else if (p < pattern.size() && pattern[p] == name[n]) {
-            ++p;
-            ++n;
-        } else if (star != std::string::npos) {
-            p = star + 1;
-            n = ++resume;
-        } else {
-            return false;
-        }
-    }
-    while (p < pattern.size() && pattern[p] == '*') {
-        ++p;
-    }
-    return p == pattern.size();
-}
 
 Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, double gap, std::vector<double>& covered,
                      const std::vector<TravelStop>& travel)

@@ -31,7 +31,5 @@ Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, dou
 std::vector<Contact> find_bonds(const Assembly& assembly, const std::vector<std::string>& unbonded,
                                 const std::vector<std::array<std::uint32_t, 2>>& joined, std::vector<double>& covered);
 
-/// Whether a name matches a pattern in which * stands for any characters.
-bool matches(const std::string& pattern, const std::string& name);
 
 }  // namespace deadpoint::machine

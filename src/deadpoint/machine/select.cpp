@@ -1,10 +1,11 @@
 #include "deadpoint/machine/select.hpp"
 
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/machine/contacts.hpp"
+#include "deadpoint/core/pattern.hpp"
 #include "deadpoint/machine/shapes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 #include "deadpoint/study/frame_state.hpp"
 
-#include "deadpoint/casefile/check.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/pattern.hpp"
 #include "deadpoint/fem/tighten.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 
@@ -23,7 +23,6 @@ bool pair_matches(const std::string& pair, const std::string& a, const std::stri
 {
     const auto bar = pair.find('|');
     const auto first = pair.substr(0, bar), second = pair.substr(bar + 1);
-    using casefile::matches;
     return (matches(first, a) && matches(second, b)) || (matches(first, b) && matches(second, a));
 }
 
@@ -126,7 +125,7 @@ void FrameState::find_gauges(const casefile::Case& input)
         const auto before = rods_.size();
         for (int p = 0; p < static_cast<int>(machine_.parts.size()); ++p) {
             const auto& part = machine_.parts[p].name;
-            if (std::ranges::none_of(preload.parts, [&](const auto& t) { return casefile::matches(t, part); }))
+            if (std::ranges::none_of(preload.parts, [&](const auto& t) { return matches(t, part); }))
                 continue;
             if (!taken.insert(part).second)
                 throw InputError(fmt::format("preload.{}: rod '{}' is preloaded twice; name it once", name, part));
@@ -165,7 +164,7 @@ std::vector<int> FrameState::stressed_parts(const casefile::Case& input) const
     std::vector<int> result;
     for (int p = 0; p < static_cast<int>(machine_.parts.size()); ++p)
         if (std::ranges::any_of(input.output.stress, [&](const auto& wanted) {
-                return wanted == machine_.parts[p].body || casefile::matches(wanted, machine_.parts[p].name);
+                return wanted == machine_.parts[p].body || matches(wanted, machine_.parts[p].name);
             }))
             result.push_back(p);
     return result;

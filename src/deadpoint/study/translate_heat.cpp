@@ -1,8 +1,8 @@
 #include "deadpoint/study/translate_heat.hpp"
 
-#include "deadpoint/casefile/check.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
+#include "deadpoint/core/pattern.hpp"
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/study/load_zone.hpp"
 #include "deadpoint/study/translate_conductance.hpp"
@@ -219,9 +219,8 @@ std::vector<BodyHeat> body_heats(const casefile::Case& input, const Machine& mac
         BodyHeat heat;
         heat.name = name;
         for (std::size_t p = 0; p < machine.parts.size(); ++p)
-            if (std::ranges::any_of(source.parts, [&](const std::string& pattern) {
-                    return casefile::matches(pattern, machine.parts[p].name);
-                }))
+            if (std::ranges::any_of(
+                    source.parts, [&](const std::string& pattern) { return matches(pattern, machine.parts[p].name); }))
                 heat.parts.push_back(static_cast<int>(p));
         heat.surface = source.surface.empty() ? -1 : surface_index(machine, source.surface);
         if (heat.parts.empty() && heat.surface < 0)
