@@ -1,3 +1,5 @@
+#include "../scratch_folder.hpp"
+
 #include <cmath>
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -21,17 +23,14 @@ std::vector<double> numbers(const std::filesystem::path& file)
 std::vector<double> solve(const std::string& name, int ranks, const std::string& overrides,
                           const std::string& ending = "")
 {
-    const auto file = std::filesystem::temp_directory_path() / ("deadpoint-ranks-" + std::to_string(ranks) + ".txt");
-    std::filesystem::remove(file);
+    const ScratchFolder folder;
+    const auto file = folder.path / "figures.txt";
     const std::string command = std::string(DEADPOINT_MPIRUN) + " -n " + std::to_string(ranks) +
                                 " --oversubscribe --bind-to none " + DEADPOINT_SOLVE + " " +
                                 DEADPOINT_VERIFICATION_CASES + "/" + name + ".toml " + file.string() + " " + overrides;
     CAPTURE(command);
     REQUIRE(std::system(command.c_str()) == 0);
-    auto values = numbers(file.string() + ending);
-    for (const auto* each : {"", ".causes"})
-        std::filesystem::remove(file.string() + each);
-    return values;
+    return numbers(file.string() + ending);
 }
 
 // Temperatures and gap of one rank and of several, to 1e-6 of the largest rise above the start.

@@ -1,9 +1,9 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 // Enclosed air as an unknown beside the field.
 
@@ -164,7 +164,8 @@ TEST_CASE("changes of air per hour and a volume say the same as a capacity and a
 
 TEST_CASE("a run goes on from the air where the last one ended")
 {
-    const auto file = (std::filesystem::temp_directory_path() / "deadpoint-warm-box-state.bin").string();
+    const ScratchFolder folder;
+    const auto file = (folder.path / "state.bin").string();
     deadpoint::Observer silent;
     auto input = lumped({"machine.initial_temperature=80 degC", "numerics.time_tolerance=1e-5 K"});
     const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
@@ -174,7 +175,6 @@ TEST_CASE("a run goes on from the air where the last one ended")
                                      silent);
     const auto rest =
         deadpoint::study::run_case(input, machine, {.start_from = file, .state_file = {}, .field_folder = {}}, silent);
-    std::filesystem::remove(file);
     const auto& air_of_rest = rest.thermal.enclosures[0].temperature;
     CHECK(air_of_rest.front() - zero_celsius > ambient + 1);
     CHECK(air_of_rest.front() < zero_celsius + 79);

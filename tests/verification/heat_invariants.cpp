@@ -1,4 +1,5 @@
 #include "../record.hpp"
+#include "../scratch_folder.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -48,11 +49,8 @@ std::string text_of(const std::string& name)
 
 Case read_text(const std::string& text)
 {
-    const auto path = std::filesystem::temp_directory_path() / "deadpoint-verification.toml";
-    std::ofstream(path) << text;
-    auto input = deadpoint::casefile::read_case(path).value;
-    std::filesystem::remove(path);
-    return input;
+    const ScratchFolder folder;
+    return deadpoint::casefile::read_case(folder.file("case.toml", text)).value;
 }
 
 // The tables of a case file in reverse order.

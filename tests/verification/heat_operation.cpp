@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/translate_heat.hpp"
@@ -294,11 +295,6 @@ TEST_CASE("rings of different temperature change their heat")
 
 namespace {
 
-std::filesystem::path scratch(const std::string& name)
-{
-    return std::filesystem::temp_directory_path() / ("deadpoint-" + name + "-" + std::to_string(std::rand()));
-}
-
 deadpoint::study::RunResult run(const Case& input, const deadpoint::study::RunOptions& options)
 {
     deadpoint::Observer silent;
@@ -316,7 +312,8 @@ TEST_CASE("a run goes on from a saved state")
     input.operation[0].duration = 3000;
     auto whole = input;
     whole.operation[0].duration = 6000;
-    const auto file = scratch("state");
+    const ScratchFolder folder;
+    const auto file = folder.path / "state.bin";
     const auto first = run(input, {"", file.string(), "", {}});
     const auto second = run(input, {file.string(), "", "", {}});
     const auto both = run(whole, {});
@@ -348,7 +345,6 @@ TEST_CASE("a run goes on from a saved state")
         std::filesystem::remove(file);
         CHECK_THROWS_AS(run(input, {file.string(), "", "", {}}), deadpoint::IoError);
     }
-    std::filesystem::remove(file);
 }
 
 TEST_CASE("segments with films of their own conduct by them")
