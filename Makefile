@@ -8,13 +8,17 @@ export OMPI_ALLOW_RUN_AS_ROOT = 1
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
 export OMP_NUM_THREADS = 1
 
-.PHONY: run test validate build dependencies format clean
+.PHONY: run test sanitize validate build dependencies format clean
 
 run: build
 	build/$(PRESET)/app/deadpoint run cases/$(CASE)/case.toml -o results/$(CASE) --force
 
 test: build
 	ctest --preset $(PRESET) --parallel $(JOBS)
+
+# All tests with address and undefined-behaviour sanitizers; the first build takes a quarter of an hour.
+sanitize:
+	$(MAKE) test PRESET=debug
 
 # Writes docs/validation anew: what the tests hold against exact and published figures, then the paper, then the mesh study and
 # the comparison with CalculiX, which take an hour.
