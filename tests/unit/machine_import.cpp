@@ -1,3 +1,4 @@
+#include "../scratch_folder.hpp"
 #include "machine_fixture.hpp"
 
 #include <cmath>
@@ -5,6 +6,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
+#include <sys/stat.h>
 
 using namespace machine_test;
 using doctest::Approx;
@@ -14,20 +16,14 @@ namespace {
 const double pi = std::numbers::pi;
 const std::string data = DEADPOINT_TEST_DATA;
 
-/// A file in a folder for temporary files, removed at the end.
+/// A file in a folder of its own, removed at the end.
 class TemporaryFile {
 public:
-    TemporaryFile(const std::string& name, const std::string& text)
-        : path_(std::filesystem::temp_directory_path() / ("deadpoint_machine_" + name))
-    {
-        std::ofstream(path_) << text;
-    }
-    ~TemporaryFile() { std::filesystem::remove(path_); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    TemporaryFile(const std::string& name, const std::string& text) : path_(folder_.file(name, text)) {}
     [[nodiscard]] std::string path() const { return path_.string(); }
 
 private:
+    ScratchFolder folder_;
     std::filesystem::path path_;
 };
 
@@ -207,6 +203,13 @@ TEST_CASE("unusable files are refused by part")
 {
     CHECK_THROWS_AS(build(imported(MeshSource{data + "/no_such.msh", 1})), IoError);
     CHECK_THROWS_AS(build(imported(StepSource{data + "/no_such.step", 1})), IoError);
+    // A folder, and a pipe into which nobody writes.
+    CHECK_THROWS_AS(build(imported(MeshSource{data, 1})), IoError);
+    const ScratchFolder folder;
+    const auto pipe = (folder.path / "pipe").string();
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    CHECK_THROWS_AS(build(imported(MeshSource{pipe, 1})), IoError);
+    CHECK_THROWS_AS(build(imported(StepSource{pipe, 1})), IoError);
     // one prism
     const TemporaryFile prism(
         "prism.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"

@@ -68,7 +68,7 @@ TEST_CASE("a folder that no run has written, or an older version, is refused in 
     folder.put("summary.json", R"({"case": {"name": "press", "hash": "0123"}, "interrupted": false})");
     CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("another version"), InputError);
     folder.put("summary.json", "{");
-    CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("not JSON"), InputError);
+    CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("not the JSON"), InputError);
     fs::remove(folder.path / "summary.json");
     CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("summary.json"), IoError);
 }

@@ -1,5 +1,6 @@
 #include "../scratch_folder.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/report/json_file.hpp"
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/sweep_page.hpp"
 #include "deadpoint/report/view_file.hpp"
@@ -150,7 +151,40 @@ TEST_CASE("a folder without results, and one with a broken file, are refused wit
     put(folder.path / "summary.json", "{\"version\": ");
     CHECK_THROWS_WITH_AS(write_report(folder.path / "page.html", report_sources(empty)),
                          doctest::Contains("summary.json' is not the JSON"), InputError);
+    for (const std::string& text :
+         {std::string("3"), std::string(R"({"case": "press"})"), std::string(R"({"probe_rises_K": {"P": 1}})"),
+          std::string(R"({"warnings": [2]})")}) {
+        CAPTURE(text);
+        put(folder.path / "summary.json", text);
+        CHECK_THROWS_WITH_AS(write_report(folder.path / "page.html", report_sources(empty)),
+                             doctest::Contains("another version"), InputError);
+    }
+    // Deep enough to overrun the stack of what writes it again.
+    put(folder.path / "summary.json", "{}");
+    put(folder.path / "view.json", std::string(1'000'000, '[') + std::string(1'000'000, ']'));
+    CHECK_THROWS_WITH_AS(write_report(folder.path / "page.html", report_sources(empty)),
+                         doctest::Contains("view.json' is not the JSON"), InputError);
     CHECK(!fs::exists(folder.path / "page.html"));
+}
+
+TEST_CASE("brackets in strings are no levels of JSON")
+{
+    const Folder folder;
+    put(folder.path / "a.json", R"({"a": ")" + std::string(100, '[') + R"(\\\"{{", "b": [[1]]})");
+    CHECK(read_json(folder.path / "a.json")->at("b") == nlohmann::ordered_json{{1}});
+    CHECK_FALSE(read_json(folder.path / "none.json").has_value());
+}
+
+TEST_CASE("numbers too small or too large for five digits do not stop the page of a study")
+{
+    const ScratchFolder folder;
+    put_study(folder.path, "study");
+    put(folder.path / "points/one/history.csv",
+        "time [s],P [degC],E_SW [um]\n0,20,4e-320\n3600,1.7976931348623157e308,1\n");
+    write_sweep_report(folder.path / "page.html", folder.path);
+    const auto data = data_of(content(folder.path / "page.html"));
+    CHECK(data["points"]["one"]["course"]["E_SW"][0].get<double>() < 1e-300);
+    CHECK(data["points"]["one"]["course"]["rises"]["P"][1].is_null());  // JSON has no infinity
 }
 
 TEST_CASE("the page of a study holds thinned courses of its points, whatever their names say")

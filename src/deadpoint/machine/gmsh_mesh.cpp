@@ -214,8 +214,10 @@ void require_readable(const std::string& part, const std::string& path)
             fmt::format("part '{}': there is no file '{}'; check the path, which is relative to the file that names it",
                         part, path));
     }
-    if (!std::ifstream(path)) {
-        throw IoError(fmt::format("part '{}': the file '{}' cannot be read; check its permissions", part, path));
+    // Opening a pipe would wait for someone to write into it.
+    if (!std::filesystem::is_regular_file(path) || !std::ifstream(path)) {
+        throw IoError(fmt::format(
+            "part '{}': the file '{}' cannot be read; check that it is a file, and its permissions", part, path));
     }
 }
 

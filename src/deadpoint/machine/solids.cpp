@@ -1,14 +1,13 @@
 #include "deadpoint/machine/solids.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/read_file.hpp"
 #include "deadpoint/machine/gmsh_mesh.hpp"
 #include "deadpoint/machine/gmsh_session.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <gmsh.h>
-#include <iterator>
 
 namespace deadpoint::machine {
 
@@ -177,9 +176,9 @@ PartMesh generate(double size)
 /// The text of a STEP file, which must begin as one.
 std::string read_step_text(const std::string& part, const std::string& path)
 {
+    constexpr std::uintmax_t largest = 1U << 30U;
     require_readable(part, path);
-    std::ifstream file(path);
-    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    std::string text = read_file(path, largest).value_or("");
     if (text.substr(0, 200).find("ISO-10303-21") == std::string::npos) {
         throw InputError(
             fmt::format("part '{}': '{}' is no STEP file (ISO 10303-21); export the part as STEP", part, path));

@@ -1,7 +1,9 @@
 #include "deadpoint/report/page.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/read_file.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/report/json_file.hpp"
 #include "deadpoint/report/page_parts.hpp"
 #include "deadpoint/report/page_shell.hpp"
 #include "deadpoint/report/page_tables.hpp"
@@ -27,16 +29,16 @@ Json source_json(const ReportSource& source)
                                     {"loads.json", "loads"},
                                     {"view.json", "view"},
                                     {"motion.json", "motion"}})
-        if (const auto text = file_content(source.folder / file))
-            json[key] = parse_json(source.folder / file, *text);
+        if (auto value = read_json(source.folder / file))
+            json[key] = std::move(*value);
     for (const auto& [file, key, rows] : {std::tuple{"history.csv", "history", most_times},
                                           {"contributions.csv", "contributions", most_times},
                                           {"gaps.csv", "gaps", most_times},
                                           {"joints.csv", "joints", most_angles},
                                           {"bearings.csv", "bearings", most_angles}})
-        if (const auto text = file_content(source.folder / file))
+        if (const auto text = read_file(source.folder / file, largest_result))
             json[key] = thinned_csv(*text, rows);
-    if (const auto text = file_content(source.folder / "case.toml"))
+    if (const auto text = read_file(source.folder / "case.toml", largest_result))
         json["case_file"] = *text;
     if (!json.contains("summary") && !json.contains("loads"))
         throw InputError(fmt::format("'{}' holds no results\n  help: give a folder that 'deadpoint run' or "
@@ -56,6 +58,17 @@ std::string title_of(const Json& runs)
             title += (title.empty() ? "" : ", ") + shown;
     }
     return title;
+}
+
+std::string tables_of(const Json& run, const fs::path& folder)
+{
+    try {
+        return run_tables(run);
+    } catch (const Json::exception& reason) {
+        throw InputError(
+            fmt::format("{}: {}\n  help: it is from another version of the program; compute the case again",
+                        folder.string(), reason.what()));
+    }
 }
 
 }  // namespace
@@ -108,8 +121,8 @@ void write_report(const fs::path& file, std::span<const ReportSource> sources)
         "<p>This page draws its charts and the view in three dimensions with scripts, which are switched off here; "
         "they "
         "are missing below. Charts and all numbers stand as files in the folder it was made from.</p>\n";
-    for (const auto& run : data["runs"])
-        tables += run_tables(run);
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        tables += tables_of(data["runs"][i], sources[i].folder);
     const auto title = title_of(data["runs"]);
     const std::array scripts{page_data_script(),  page_charts_script(),   page_view_script(),
                              page_stage_script(), page_linkage_script(),  page_flow_script(),

@@ -1,13 +1,10 @@
 #include "deadpoint/report/page_shell.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/page_parts.hpp"
 
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
 
 namespace deadpoint::report {
 namespace {
@@ -34,29 +31,6 @@ std::string embedded(const Json& json)
 }
 
 }  // namespace
-
-std::optional<std::string> file_content(const fs::path& path)
-{
-    if (!fs::exists(path))
-        return std::nullopt;
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in)
-        throw IoError(fmt::format("cannot read '{}'\n  help: check that you may read it", path.string()));
-    return std::move(text).str();
-}
-
-Json parse_json(const fs::path& path, const std::string& text)
-{
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error&) {
-        throw InputError(fmt::format(
-            "'{}' is not the JSON that deadpoint wrote\n  help: compute the case again, or leave this folder out",
-            path.string()));
-    }
-}
 
 std::string escaped(std::string_view text)
 {

@@ -2,20 +2,12 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 /// Internal to report/: what the pages of a run and of a study have in common.
 namespace deadpoint::report {
-
-/// The whole text of a file; nothing if there is none.
-/// @throws IoError if it cannot be read
-std::optional<std::string> file_content(const std::filesystem::path& path);
-
-/// @throws InputError if the text is not JSON
-nlohmann::ordered_json parse_json(const std::filesystem::path& path, const std::string& text);
 
 /// Text as it may stand in HTML, also within quotes.
 std::string escaped(std::string_view text);

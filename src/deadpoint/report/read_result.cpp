@@ -2,10 +2,10 @@
 
 #include "deadpoint/core/csv_table.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/report/json_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace deadpoint::report {
@@ -17,37 +17,29 @@ using Json = nlohmann::ordered_json;
 constexpr double micrometre = 1e-6;
 constexpr double zero_celsius = 273.15;
 
-Json read_json(const fs::path& path)
+Json needed_json(const fs::path& path)
 {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) {
+    auto json = read_json(path);
+    if (!json) {
         throw IoError(
-            fmt::format("cannot read '{}'\n  help: name a folder that 'deadpoint run' has written", path.string()));
+            fmt::format("there is no '{}'\n  help: name a folder that 'deadpoint run' has written", path.string()));
     }
-    auto json = Json::parse(in, nullptr, false);
-    if (json.is_discarded()) {
-        throw InputError(fmt::format("{}: this is not JSON\n  help: compute the case again", path.string()));
-    }
-    return json;
+    return *std::move(json);
 }
 
 /// Every number below a value, by the names and indices that lead to it with points between.
-void flatten(const Json& json, const std::string& path, std::map<std::string, double>& numbers, int depth = 0)
+void flatten(const Json& json, const std::string& path, std::map<std::string, double>& numbers)
 {
-    constexpr int deepest = 32;  // ours are four deep
-    if (depth > deepest) {
-        throw InputError(fmt::format("a value at '{}' is nested too deep\n  help: compute the case again", path));
-    }
     const auto below = [&](const std::string& step) { return path.empty() ? step : path + "." + step; };
     if (json.is_number()) {
         numbers[path] = json.get<double>();
     } else if (json.is_object()) {
         for (const auto& [name, value] : json.items()) {
-            flatten(value, below(name), numbers, depth + 1);
+            flatten(value, below(name), numbers);
         }
     } else if (json.is_array()) {
         for (std::size_t i = 0; i < json.size(); ++i) {
-            flatten(json[i], below(std::to_string(i)), numbers, depth + 1);
+            flatten(json[i], below(std::to_string(i)), numbers);
         }
     }
 }
@@ -132,7 +124,7 @@ study::RunRecord read_result(const fs::path& folder)
     run.folder = folder.string();
     const fs::path summary = folder / "summary.json";
     try {
-        read_summary(read_json(summary), run);
+        read_summary(needed_json(summary), run);
     } catch (const Json::exception& reason) {
         throw InputError(
             fmt::format("{}: {}\n  help: it is from another version of the program; compute the case again",
@@ -141,7 +133,7 @@ study::RunRecord read_result(const fs::path& folder)
     read_history(folder / "history.csv", run);
     if (const fs::path loads = folder / "loads.json"; fs::exists(loads, error)) {
         run.has_loads = true;
-        flatten(read_json(loads), "", run.loads);
+        flatten(needed_json(loads), "", run.loads);
     }
     return run;
 }

@@ -3,13 +3,14 @@
 #include "deadpoint/core/csv_table.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/report/json_file.hpp"
 #include "deadpoint/report/page_parts.hpp"
 #include "deadpoint/report/page_shell.hpp"
 #include "deadpoint/report/page_tables.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 
 namespace deadpoint::report {
@@ -29,7 +30,7 @@ Json thinned(const std::vector<double>& values, std::size_t rows)
     Json result = Json::array();
     for (std::size_t i = 0; i < count; ++i) {
         const double value = values[count > 1 ? i * (values.size() - 1) / (count - 1) : 0];
-        result.push_back(std::stod(fmt::format("{:.5g}", value)));
+        result.push_back(std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr));
     }
     return result;
 }
@@ -67,11 +68,10 @@ fs::path point_folder(const fs::path& study, const std::string& name)
 Json point_json(const fs::path& folder, std::size_t rows)
 {
     Json json = Json::object();
-    const auto summary_file = folder / "summary.json";
-    const auto text = file_content(summary_file);
-    if (!text)
+    const auto found = read_json(folder / "summary.json");
+    if (!found)
         return json;
-    const auto summary = parse_json(summary_file, *text);
+    const auto& summary = *found;
     if (fs::exists(folder / "history.csv"))
         json["course"] = course_json(folder / "history.csv", summary, rows);
     if (summary.contains("gaps"))
@@ -82,11 +82,12 @@ Json point_json(const fs::path& folder, std::size_t rows)
 // What is the same of all points, from the first that is there.
 void add_common(Json& data, const fs::path& folder)
 {
-    const auto file = folder / "summary.json";
-    const auto text = file_content(file);
-    if (!text || data.contains("machine"))
+    if (data.contains("machine"))
         return;
-    const auto summary = parse_json(file, *text);
+    const auto found = read_json(folder / "summary.json");
+    if (!found)
+        return;
+    const auto& summary = *found;
     data["machine"] = summary.value("case", Json::object()).value("name", "");
     data["left_out"] = summary.value("left_out", Json::array());
 }
@@ -98,13 +99,13 @@ bool is_study(const fs::path& folder) { return fs::exists(folder / "sweep.json")
 void write_sweep_report(const fs::path& file, const fs::path& folder)
 {
     const auto source = folder / "sweep.json";
-    const auto text = file_content(source);
-    if (!text)
+    const auto found = read_json(source);
+    if (!found)
         throw InputError(
             fmt::format("'{}' holds no study\n  help: give a folder that 'deadpoint sweep' wrote", folder.string()));
     PageContent content;
     auto& data = content.data;
-    const auto sweep = parse_json(source, *text);
+    const auto& sweep = *found;
     data = {{"version", version}, {"runs", Json::array()}, {"sweep", sweep}};
     try {
         const auto whole = fs::absolute(folder).lexically_normal();

@@ -1,0 +1,85 @@
+/// Requirement: whatever stands in a file of a results folder or of a study, its page is written or an error of ours
+/// comes. The first byte of the input chooses the file; the others are sound.
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/report/page.hpp"
+#include "deadpoint/report/page_parts.hpp"
+#include "deadpoint/report/sweep_page.hpp"
+#include "input_file.hpp"
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+// A megabyte of scripts, the same on every page, is left out.
+namespace deadpoint::report {
+
+std::string_view page_style() { return {}; }
+std::string_view page_libraries() { return {}; }
+std::string_view page_licences() { return {}; }
+std::string_view page_data_script() { return {}; }
+std::string_view page_charts_script() { return {}; }
+std::string_view page_view_script() { return {}; }
+std::string_view page_stage_script() { return {}; }
+std::string_view page_linkage_script() { return {}; }
+std::string_view page_flow_script() { return {}; }
+std::string_view page_gaps_script() { return {}; }
+std::string_view page_sections_script() { return {}; }
+std::string_view page_main_script() { return {}; }
+std::string_view page_sweep_script() { return {}; }
+
+}  // namespace deadpoint::report
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Paths below the folder, each with the sound file that belongs there; the study's point holds a run as well.
+constexpr std::array<std::pair<const char*, const char*>, 7> files{{{"summary.json", "summary.json"},
+                                                                    {"history.csv", "history.csv"},
+                                                                    {"loads.json", "loads.json"},
+                                                                    {"sweep.json", "sweep.json"},
+                                                                    {"sweep.csv", "sweep.csv"},
+                                                                    {"points/base/summary.json", "summary.json"},
+                                                                    {"points/base/history.csv", "history.csv"}}};
+
+void make_sound(const fs::path& folder, std::size_t index)
+{
+    fs::create_directories((folder / files[index].first).parent_path());
+    fs::copy_file(fs::path(DEADPOINT_SOURCE_DIR "/tests/fuzz/sound") / files[index].second, folder / files[index].first,
+                  fs::copy_options::overwrite_existing);
+}
+
+template <class Write>
+void write_or_refuse(Write write)
+{
+    try {
+        write();
+    } catch (const deadpoint::Error&) {
+        return;
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    static const InputFile file("");
+    static const bool ready = [] {
+        for (std::size_t i = 0; i < files.size(); ++i)
+            make_sound(file.folder(), i);
+        return true;
+    }();
+    if (size == 0 || !ready)
+        return 0;
+    const auto chosen = data[0] % files.size();
+    const auto& folder = file.folder();
+    InputFile::write(folder / files[chosen].first, data + 1, size - 1);
+    const std::vector<fs::path> folders{folder};
+    const auto page = folder / "page.html";
+    if (chosen < 3)
+        write_or_refuse([&] { deadpoint::report::write_report(page, deadpoint::report::report_sources(folders)); });
+    else
+        write_or_refuse([&] { deadpoint::report::write_sweep_report(page, folder); });
+    make_sound(folder, chosen);
+    return 0;
+}
