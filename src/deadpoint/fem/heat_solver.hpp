@@ -81,6 +81,7 @@ private:
     void prepare_prescribed();
     void prepare_materials();
     void prepare_tangents();
+    void prepare_solver();
     void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
     void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
     void assemble();
@@ -115,6 +116,8 @@ private:
     [[nodiscard]] Vec heat_of(Vec temperature) const;
     void heat_change(Vec from, Vec to, Vec change) const;
     void add_variable_conduction(Vec temperature, Vec rate) const;
+    using MaterialMap = double (*)(const Material& material, double temperature);
+    void add_tangent(Mat matrix, Mat of, Mat scaled, MaterialMap slope, Vec temperature) const;
     void add_conduction_tangent(Mat matrix, Vec temperature) const;
     void add_capacity(Mat matrix, Vec temperature) const;
     void note_extremes();
