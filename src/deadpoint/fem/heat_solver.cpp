@@ -1,10 +1,10 @@
-#include "deadpoint/fem/heat_solver.hpp"
-
+#include "deadpoint/fem/heat_checkpoint.hpp"
 #include "deadpoint/fem/tr_bdf2.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 // Time integration; the matrices are in heat_assembly.cpp, the system of a stage in heat_system.cpp.
 
@@ -76,8 +76,8 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
         current = rate(time, temperature);
     }
     for (int iteration = 0; iteration < max_newton; ++iteration) {
-        build_system(factor, temperature);
         shell_slopes_ = current.source_slope;
+        build_system(factor, temperature);
         DEADPOINT_PETSC(MatMult(mass_, heat_of(temperature), work_));
         DEADPOINT_PETSC(VecAXPY(work_, -factor, current.vector));
         DEADPOINT_PETSC(VecAXPY(work_, -1, known));
@@ -281,72 +281,85 @@ bool any_rank(bool flag)
 }  // namespace
 
 ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
-                               Observer& observer, const StepCallback& on_step, const FieldCallback& on_field)
+                               Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
+                               const CheckpointPlan* checkpoints)
 {
     prepare_observers(adjoints, reference_temperature, attribution);
+    std::optional<HeatCheckpoint> checkpoint;
+    if (checkpoints)
+        checkpoint.emplace(*this, *checkpoints, observer);
     ThermalHistory history = empty_history();
-    double time = 0;
-    for (const auto& segment : problem_->segments) {
-        begin_segment(segment, time);
-        if (!start_) {
-            start_ = duplicate(now_);
-            DEADPOINT_PETSC(VecCopy(now_, start_));
-        }
-        const double end = time + segment.duration;
-        const std::size_t start = history.time.size();
-        have_previous_ = false;
-        previous_dt_ = 0;
-        record(history, time, rate_now_);
-        double wanted = problem_->fixed_step > 0 ? problem_->fixed_step : problem_->initial_step;
-        while (time < end * (1 - 1e-14)) {
-            const double dt = fit_step(wanted, end - time);
-            const Step outcome = step(time, dt);
-            if (problem_->fixed_step <= 0 && outcome.error > problem_->time_tolerance) {
-                ++history.rejected_steps;
-                wanted = dt * rungs(outcome.error, -20, -1);
-                if (dt < 1e-6)
-                    throw ConvergenceError("the time step collapsed below 1 us at t = " + std::to_string(time) +
-                                           " s; loosen numerics.time_tolerance or look for a law that jumps");
+    RunPlace place;
+    start_segment(place, history);
+    if (checkpoints && checkpoints->resume)
+        checkpoint->restore(history, place, on_field);
+    while (!history.interrupted) {
+        const double end = place.segment_start + problem_->segments[place.segment].duration;
+        while (!history.interrupted && place.time < end * (1 - 1e-14)) {
+            if (!try_step(place, end, history, on_field))
                 continue;
-            }
-            if (!have_previous_) {
-                DEADPOINT_PETSC(VecWAXPY(slope_now_, -1, now_, next_));
-                DEADPOINT_PETSC(VecScale(slope_now_, 1 / dt));
-            }
-            write_fields_until(time, dt, on_field);
-            add_energy(history.energy, dt, outcome.from_prescribed);
-            steps_.push_back({static_cast<std::size_t>(segment_ - problem_->segments.data()), history.time.size(), dt,
-                              rate_now_, rate_middle_, rate_next_});
-            history.energy.stored += air_->accept(dt);
-            std::swap(before_, now_);
-            std::swap(now_, next_);
-            previous_dt_ = have_previous_ ? dt : 0;
-            DEADPOINT_PETSC(VecCopy(slope_now_, slope_before_));
-            std::swap(slope_now_, slope_next_);
-            rate_now_ = std::move(rate_next_);
-            for (std::size_t k = 0; k < sump_.size(); ++k)
-                sump_[k] = rate_now_.oil[k].sump;
-            have_previous_ = true;
-            time = end - time <= dt * (1 + 1e-12) ? end : time + dt;
-            record(history, time, rate_now_);
-            if (history.time.size() == start + 2)
-                fill_first_rates(history, start);
             if (on_step)
-                on_step(time);
-            if (problem_->fixed_step <= 0 && dt >= 0.99 * wanted)
-                wanted = std::min(wanted * rungs(outcome.error, 0, 1), problem_->max_step);
-            if (any_rank(observer.cancelled())) {
-                history.interrupted = true;
-                break;
-            }
+                on_step(place.time);
+            history.interrupted = any_rank(observer.cancelled());
+            if (checkpoint)
+                checkpoint->offer(history, place, history.interrupted);
         }
-        if (history.interrupted)
+        if (history.interrupted || place.segment + 1 == problem_->segments.size())
             break;
+        ++place.segment;
+        start_segment(place, history);
     }
     history.linear_iterations = iterations_;
     history.linear_solves = solves_;
     extremes_of_ranks(history);
     return history;
+}
+
+// One step towards the end of the segment; false where it was too long and a shorter one is wanted.
+bool HeatSolver::try_step(RunPlace& place, double end, ThermalHistory& history, const FieldCallback& on_field)
+{
+    const double dt = fit_step(place.wanted, end - place.time);
+    const Step outcome = step(place.time, dt);
+    const bool controlled = problem_->fixed_step <= 0;
+    if (controlled && outcome.error > problem_->time_tolerance) {
+        ++history.rejected_steps;
+        place.wanted = dt * rungs(outcome.error, -20, -1);
+        if (dt < 1e-6)
+            throw ConvergenceError("the time step collapsed below 1 us at t = " + std::to_string(place.time) +
+                                   " s; loosen numerics.time_tolerance or look for a law that jumps");
+        return false;
+    }
+    if (!have_previous_) {
+        DEADPOINT_PETSC(VecWAXPY(slope_now_, -1, now_, next_));
+        DEADPOINT_PETSC(VecScale(slope_now_, 1 / dt));
+    }
+    write_fields_until(place.time, dt, on_field);
+    accept_step(dt, outcome, history);
+    place.time = end - place.time <= dt * (1 + 1e-12) ? end : place.time + dt;
+    record(history, place.time, rate_now_);
+    if (history.time.size() == place.segment_row + 2)
+        fill_first_rates(history, place.segment_row);
+    if (controlled && dt >= 0.99 * place.wanted)
+        place.wanted = std::min(place.wanted * rungs(outcome.error, 0, 1), problem_->max_step);
+    return true;
+}
+
+// Books a step and makes its end the present.
+void HeatSolver::accept_step(double dt, const Step& outcome, ThermalHistory& history)
+{
+    add_energy(history.energy, dt, outcome.from_prescribed);
+    steps_.push_back({static_cast<std::size_t>(segment_ - problem_->segments.data()), history.time.size(), dt,
+                      rate_now_, rate_middle_, rate_next_});
+    history.energy.stored += air_->accept(dt);
+    std::swap(before_, now_);
+    std::swap(now_, next_);
+    previous_dt_ = have_previous_ ? dt : 0;
+    DEADPOINT_PETSC(VecCopy(slope_now_, slope_before_));
+    std::swap(slope_now_, slope_next_);
+    rate_now_ = std::move(rate_next_);
+    for (std::size_t k = 0; k < sump_.size(); ++k)
+        sump_[k] = rate_now_.oil[k].sump;
+    have_previous_ = true;
 }
 
 // The factor by which a step may grow or must shrink, in whole rungs of the ladder of step sizes.

@@ -1,4 +1,7 @@
 #include "deadpoint/fem/heat_solver.hpp"
+#include "deadpoint/fem/session.hpp"
+
+#include <ml_utils.h>
 
 // The linear system of a stage and its solver.
 
@@ -15,6 +18,18 @@ void default_option(const char* name, const char* value)
     DEADPOINT_PETSC(PetscOptionsHasName(nullptr, nullptr, name, &given));
     if (!given)
         DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, name, value));
+}
+
+// Makes the next multigrid hierarchy a function of its matrix alone, so that a resumed run can build it again: without
+// what smoothers keep of the last one, and with the same random vectors, from which ML estimates eigenvalues.
+void begin_anew(KSP solver)
+{
+    PC multigrid = nullptr;
+    DEADPOINT_PETSC(KSPGetPC(solver, &multigrid));
+    DEADPOINT_PETSC(PCSetType(multigrid, PCNONE));
+    DEADPOINT_PETSC(PCSetType(multigrid, PCML));
+    DEADPOINT_PETSC(PCSetFromOptions(multigrid));
+    ML_set_random_seed(1 + rank());
 }
 
 }  // namespace
@@ -112,8 +127,11 @@ void HeatSolver::combine_system(double factor, Vec temperature)
     // size.
     const bool reuse = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
     DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, reuse ? PETSC_TRUE : PETSC_FALSE));
-    if (!reuse)
+    if (!reuse) {
         multigrid_factor_ = factor;
+        note_multigrid(temperature);
+        begin_anew(solver_);
+    }
     DEADPOINT_PETSC(MatCopy(stiffness_, system_, SAME_NONZERO_PATTERN));
     if (variable_films_)
         DEADPOINT_PETSC(MatAXPY(system_, 1, variable_, SAME_NONZERO_PATTERN));

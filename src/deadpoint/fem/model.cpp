@@ -212,13 +212,14 @@ void Model::assemble_heat(const HeatProblem& problem)
 }
 
 ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
-                           Observer& observer, const StepCallback& on_step, const FieldCallback& on_field)
+                           Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
+                           const CheckpointPlan* checkpoints)
 {
     release_heat();
     auto solver = std::move(implementation_->heat);
     if (!solver)
         throw std::logic_error("Model::heat() needs assemble_heat() before it");
-    auto history = solver->run(adjoints, reference_temperature, attribution, observer, on_step, on_field);
+    auto history = solver->run(adjoints, reference_temperature, attribution, observer, on_step, on_field, checkpoints);
     implementation_->last = solver->state();
     implementation_->finished = std::move(solver);
     return history;
