@@ -68,7 +68,7 @@ void HeatSolver::add_tangent(Mat matrix, Mat of, Mat scaled, MaterialMap slope, 
         DEADPOINT_PETSC(MatDiagonalScale(scaled, nullptr, mapped_));
         of = scaled;
     }
-    DEADPOINT_PETSC(MatAXPY(matrix, 1, of, SUBSET_NONZERO_PATTERN));
+    DEADPOINT_PETSC(MatAXPY(matrix, 1, of, SAME_NONZERO_PATTERN));
 }
 
 void HeatSolver::add_conduction_tangent(Mat matrix, Vec temperature) const

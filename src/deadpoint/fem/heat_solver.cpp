@@ -51,17 +51,7 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
     prepare_body_heat();
     prepare_films();
 
-    {
-        auto pattern = space_.cell_pattern();
-        mass_ = create_matrix(space_, pattern, 1);
-        if (variable_films_)
-            variable_ = create_matrix(space_, pattern, 1);
-        space_.add_bond_pattern(pattern);
-        add_interface_pattern(pattern);
-        stiffness_ = create_matrix(space_, pattern, 1);
-        if (conduction_varies_)
-            conduction_ = create_matrix(space_, pattern, 1);
-    }
+    create_matrices();
     assemble();
     now_ = create_vector(space_, 1);
     for (OwnedVec* v : {&before_, &middle_, &next_, &slope_middle_, &slope_now_, &slope_before_, &slope_next_, &work_,

@@ -84,6 +84,7 @@ private:
     void prepare_solver();
     void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
     void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
+    void create_matrices();
     void assemble();
     void choose_laws(const HeatSegment& segment);
     void enter_segment(const HeatSegment& segment);

@@ -5,7 +5,8 @@
 namespace deadpoint::fem {
 namespace {
 
-constexpr double largest_reuse = 2.5;  // of a multigrid hierarchy, in the ratio of step sizes
+// Of a multigrid hierarchy, in the ratio of step sizes. Beyond, the bounds of its smoother may not hold any more.
+constexpr double largest_reuse = 2.5;
 
 // Options that the user gave to PETSC win.
 void default_option(const char* name, const char* value)
@@ -37,7 +38,8 @@ void HeatSolver::prepare_solver()
     DEADPOINT_PETSC(PCSetType(preconditioner, PCML));
     // Weak couplings across films only blur the aggregates.
     default_option("-heat_pc_ml_Threshold", "0.01");
-    // Runs at the memory's speed, which Gauss-Seidel sweeps do not, and alike on any number of ranks.
+    // Runs at the memory's speed, which Gauss-Seidel sweeps do
+    // not, and alike on any number of ranks.
     default_option("-heat_mg_levels_ksp_type", "chebyshev");
     default_option("-heat_mg_levels_ksp_max_it", "2");
     default_option("-heat_mg_levels_pc_type", "jacobi");
@@ -46,8 +48,9 @@ void HeatSolver::prepare_solver()
     DEADPOINT_PETSC(KSPSetOperators(solver_, shell_, system_));
 }
 
-// y = (M + factor (K + K_films)) x - factor sum of dH/dT b (b . x): heat that falls with temperature adds to the
-// matrix, as a few rank-one terms that the preconditioner need not know.
+// y = (M + factor (K + K_films)) x - factor sum of dH/dT b (b .
+// x): heat that falls with temperature adds to the matrix, as a
+// few rank-one terms that the preconditioner need not know.
 PetscErrorCode HeatSolver::multiply(Mat shell, Vec in, Vec out)
 {
     HeatSolver* self = nullptr;
@@ -104,15 +107,16 @@ void HeatSolver::assemble_variable_films(const std::function<PointCoefficient(co
 
 void HeatSolver::combine_system(double factor, Vec temperature)
 {
-    // The old multigrid still serves a matrix that changed little: with films that follow the temperature, or the next
-    // step size.
+    // The old multigrid still serves a matrix that changed little:
+    // with films that follow the temperature, or the next step
+    // size.
     const bool reuse = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
     DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, reuse ? PETSC_TRUE : PETSC_FALSE));
     if (!reuse)
         multigrid_factor_ = factor;
     DEADPOINT_PETSC(MatCopy(stiffness_, system_, SAME_NONZERO_PATTERN));
     if (variable_films_)
-        DEADPOINT_PETSC(MatAXPY(system_, 1, variable_, SUBSET_NONZERO_PATTERN));
+        DEADPOINT_PETSC(MatAXPY(system_, 1, variable_, SAME_NONZERO_PATTERN));
     add_conduction_tangent(system_, temperature);
     DEADPOINT_PETSC(MatScale(system_, factor));
     add_capacity(system_, temperature);
