@@ -77,9 +77,10 @@ public:
     /// @param materials  per part of the machine
     /// @param orders     of the elements, 1 or 2, per part of the machine
     /// @param deformation  the same parts meshed for the deformation; none: the same mesh. Outlives the model.
+    /// @param deformation_orders  of the elements on that mesh; empty: those of the heat
     /// @throws InputError where ranks built different meshes or a material constant is not positive and finite
     Model(const Machine& machine, std::vector<Material> materials, std::vector<int> orders, Observer& observer,
-          const Machine* deformation = nullptr);
+          const Machine* deformation = nullptr, std::vector<int> deformation_orders = {});
     Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer,
           const Machine* deformation = nullptr);
     ~Model();

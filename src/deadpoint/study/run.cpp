@@ -8,6 +8,7 @@
 #include "deadpoint/study/chain_model.hpp"
 #include "deadpoint/study/drift_causes.hpp"
 #include "deadpoint/study/gap_model.hpp"
+#include "deadpoint/study/prepare.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
@@ -245,7 +246,7 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
         return;
     watch.start("unknowns");
     model.emplace(machine, describe_materials(input, machine), describe_orders(input, machine), observer,
-                  own_deformation);
+                  own_deformation, describe_orders(case_of_deformation(input), deformed()));
     model->support(describe_foundation(input, deformed()));
     if (input.chain) {
         watch.start("dimension chain");
@@ -426,10 +427,12 @@ std::string shared_part(const casefile::Case& input)
     const auto order = shared.numerics.order;
     const auto size = shared.numerics.size;
     const auto deformation_size = shared.numerics.deformation_size;
+    const auto deformation_order = shared.numerics.deformation_order;
     shared.numerics = {};
     shared.numerics.order = order;
     shared.numerics.size = size;
     shared.numerics.deformation_size = deformation_size;
+    shared.numerics.deformation_order = deformation_order;
     return casefile::write_case(shared);
 }
 
