@@ -16,11 +16,11 @@ run: build
 test: build
 	ctest --preset $(PRESET) --parallel $(JOBS)
 
-# All tests with address and undefined-behaviour sanitizers; the first build takes a quarter of an hour.
+# All tests with address and undefined-behaviour sanitizers.
 sanitize:
 	$(MAKE) test PRESET=debug
 
-# Writes docs/validation anew: what the tests hold against exact and published figures, then the paper, then the mesh study and
+# Writes docs/validation anew: what the tests hold against exact and published figures, then the paper, then what the results depend on and
 # the comparison with CalculiX, which take an hour.
 validate: build
 	ctest --preset $(PRESET) -R '^verification_(heat|elastic)$$'
@@ -29,7 +29,7 @@ validate: build
 	scripts/paper-heat --write
 	scripts/paper-loads --write
 	scripts/paper-results --write
-	scripts/mesh-study --write
+	scripts/independence --write
 	scripts/compare-calculix --write
 
 build: dependencies

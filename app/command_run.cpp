@@ -1,3 +1,4 @@
+#include "checkpoint_options.hpp"
 #include "commands.hpp"
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/plan_text.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct RunOptions : ResultOptions {
     std::string from;      ///< result folder whose final temperatures are the start
     std::string accuracy;  ///< numerics.accuracy, in place of the case's
+    CheckpointOptions checkpoints;
 };
 
 /// Adds the page to finished results. Whatever is wrong with it must not cost them.
@@ -69,6 +71,18 @@ study::RefinedRun compute(casefile::Case input, const RunOptions& options, const
     return {std::move(input), std::move(machine), std::move(result)};
 }
 
+/// The checkpoint of a run that is over is of no use, nor what a kill has left of one.
+void say_or_remove(const std::filesystem::path& checkpoint, bool interrupted)
+{
+    if (!interrupted) {
+        std::error_code ignored;
+        std::filesystem::remove(checkpoint, ignored);
+        std::filesystem::remove(checkpoint.string() + ".part", ignored);
+    } else if (std::filesystem::exists(checkpoint)) {
+        fmt::print("the same command with --resume goes on from there\n");
+    }
+}
+
 int run_case(RunOptions options, const OnRanks& ranks)
 {
     auto& console = ranks.console;
@@ -76,12 +90,14 @@ int run_case(RunOptions options, const OnRanks& ranks)
         options.overrides.push_back("numerics.accuracy=\"" + options.accuracy + "\"");
     }
     const auto input = read_case(options, console);
+    study::RunOptions wanted;
+    plan_checkpoints(options.checkpoints, options.folder, options.force, input, ranks.first, wanted);
     std::unique_ptr<ResultFolder> folder;
     using enum ResultFolder::IfExists;
-    const auto path = start_folder(options.folder, options.force ? replace : refuse, ranks.first, folder);
+    const bool replaces = options.force || (wanted.resume && holds_interrupted(options.folder, input));
+    const auto path = start_folder(options.folder, replaces ? replace : refuse, ranks.first, folder);
 
     const auto state_in = [](const std::string& place) { return place.empty() ? place : place + "/state.bin"; };
-    study::RunOptions wanted;
     wanted.start_from = state_in(options.from);
     wanted.state_file = state_in(path);
     wanted.field_folder = input.output.fields ? path : std::string{};
@@ -98,6 +114,7 @@ int run_case(RunOptions options, const OnRanks& ranks)
         const auto where = folder->target().string();
         fmt::print("{}\nresults{} are in {}\n", report::run_text(run.input, result),
                    result.thermal.interrupted ? " up to the interruption" : "", where);
+        say_or_remove(checkpoint_of(where), result.thermal.interrupted);
         if (has_page)
             fmt::print("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
     }
@@ -117,6 +134,7 @@ void add_run(CLI::App& app, int& exit_code)
         ->add_option("--accuracy", options->accuracy,
                      "refine until the rises (0.1K) or the gap (0.2um) change by less; as numerics.accuracy")
         ->type_name("VALUE");
+    add_checkpoint_options(*command, options->checkpoints);
     command->callback([options, &exit_code] {
         exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return run_case(*options, ranks); });
     });

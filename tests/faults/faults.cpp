@@ -1,43 +1,13 @@
 /// Requirement: whatever goes wrong, the program says what, where and what to do, ends with the code of that kind of
 /// error, and leaves no file that reads as whole.
-#include "../scratch_folder.hpp"
+#include "command.hpp"
 
-#include <cstdlib>
 #include <doctest/doctest.h>
-#include <filesystem>
-#include <fmt/format.h>
-#include <string>
-#include <sys/wait.h>
-
-namespace fs = std::filesystem;
 
 namespace {
 
-struct Outcome {
-    int code = -1;  ///< of the shell: 128 + signal where one ended the program
-    std::string text;
-};
-
-/// Runs a line of shell; `before` stands before the program: settings of the environment, a launcher.
-Outcome run(const std::string& before, const std::string& arguments)
-{
-    const ScratchFolder folder;
-    const auto out = (folder.path / "out").string();
-    const int status = std::system(
-        fmt::format("{} {} {} >{} 2>&1 </dev/null; exit $?", before, DEADPOINT_COMMAND, arguments, out).c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out)};
-}
-
-bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
-
 const std::string starter = DEADPOINT_SOURCE_DIR "/cases/starter/case.toml --size 3 --set output.fields=false";
 const std::string two_blocks = DEADPOINT_TEST_DATA "/cli/two-blocks.toml";
-
-std::string short_disk(long long room, bool kills)
-{
-    return fmt::format("env LD_PRELOAD={} DEADPOINT_DISK_ROOM={}{}", DEADPOINT_SHORT_DISK, room,
-                       kills ? " DEADPOINT_DISK_KILLS=1" : "");
-}
 
 std::uintmax_t size_of(const fs::path& folder)
 {
@@ -102,11 +72,10 @@ TEST_CASE("a run that is killed leaves a whole result or none, and the same comm
     const auto line = fmt::format("run {} -o {} --force", two_blocks, target.string());
     REQUIRE(run("", line).code == 0);
     const auto whole = static_cast<long long>(size_of(target));
-    const int kills = std::getenv("DEADPOINT_KILLS") != nullptr ? std::atoi(std::getenv("DEADPOINT_KILLS")) : 12;
-    for (int i = 0; i < kills; ++i) {
+    for (int i = 0; i < kills(); ++i) {
         CAPTURE(i);
         fs::remove_all(target);
-        const auto outcome = run(short_disk(whole * i / kills, true), line);
+        const auto outcome = run(short_disk(whole * i / kills(), true), line);
         CHECK(outcome.code == 137);
         CHECK_FALSE(fs::exists(target));  // it is named once it is whole
     }

@@ -132,3 +132,27 @@ TEST_CASE("two ranks refine to the same meshes")
 {
     check_agreement("hot-patch", 293.15, "numerics.accuracy=\"0.5 K\" numerics.solver_tolerance=1e-9");
 }
+
+TEST_CASE("a checkpoint of two ranks is gone on from by one, two and three")
+{
+    const auto file = (std::filesystem::temp_directory_path() / "deadpoint-ranks.checkpoint").string();
+    const auto kept = file + ".kept";
+    const std::string name = "warm-box",
+                      overrides = "machine.initial_temperature=\"80 degC\" enclosures.box.temperature=\"30 degC\"";
+    const auto whole = solve(name, 2, overrides);
+    solve(name, 2, overrides + " --stop=6 --checkpoint=" + kept);
+    for (const int ranks : {1, 2, 3}) {
+        CAPTURE(ranks);
+        std::filesystem::copy_file(kept, file, std::filesystem::copy_options::overwrite_existing);
+        const auto resumed = solve(name, ranks, overrides + " --resume --checkpoint=" + file);
+        REQUIRE(resumed.size() == whole.size());
+        CHECK(resumed[0] == ranks);
+        for (std::size_t i = 1; i < whole.size(); ++i)
+            if (ranks == 2)
+                CHECK(resumed[i] == whole[i]);
+            else  // to the solver's tolerance, over a rise of 60 K
+                CHECK(std::abs(resumed[i] - whole[i]) < 60e-6);
+    }
+    for (const auto& each : {file, kept})
+        std::filesystem::remove(each);
+}

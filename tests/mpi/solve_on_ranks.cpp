@@ -6,26 +6,63 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <string>
+#include <vector>
 
 // solve_on_ranks CASE FILE [path=value ...]: solves a case on all ranks and writes, number by number, how many they
 // are, the mismatch of the energy balance, the gap at the end [um], how far the deformation solved then and the adjoint
 // differ in it, the last temperatures of probes, interface sides, parts and enclosures, the highest of each part, and
 // forces and stress of the frame. What each joint, the oil and the air have done to the gap, over the gap, goes into
-// FILE.causes. A case that states an accuracy is refined to it.
+// FILE.causes. A case that states an accuracy is refined to it. Words that begin with two dashes: --checkpoint=FILE
+// keeps the run there after each step, --stop=N ends it after N steps, --resume goes on from there.
 
 using namespace deadpoint;
 
 namespace {
 
-study::RunResult solve(const casefile::Case& input)
+struct Interruption {
+    std::string checkpoint;
+    int stop = -1;  ///< after so many steps; < 0: never
+    bool resume = false;
+};
+
+// Takes the words with two dashes out of the arguments.
+Interruption interruption_of(std::vector<std::string>& arguments)
 {
-    Observer silent;
+    Interruption result;
+    std::erase_if(arguments, [&](const std::string& word) {
+        if (word.starts_with("--checkpoint="))
+            result.checkpoint = word.substr(13);
+        if (word.starts_with("--stop="))
+            result.stop = std::stoi(word.substr(7));
+        result.resume = result.resume || word == "--resume";
+        return word.starts_with("--");
+    });
+    return result;
+}
+
+class StoppingObserver : public Observer {
+public:
+    explicit StoppingObserver(int steps) : left_(steps) {}
+    void progress(double, std::string_view) override { --left_; }
+    [[nodiscard]] bool cancelled() const override { return left_ == 0; }
+
+private:
+    int left_;
+};
+
+study::RunResult solve(const casefile::Case& input, const Interruption& interruption)
+{
+    StoppingObserver silent(interruption.stop);
     if (casefile::wanted_accuracy(input))
         return study::run_to_accuracy(input, 1, {}, silent).result;
     const auto machine = study::prepare_machine(input, 1, silent);
     const auto deformed = study::prepare_deformation_machine(input, 1, machine, silent);
     study::RunOptions options;
     options.causes = true;
+    options.checkpoint_file = interruption.checkpoint;
+    options.checkpoint_interval = 0;
+    options.resume = interruption.resume;
     return study::run_case(input, machine, options, silent, deformed ? &*deformed : nullptr);
 }
 
@@ -72,8 +109,10 @@ int main(int argc, char** argv)
     char** nothing = nullptr;
     const fem::Session session(none, nothing);
     try {
-        const auto input = casefile::read_case(argv[1], {argv + 3, argv + argc}).value;
-        const auto result = solve(input);
+        std::vector<std::string> overrides(argv + 3, argv + argc);
+        const auto interruption = interruption_of(overrides);
+        const auto input = casefile::read_case(argv[1], overrides).value;
+        const auto result = solve(input, interruption);
         if (session.rank() == 0)
             write(argv[2], result);
     } catch (const std::exception& error) {

@@ -28,6 +28,11 @@ TEST_CASE("a file is replaced only by a complete one")
     CHECK(content() == "first");
     write_file(folder / "a.txt", [](std::ostream& out) { out << "second"; });
     CHECK(content() == "second");
+    write_file(
+        folder / "a.txt", [](std::ostream& out) { out << "third"; }, Durability::synced);
+    CHECK(content() == "third");
+    CHECK(sync_to_disk(folder));
+    CHECK_FALSE(sync_to_disk(folder / "none"));
     CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}) == 1);  // nothing half left behind
 
     CHECK_THROWS_AS(write_file(folder / "no/such/folder/a.txt", "text"), IoError);

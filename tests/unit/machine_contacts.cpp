@@ -62,7 +62,7 @@ TEST_CASE("convex polygons are clipped exactly")
     CHECK(machine::signed_area(common) == Approx(0.5).epsilon(1e-14));
     CHECK(machine::intersection(square, {{5, 5}, {6, 5}, {6, 6}}).empty());
     std::vector<machine::PlanePoint> points;
-    machine::append_points({{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}}, points);  // pentagon of area 5
+    machine::append_points({{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}}, false, points);  // pentagon of area 5
     double area = 0;
     double moment = 0;
     for (const auto& point : points) {
@@ -72,6 +72,14 @@ TEST_CASE("convex polygons are clipped exactly")
     CHECK(area == Approx(5).epsilon(1e-14));
     // integral of x^2: 16/3 over the square, 11/2 over the tip: that of 2 x^2 (3 - x) from 2 to 3
     CHECK(moment == Approx(16.0 / 3 + 11.0 / 2).epsilon(1e-13));
+    points.clear();
+    machine::append_points({{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}}, true, points);
+    moment = 0;
+    for (const auto& point : points) {
+        moment += point.weight * std::pow(point.position[0], 4);
+    }
+    // integral of x^4: 64/5 over the square, that of 2 x^4 (3 - x) from 2 to 3, 473/15, over the tip
+    CHECK(moment == Approx(64.0 / 5 + 473.0 / 15).epsilon(1e-13));
 }
 
 TEST_CASE("shifted rectangles touch over their exact overlap")

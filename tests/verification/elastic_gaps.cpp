@@ -113,17 +113,18 @@ TEST_CASE("bodies of unlike expansion that warm evenly: clearances by d (alpha -
     // A uniform expansion is a linear displacement, which elements, ties and fits reproduce up to the solver; facets of
     // the cylinders scale with them.
     const double exact = 1e-6;
-    CHECK(values.at("clearance guide") == Approx(0.300 * (frame - slide) * rise).epsilon(exact));
-    CHECK(values.at("clearance wrist_pin") == Approx(0.060 * (steel - slide) * rise).epsilon(exact));
-    CHECK(values.at("clearance crank_bearing front") == Approx(0.080 * (frame - steel) * rise).epsilon(exact));
-    CHECK(values.at("clearance crank_bearing back") == Approx(0.080 * (frame - steel) * rise).epsilon(exact));
+    CHECK(values.at("clearance guide") == Approx(0.300 * (frame - slide) * rise).scale(0).epsilon(exact));
+    CHECK(values.at("clearance wrist_pin") == Approx(0.060 * (steel - slide) * rise).scale(0).epsilon(exact));
+    CHECK(values.at("clearance crank_bearing front") == Approx(0.080 * (frame - steel) * rise).scale(0).epsilon(exact));
+    // the flywheel of cast iron on the same shaft strains it there
+    CHECK(values.at("clearance crank_bearing back") == Approx(0.080 * (frame - steel) * rise).scale(0).epsilon(0.01));
     CHECK(std::abs(values.at("clearance crank_pin")) < 1e-6 * 0.090 * steel * rise);
     // seat 1.05 m above the feet less half of its clearance's growth taken up upwards, crank throw and rod of steel,
     // slide from pin to face, table 0.15 m above the feet
     const double gap =
         rise * (frame * 1.05 + 0.5 * 0.080 * (frame - steel) - steel * 0.340 - slide * 0.360 - frame * 0.15);
     for (const char* corner : {"front left", "front right", "back left", "back right"})
-        CHECK(values.at(std::string("gap ") + corner) == Approx(gap).epsilon(1e-5));
+        CHECK(values.at(std::string("gap ") + corner) == Approx(gap).scale(0).epsilon(3e-4));  // the same
 }
 
 TEST_CASE("one expansion for all: clearances stay, the corners of the half press follow alpha dT L")
@@ -141,8 +142,8 @@ TEST_CASE("one expansion for all: clearances stay, the corners of the half press
             ++clearances;
         }
     CHECK(clearances == 18);  // twelve pins, four bearings with their rings, guides 4 and 10; guide 12 has one face
-    CHECK(values.at("gap front left") == Approx(1.1e-4 * 0.3).epsilon(1e-5));
-    CHECK(values.at("gap back left") == Approx(1.1e-4 * 0.3).epsilon(1e-5));
+    CHECK(values.at("gap front left") == Approx(1.1e-4 * 0.3).scale(0).epsilon(1e-5));
+    CHECK(values.at("gap back left") == Approx(1.1e-4 * 0.3).scale(0).epsilon(1e-5));
 }
 
 TEST_CASE("a slide warmer at the back tilts about its pin by alpha g times the distance to its face")
@@ -162,7 +163,7 @@ TEST_CASE("a slide warmer at the back tilts about its pin by alpha g times the d
     for (const char* side : {"left", "right"}) {
         const double slope =
             (along_z.at(std::string("gap back ") + side) - along_z.at(std::string("gap front ") + side)) / 0.2;
-        CHECK(slope == Approx(alpha * gradient * (-0.7 + 0.34)).epsilon(1e-4));
+        CHECK(slope == Approx(alpha * gradient * (-0.7 + 0.34)).scale(0).epsilon(1e-4));
     }
     // T = g x: the guide's faces, at x = +-0.15 with their middle at y = -0.575, keep their direction instead.
     const auto along_x =
@@ -171,7 +172,7 @@ TEST_CASE("a slide warmer at the back tilts about its pin by alpha g times the d
         const double slope =
             (along_x.at(std::string("gap ") + side + " right") - along_x.at(std::string("gap ") + side + " left")) /
             0.3;
-        CHECK(slope == Approx(alpha * gradient * (-0.7 + 0.575)).epsilon(1e-4));
+        CHECK(slope == Approx(alpha * gradient * (-0.7 + 0.575)).scale(0).epsilon(1e-4));
     }
 }
 
@@ -192,6 +193,6 @@ TEST_CASE("a frame warmer at the back hands its tilt down by crank and rod to th
     for (const char* side : {"left", "right"}) {
         const double slope =
             (values.at(std::string("gap back ") + side) - values.at(std::string("gap front ") + side)) / 0.2;
-        CHECK(slope == Approx(alpha * gradient * 0.9).epsilon(1e-4));
+        CHECK(slope == Approx(alpha * gradient * 0.9).scale(0).epsilon(1e-4));
     }
 }

@@ -35,7 +35,7 @@ struct TwoMeshes {
 };
 
 /// To a share of the value alone: displacements are small beside 1, which doctest would add to it.
-doctest::Approx relative(double value, double share) { return doctest::Approx(value).epsilon(share).scale(0); }
+doctest::Approx relative(double value, double share) { return doctest::Approx(value).scale(0).epsilon(share).scale(0); }
 
 /// Integral of u . (A x) over the outside of a machine, a functional in which every part and direction counts.
 Functional stretch(const Machine& machine)
@@ -180,4 +180,31 @@ TEST_CASE("two meshes of different parts are refused")
     CHECK_THROWS_WITH_AS(fem::Model(heat, study::describe_materials(bar, heat), 1, silent, &other),
                          "two meshes of one machine have different parts; both must come from the same case",
                          InputError);
+}
+
+TEST_CASE("a deformation of second order beside a heat of first bends a bimetal strip by Timoshenko's curvature")
+{
+    const auto input = verification::read("bimetal", {"numerics.order=1", "numerics.deformation_order=2"});
+    const auto machine = study::prepare_machine(input, 1, silent);
+    const auto own = study::case_of_deformation(input);
+    const auto deformed = study::prepare_machine(own, 1, silent);
+    fem::Model model(machine, study::describe_materials(input, machine), study::describe_orders(input, machine), silent,
+                     &deformed, study::describe_orders(own, deformed));
+    model.support(-1);
+    CHECK(model.size().deformation_unknowns > 6 * model.size().heat_unknowns);
+    // mean turn of the ends, each its face's integral of y u_x over that of y^2
+    const double second_moment = 2e-3 * std::pow(2e-3, 3) / 12;
+    Functional bend{"bend", {}};
+    for (const auto& [name, sign] : {std::pair{"left", 1.0}, std::pair{"right", -1.0}})
+        for (const auto& entry :
+             deformed.surfaces[static_cast<std::size_t>(study::surface_index(deformed, name))].faces)
+            for (const auto& point : face_points(deformed, deformed.faces[entry.face]))
+                bend.points.push_back({entry.face,
+                                       point.position,
+                                       {sign * point.weight * point.position[1] / second_moment / 0.04, 0, 0}});
+    const auto warm = model.constant_field(start + 100);
+    const auto curvature = model.evaluate({bend}, model.displacement(warm, start))[0];
+    // pure bending lies in the space of second order; the fit of the temperatures keeps a constant to rounding
+    CHECK(std::abs(curvature) == relative(0.75, 1e-7));
+    CHECK(model.apply(model.adjoints({bend})[0], warm, start) == relative(curvature, 1e-9));
 }

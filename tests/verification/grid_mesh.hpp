@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -44,10 +45,12 @@ inline int node_of(const Grid& grid, const Corner& at)
 
 inline std::string element(int type, int group, const std::vector<int>& nodes)
 {
-    std::string text = " " + std::to_string(type) + " 2 " + std::to_string(group) + " " + std::to_string(group);
+    std::ostringstream text;
+    text << ' ' << type << " 2 " << group << ' ' << group;
     for (const int node : nodes)
-        text += " " + std::to_string(node);
-    return text + "\n";
+        text << ' ' << node;
+    text << '\n';
+    return text.str();
 }
 
 /// The six tetrahedra of a brick: one per order in which the three steps to the far corner are taken.

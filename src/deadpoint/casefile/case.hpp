@@ -156,6 +156,7 @@ struct Chain {
 struct Numerics {
     double size = 0.03;
     double deformation_size = 0;   ///< cell sizes of the deformation's mesh relative to the heat's; 0: automatic
+    int deformation_order = 0;     ///< of the deformation's elements; 0: that of the heat's
     double time_tolerance = 0.02;  ///< of a step, at probes and joints [K]
     double initial_step = 1;
     double max_step = 1800;

@@ -435,6 +435,8 @@ void describe(Visitor& v, Numerics& n)
          "cell sizes of a mesh for the deformation relative to that of the heat; 1 for the same mesh, 0 for the same "
          "mesh up to 1.5 million unknowns of deformation and a coarser one beyond"},
         n.deformation_size, non_negative);
+    v.integer({"deformation_order", "of the deformation's finite elements; 0: those of the heat"}, n.deformation_order,
+              {0, 2, false});
     v.quantity({"time_tolerance", "largest error of a time step at probes and joints"}, n.time_tolerance,
                D::temperature_difference, positive);
     v.quantity({"initial_step", "first time step"}, n.initial_step, D::time, positive);

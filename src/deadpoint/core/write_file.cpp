@@ -4,9 +4,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <system_error>
+#include <unistd.h>
 
 namespace deadpoint {
 namespace {
@@ -37,7 +39,17 @@ struct Unfinished {
 
 }  // namespace
 
-void write_file(const fs::path& path, const std::function<void(std::ostream&)>& fill)
+bool sync_to_disk(const fs::path& path)
+{
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool done = file >= 0 && fsync(file) == 0;
+    if (file >= 0) {
+        close(file);
+    }
+    return done;
+}
+
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& fill, Durability durability)
 {
     fs::path part = path;
     part += ".part";
@@ -49,7 +61,7 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
     Unfinished unfinished{part};
     fill(out);
     out.close();
-    if (!out) {
+    if (!out || (durability == Durability::synced && !sync_to_disk(part))) {
         fail(path, system_reason());
     }
     std::error_code error;
@@ -58,6 +70,9 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
         fail(path, error.message());
     }
     unfinished.kept = true;
+    if (durability == Durability::synced) {
+        sync_to_disk(path.has_parent_path() ? path.parent_path() : fs::path("."));  // the name
+    }
 }
 
 void write_file(const fs::path& path, std::string_view text)

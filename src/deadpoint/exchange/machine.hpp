@@ -133,6 +133,7 @@ struct MachineDescription {
     std::vector<InterfaceDescription> interfaces;
     double size = 0.03;                 ///< wanted cell size where a part gives none [m]
     double size_scale = 1;              ///< scales every size
+    bool second_order = false;          ///< some elements are: contacts get the integration points that these need
     bool half_model = false;            ///< keep x <= 0 only; the cut faces become the symmetry plane
     std::vector<std::string> unbonded;  ///< pairs "a|b" (patterns) of one body that touch without being bonded
 };

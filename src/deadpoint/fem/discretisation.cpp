@@ -1,5 +1,6 @@
 #include "deadpoint/fem/discretisation.hpp"
 
+#include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
@@ -128,6 +129,8 @@ Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_
             cell->set_active_fe_index(
                 element_index(cell->reference_cell() == ReferenceCells::Hexahedron, orders[cell->material_id()]));
     dofs.distribute_dofs(elements);
+    // Neighbours close together in memory: products with the matrices read what is at hand.
+    dealii::DoFRenumbering::Cuthill_McKee(dofs, true);
     const auto& owned = dofs.locally_owned_dofs();
     if (owned.n_elements() == 0 || !owned.is_contiguous())
         throw InputError(

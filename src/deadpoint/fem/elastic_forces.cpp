@@ -63,24 +63,26 @@ ElasticSolver::Gauge ElasticSolver::describe_rod(const ForceGauge& gauge) const
 // A finer part's node that follows a node of `shape` brings its forces along. Followers stand behind what they follow.
 void ElasticSolver::pass_on(std::vector<double>& shape) const
 {
-    for (const auto& tie : ties_.direct())
+    for (const auto& tie : ties_.ties())
         for (const auto& [master, weight] : tie.masters)
-            for (std::size_t c = 0; c < 3; ++c)
-                shape[3 * static_cast<std::size_t>(tie.node) + c] +=
-                    weight * shape[3 * static_cast<std::size_t>(master) + c];
+            for (PetscInt c = 0; c < 3; ++c)
+                if (ties_.follows(tie.node, c))
+                    shape[static_cast<std::size_t>(3 * tie.node + c)] +=
+                        weight * shape[static_cast<std::size_t>(3 * master + c)];
 }
 
-// Along the normal at all nodes that the bond ties: the work is that of the ties' forces.
+// The bond opens by 1 along its normal: the work is that of the ties' forces.
 ElasticSolver::Gauge ElasticSolver::describe_bond(int bond) const
 {
     const auto& machine = space_.machine;
     const auto& contact = machine.bonds[static_cast<std::size_t>(bond)];
     const bool whole = machine.parts[contact.part_a].cut && machine.parts[contact.part_b].cut;
     Gauge result{std::vector<double>(static_cast<std::size_t>(3 * space_.total)), true, whole ? 2.0 : 1.0};
-    for (const auto& tie : ties_.direct())
-        if (tie.bond == bond)
-            for (std::size_t c = 0; c < 3; ++c)
-                result.shape[3 * static_cast<std::size_t>(tie.node) + c] = tie.normal[c];
+    for (const auto& tie : ties_.ties())
+        for (const auto& opening : tie.openings)
+            for (PetscInt c = 0; c < 3; ++c)
+                if (opening.bond == bond && ties_.follows(tie.node, c))
+                    result.shape[static_cast<std::size_t>(3 * tie.node + c)] = opening.normal[c];
     pass_on(result.shape);
     return result;
 }
@@ -92,7 +94,7 @@ ElasticSolver::Gauge ElasticSolver::describe_feet() const
     if (foundation_.kind == Foundation::Kind::elastic)
         return result;
     for (const PetscInt unknown : feet_)
-        if (unknown % 3 == 1 && !ties_.is_tied(unknown / 3))
+        if (unknown % 3 == 1 && !ties_.follows(unknown / 3, 1))
             result.shape[static_cast<std::size_t>(unknown)] = 1;
     pass_on(result.shape);
     return result;

@@ -22,6 +22,7 @@ ElasticSolver::ElasticSolver(const Discretisation& space, const std::vector<Mate
     supported.insert(supported.end(), feet_.begin(), feet_.end());
     pieces_ = std::make_unique<RigidPieces>(space_, supported, ties_);
     held_.insert(held_.end(), pieces_->holds().begin(), pieces_->holds().end());
+    ties_.hold(held_);
 
     assemble();
     PetscInt first_free = 0;

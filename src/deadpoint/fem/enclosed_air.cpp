@@ -20,6 +20,23 @@ void EnclosedAir::start_from(const std::vector<double>& temperature)
         air_[k].start = air_[k].now = temperature.at(k);
 }
 
+std::vector<AirState> EnclosedAir::between_steps() const
+{
+    std::vector<AirState> result;
+    for (const auto& air : air_)
+        result.push_back({air.start, air.slope, air.now});
+    return result;
+}
+
+void EnclosedAir::go_on_from(const std::vector<AirState>& states)
+{
+    for (std::size_t k = 0; k < air_.size(); ++k) {
+        air_[k].start = states[k].start;
+        air_[k].slope = states[k].slope;
+        air_[k].now = states[k].now;
+    }
+}
+
 std::vector<double> EnclosedAir::at_start() const
 {
     std::vector<double> result;

@@ -14,6 +14,13 @@
 /// T_e is taken out: A - f^2 b b^T / c_e stays positive definite, c_e = C + f (sum b + G).
 namespace deadpoint::fem {
 
+/// The air of one enclosure between two steps.
+struct AirState {
+    double start = 0;  ///< temperature [K]
+    double slope = 0;  ///< [K/s]
+    double now = 0;    ///< as last iterated [K]
+};
+
 class EnclosedAir {
 public:
     /// @param pattern  a vector of the field's layout
@@ -21,6 +28,9 @@ public:
     /// Takes like enclosures over.
     void adopt(const std::vector<Enclosure>& enclosures) { enclosures_ = &enclosures; }
     void start_from(const std::vector<double>& temperature);
+    /// Between two steps.
+    [[nodiscard]] std::vector<AirState> between_steps() const;
+    void go_on_from(const std::vector<AirState>& states);
 
     [[nodiscard]] std::size_t count() const { return air_.size(); }
     /// As last iterated [K].

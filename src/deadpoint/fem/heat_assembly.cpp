@@ -56,6 +56,36 @@ void HeatSolver::add_interface_pattern(dealii::DynamicSparsityPattern& pattern) 
     }
 }
 
+// All of one pattern, with zeros where a matrix has nothing, so that they are added as they lie in memory.
+void HeatSolver::create_matrices()
+{
+    auto pattern = space_.cell_pattern();
+    space_.add_bond_pattern(pattern);
+    add_interface_pattern(pattern);
+    stiffness_ = create_matrix(space_, pattern, 1);
+    std::vector<PetscInt> columns;
+    std::vector<double> zeros;
+    for (PetscInt row = space_.first; row < space_.last; ++row) {
+        const auto entries = static_cast<dealii::types::global_dof_index>(row);
+        columns.clear();
+        for (auto entry = pattern.begin(entries); entry != pattern.end(entries); ++entry)
+            columns.push_back(static_cast<PetscInt>(entry->column()));
+        zeros.assign(columns.size(), 0.0);
+        DEADPOINT_PETSC(MatSetValues(stiffness_, 1, &row, static_cast<PetscInt>(columns.size()), columns.data(),
+                                     zeros.data(), INSERT_VALUES));
+    }
+    DEADPOINT_PETSC(MatAssemblyBegin(stiffness_, MAT_FINAL_ASSEMBLY));
+    DEADPOINT_PETSC(MatAssemblyEnd(stiffness_, MAT_FINAL_ASSEMBLY));
+    const auto alike = [&](OwnedMat& matrix) {
+        DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, matrix.out()));
+    };
+    alike(mass_);
+    if (variable_films_)
+        alike(variable_);
+    if (conduction_varies_)
+        alike(conduction_);
+}
+
 void HeatSolver::assemble()
 {
     DEADPOINT_PETSC(MatZeroEntries(mass_));

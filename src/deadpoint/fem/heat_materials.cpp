@@ -59,30 +59,27 @@ void HeatSolver::add_variable_conduction(Vec temperature, Vec rate) const
     DEADPOINT_PETSC(VecAXPY(rate, -1, conducted_));
 }
 
+// matrix += of, its columns scaled by a slope of the materials where a temperature is given.
+void HeatSolver::add_tangent(Mat matrix, Mat of, Mat scaled, MaterialMap slope, Vec temperature) const
+{
+    if (scaled && temperature) {
+        apply(slope, materials_, part_of_unknown_, temperature, mapped_);
+        DEADPOINT_PETSC(MatCopy(of, scaled, SAME_NONZERO_PATTERN));
+        DEADPOINT_PETSC(MatDiagonalScale(scaled, nullptr, mapped_));
+        of = scaled;
+    }
+    DEADPOINT_PETSC(MatAXPY(matrix, 1, of, SAME_NONZERO_PATTERN));
+}
+
 void HeatSolver::add_conduction_tangent(Mat matrix, Vec temperature) const
 {
-    if (!conduction_varies_)
-        return;
-    if (!temperature) {
-        DEADPOINT_PETSC(MatAXPY(matrix, 1, conduction_, SUBSET_NONZERO_PATTERN));
-        return;
-    }
-    apply(flux_temperature_slope, materials_, part_of_unknown_, temperature, mapped_);
-    DEADPOINT_PETSC(MatCopy(conduction_, scaled_conduction_, SAME_NONZERO_PATTERN));
-    DEADPOINT_PETSC(MatDiagonalScale(scaled_conduction_, nullptr, mapped_));
-    DEADPOINT_PETSC(MatAXPY(matrix, 1, scaled_conduction_, SUBSET_NONZERO_PATTERN));
+    if (conduction_varies_)
+        add_tangent(matrix, conduction_, scaled_conduction_, flux_temperature_slope, temperature);
 }
 
 void HeatSolver::add_capacity(Mat matrix, Vec temperature) const
 {
-    if (!capacity_varies_ || !temperature) {
-        DEADPOINT_PETSC(MatAXPY(matrix, 1, mass_, SUBSET_NONZERO_PATTERN));
-        return;
-    }
-    apply(heat_temperature_slope, materials_, part_of_unknown_, temperature, mapped_);
-    DEADPOINT_PETSC(MatCopy(mass_, scaled_mass_, SAME_NONZERO_PATTERN));
-    DEADPOINT_PETSC(MatDiagonalScale(scaled_mass_, nullptr, mapped_));
-    DEADPOINT_PETSC(MatAXPY(matrix, 1, scaled_mass_, SUBSET_NONZERO_PATTERN));
+    add_tangent(matrix, mass_, scaled_mass_, heat_temperature_slope, temperature);
 }
 
 // Matrices that hold the tangents. The tangent is not symmetric, which conjugate gradients could not solve.

@@ -68,6 +68,22 @@ void HeatSolver::begin_segment(const HeatSegment& segment, double time)
     settle_oil(time);
 }
 
+// The slope of the fields is not known where a segment starts.
+void HeatSolver::start_segment(RunPlace& place, ThermalHistory& history)
+{
+    begin_segment(problem_->segments[place.segment], place.time);
+    if (!start_) {
+        start_ = duplicate(now_);
+        DEADPOINT_PETSC(VecCopy(now_, start_));
+    }
+    place.segment_start = place.time;
+    place.segment_row = history.time.size();
+    place.wanted = problem_->fixed_step > 0 ? problem_->fixed_step : problem_->initial_step;
+    have_previous_ = false;
+    previous_dt_ = 0;
+    record(history, place.time, rate_now_);
+}
+
 void HeatSolver::start_from(const ThermalState& state)
 {
     double* values = nullptr;

@@ -1,33 +1,23 @@
-#include "deadpoint/fem/heat_solver.hpp"
-
+#include "deadpoint/fem/heat_checkpoint.hpp"
 #include "deadpoint/fem/tr_bdf2.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
-// Time integration; the matrices are in heat_assembly.cpp.
+// Time integration; the matrices are in heat_assembly.cpp, the system of a stage in heat_system.cpp.
 
 namespace deadpoint::fem {
 namespace {
 
 constexpr int max_newton = 20;
 const double ladder = 2;  // between two step sizes
-constexpr double largest_reuse = 2.5;
 // Joint heat may differ from its tangent within a stage by this share; the stage is computed with the tangent's, so
 // that its heat balance is exact.
 constexpr double largest_curvature = 1e-5;
 // The oil's temperatures within a stage agree with the films' to this share of the step's tolerance.
 constexpr double oil_share_of_tolerance = 1e-3;
-
-// Options that the user gave to PETSC win.
-void default_option(const char* name, const char* value)
-{
-    PetscBool given = PETSC_FALSE;
-    DEADPOINT_PETSC(PetscOptionsHasName(nullptr, nullptr, name, &given));
-    if (!given)
-        DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, name, value));
-}
 
 void require_finite(Vec vector, double time)
 {
@@ -61,21 +51,8 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
     prepare_body_heat();
     prepare_films();
 
-    {
-        auto pattern = space_.cell_pattern();
-        mass_ = create_matrix(space_, pattern, 1);
-        if (variable_films_)
-            variable_ = create_matrix(space_, pattern, 1);
-        space_.add_bond_pattern(pattern);
-        add_interface_pattern(pattern);
-        stiffness_ = create_matrix(space_, pattern, 1);
-        if (conduction_varies_)
-            conduction_ = create_matrix(space_, pattern, 1);
-    }
+    create_matrices();
     assemble();
-    DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, system_.out()));
-    DEADPOINT_PETSC(MatSetOption(system_, MAT_SYMMETRIC, PETSC_TRUE));
-
     now_ = create_vector(space_, 1);
     for (OwnedVec* v : {&before_, &middle_, &next_, &slope_middle_, &slope_now_, &slope_before_, &slope_next_, &work_,
                         &work2_, &error_})
@@ -84,102 +61,7 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
         everywhere_ = std::make_unique<Everywhere>(now_);
     air_ = std::make_unique<EnclosedAir>(problem_->enclosures, now_);
 
-    const PetscInt rows = space_.last - space_.first;
-    DEADPOINT_PETSC(MatCreateShell(PETSC_COMM_WORLD, rows, rows, space_.total, space_.total, this, shell_.out()));
-    DEADPOINT_PETSC(MatShellSetOperation(shell_, MATOP_MULT, reinterpret_cast<void (*)(void)>(&HeatSolver::multiply)));
-    DEADPOINT_PETSC(MatSetOption(shell_, MAT_SYMMETRIC, PETSC_TRUE));
-
-    DEADPOINT_PETSC(KSPCreate(PETSC_COMM_WORLD, solver_.out()));
-    DEADPOINT_PETSC(KSPSetType(solver_, KSPCG));
-    prepare_tangents();
-    DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_FALSE));
-    PC preconditioner = nullptr;
-    DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
-    DEADPOINT_PETSC(PCSetType(preconditioner, PCML));
-    // Weak couplings across films only blur the aggregates.
-    default_option("-heat_pc_ml_Threshold", "0.01");
-    // Runs at the memory's speed, which Gauss-Seidel sweeps do not, and alike on any number of ranks.
-    default_option("-heat_mg_levels_ksp_type", "chebyshev");
-    default_option("-heat_mg_levels_ksp_max_it", "2");
-    default_option("-heat_mg_levels_pc_type", "jacobi");
-    DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "heat_"));
-    DEADPOINT_PETSC(KSPSetFromOptions(solver_));
-    DEADPOINT_PETSC(KSPSetOperators(solver_, shell_, system_));
-}
-
-// y = (M + factor (K + K_films)) x - factor sum of dH/dT b (b . x): heat that falls with temperature adds to the
-// matrix, as a few rank-one terms that the preconditioner need not know.
-PetscErrorCode HeatSolver::multiply(Mat shell, Vec in, Vec out)
-{
-    HeatSolver* self = nullptr;
-    MatShellGetContext(shell, &self);
-    MatMult(self->system_, in, out);
-    self->air_->multiply(in, out);
-    if (self->shell_slopes_.empty())
-        return 0;
-    std::vector<const SparseFunctional*> loads;
-    for (const auto& load : self->shell_loads_)
-        loads.push_back(&load);
-    const auto products = evaluate(loads, in);
-    for (std::size_t r = 0; r < products.size(); ++r)
-        add_to(out, self->shell_loads_[r], -self->system_factor_ * self->shell_slopes_[r] * products[r]);
-    return 0;
-}
-
-void HeatSolver::set_tolerance(double relative, double absolute)
-{
-    const double scale = std::sqrt(static_cast<double>(space_.total));
-    DEADPOINT_PETSC(KSPSetTolerances(solver_, relative, absolute * scale, 1e10, 2000));
-}
-
-void HeatSolver::build_system(double factor, Vec temperature)
-{
-    if (factor == system_factor_ && !variable_films_ && !materials_vary())
-        return;
-    const double* values = variable_films_ ? everywhere_->gather(temperature) : nullptr;
-    build_air_loads(factor, values);
-    if (variable_films_)
-        assemble_variable_films([&](const Film& film) -> PointCoefficient {
-            const double surroundings = ambient(*film.condition, time_);
-            return [&film, values, surroundings, law = film_at(*film.condition, surroundings)](const FilmPoint& point) {
-                const double at = value_at(point.shape, values);
-                return film_slope(law(at), film.condition->emissivity, at, surroundings);
-            };
-        });
-    combine_system(factor, temperature);
-}
-
-void HeatSolver::assemble_variable_films(const std::function<PointCoefficient(const Film&)>& coefficient_on)
-{
-    DEADPOINT_PETSC(MatZeroEntries(variable_));
-    for (const auto& film : films_) {
-        if (film.points.empty())
-            continue;
-        const auto coefficient = coefficient_on(film);
-        for (const auto& point : film.points)
-            insert_block(variable_, point.shape, point.shape, coefficient(point) * point.weight);
-    }
-    DEADPOINT_PETSC(MatAssemblyBegin(variable_, MAT_FINAL_ASSEMBLY));
-    DEADPOINT_PETSC(MatAssemblyEnd(variable_, MAT_FINAL_ASSEMBLY));
-}
-
-void HeatSolver::combine_system(double factor, Vec temperature)
-{
-    // The old multigrid still serves a matrix that changed little: with films that follow the temperature, or the next
-    // step size.
-    const bool reuse = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
-    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, reuse ? PETSC_TRUE : PETSC_FALSE));
-    if (!reuse)
-        multigrid_factor_ = factor;
-    DEADPOINT_PETSC(MatCopy(stiffness_, system_, SAME_NONZERO_PATTERN));
-    if (variable_films_)
-        DEADPOINT_PETSC(MatAXPY(system_, 1, variable_, SUBSET_NONZERO_PATTERN));
-    add_conduction_tangent(system_, temperature);
-    DEADPOINT_PETSC(MatScale(system_, factor));
-    add_capacity(system_, temperature);
-    DEADPOINT_PETSC(MatZeroRowsColumns(system_, static_cast<PetscInt>(prescribed_.size()), prescribed_.data(), 1,
-                                       nullptr, nullptr));
-    system_factor_ = factor;
+    prepare_solver();
 }
 
 // Newton for  M T - factor rate(T) = known,  starting from the guess in `temperature`.
@@ -194,8 +76,8 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
         current = rate(time, temperature);
     }
     for (int iteration = 0; iteration < max_newton; ++iteration) {
-        build_system(factor, temperature);
         shell_slopes_ = current.source_slope;
+        build_system(factor, temperature);
         DEADPOINT_PETSC(MatMult(mass_, heat_of(temperature), work_));
         DEADPOINT_PETSC(VecAXPY(work_, -factor, current.vector));
         DEADPOINT_PETSC(VecAXPY(work_, -1, known));
@@ -399,72 +281,85 @@ bool any_rank(bool flag)
 }  // namespace
 
 ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
-                               Observer& observer, const StepCallback& on_step, const FieldCallback& on_field)
+                               Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
+                               const CheckpointPlan* checkpoints)
 {
     prepare_observers(adjoints, reference_temperature, attribution);
+    std::optional<HeatCheckpoint> checkpoint;
+    if (checkpoints)
+        checkpoint.emplace(*this, *checkpoints, observer);
     ThermalHistory history = empty_history();
-    double time = 0;
-    for (const auto& segment : problem_->segments) {
-        begin_segment(segment, time);
-        if (!start_) {
-            start_ = duplicate(now_);
-            DEADPOINT_PETSC(VecCopy(now_, start_));
-        }
-        const double end = time + segment.duration;
-        const std::size_t start = history.time.size();
-        have_previous_ = false;
-        previous_dt_ = 0;
-        record(history, time, rate_now_);
-        double wanted = problem_->fixed_step > 0 ? problem_->fixed_step : problem_->initial_step;
-        while (time < end * (1 - 1e-14)) {
-            const double dt = fit_step(wanted, end - time);
-            const Step outcome = step(time, dt);
-            if (problem_->fixed_step <= 0 && outcome.error > problem_->time_tolerance) {
-                ++history.rejected_steps;
-                wanted = dt * rungs(outcome.error, -20, -1);
-                if (dt < 1e-6)
-                    throw ConvergenceError("the time step collapsed below 1 us at t = " + std::to_string(time) +
-                                           " s; loosen numerics.time_tolerance or look for a law that jumps");
+    RunPlace place;
+    start_segment(place, history);
+    if (checkpoints && checkpoints->resume)
+        checkpoint->restore(history, place, on_field);
+    while (!history.interrupted) {
+        const double end = place.segment_start + problem_->segments[place.segment].duration;
+        while (!history.interrupted && place.time < end * (1 - 1e-14)) {
+            if (!try_step(place, end, history, on_field))
                 continue;
-            }
-            if (!have_previous_) {
-                DEADPOINT_PETSC(VecWAXPY(slope_now_, -1, now_, next_));
-                DEADPOINT_PETSC(VecScale(slope_now_, 1 / dt));
-            }
-            write_fields_until(time, dt, on_field);
-            add_energy(history.energy, dt, outcome.from_prescribed);
-            steps_.push_back({static_cast<std::size_t>(segment_ - problem_->segments.data()), history.time.size(), dt,
-                              rate_now_, rate_middle_, rate_next_});
-            history.energy.stored += air_->accept(dt);
-            std::swap(before_, now_);
-            std::swap(now_, next_);
-            previous_dt_ = have_previous_ ? dt : 0;
-            DEADPOINT_PETSC(VecCopy(slope_now_, slope_before_));
-            std::swap(slope_now_, slope_next_);
-            rate_now_ = std::move(rate_next_);
-            for (std::size_t k = 0; k < sump_.size(); ++k)
-                sump_[k] = rate_now_.oil[k].sump;
-            have_previous_ = true;
-            time = end - time <= dt * (1 + 1e-12) ? end : time + dt;
-            record(history, time, rate_now_);
-            if (history.time.size() == start + 2)
-                fill_first_rates(history, start);
             if (on_step)
-                on_step(time);
-            if (problem_->fixed_step <= 0 && dt >= 0.99 * wanted)
-                wanted = std::min(wanted * rungs(outcome.error, 0, 1), problem_->max_step);
-            if (any_rank(observer.cancelled())) {
-                history.interrupted = true;
-                break;
-            }
+                on_step(place.time);
+            history.interrupted = any_rank(observer.cancelled());
+            if (checkpoint)
+                checkpoint->offer(history, place, history.interrupted);
         }
-        if (history.interrupted)
+        if (history.interrupted || place.segment + 1 == problem_->segments.size())
             break;
+        ++place.segment;
+        start_segment(place, history);
     }
     history.linear_iterations = iterations_;
     history.linear_solves = solves_;
     extremes_of_ranks(history);
     return history;
+}
+
+// One step towards the end of the segment; false where it was too long and a shorter one is wanted.
+bool HeatSolver::try_step(RunPlace& place, double end, ThermalHistory& history, const FieldCallback& on_field)
+{
+    const double dt = fit_step(place.wanted, end - place.time);
+    const Step outcome = step(place.time, dt);
+    const bool controlled = problem_->fixed_step <= 0;
+    if (controlled && outcome.error > problem_->time_tolerance) {
+        ++history.rejected_steps;
+        place.wanted = dt * rungs(outcome.error, -20, -1);
+        if (dt < 1e-6)
+            throw ConvergenceError("the time step collapsed below 1 us at t = " + std::to_string(place.time) +
+                                   " s; loosen numerics.time_tolerance or look for a law that jumps");
+        return false;
+    }
+    if (!have_previous_) {
+        DEADPOINT_PETSC(VecWAXPY(slope_now_, -1, now_, next_));
+        DEADPOINT_PETSC(VecScale(slope_now_, 1 / dt));
+    }
+    write_fields_until(place.time, dt, on_field);
+    accept_step(dt, outcome, history);
+    place.time = end - place.time <= dt * (1 + 1e-12) ? end : place.time + dt;
+    record(history, place.time, rate_now_);
+    if (history.time.size() == place.segment_row + 2)
+        fill_first_rates(history, place.segment_row);
+    if (controlled && dt >= 0.99 * place.wanted)
+        place.wanted = std::min(place.wanted * rungs(outcome.error, 0, 1), problem_->max_step);
+    return true;
+}
+
+// Books a step and makes its end the present.
+void HeatSolver::accept_step(double dt, const Step& outcome, ThermalHistory& history)
+{
+    add_energy(history.energy, dt, outcome.from_prescribed);
+    steps_.push_back({static_cast<std::size_t>(segment_ - problem_->segments.data()), history.time.size(), dt,
+                      rate_now_, rate_middle_, rate_next_});
+    history.energy.stored += air_->accept(dt);
+    std::swap(before_, now_);
+    std::swap(now_, next_);
+    previous_dt_ = have_previous_ ? dt : 0;
+    DEADPOINT_PETSC(VecCopy(slope_now_, slope_before_));
+    std::swap(slope_now_, slope_next_);
+    rate_now_ = std::move(rate_next_);
+    for (std::size_t k = 0; k < sump_.size(); ++k)
+        sump_[k] = rate_now_.oil[k].sump;
+    have_previous_ = true;
 }
 
 // The factor by which a step may grow or must shrink, in whole rungs of the ladder of step sizes.

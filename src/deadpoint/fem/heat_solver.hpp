@@ -4,8 +4,7 @@
 #include "deadpoint/fem/enclosed_air.hpp"
 #include "deadpoint/fem/expansion.hpp"
 #include "deadpoint/fem/model.hpp"
-
-#include <optional>
+#include "deadpoint/fem/run_place.hpp"
 
 /// Internal to fem/: transient heat conduction with joint films.
 namespace deadpoint::fem {
@@ -34,10 +33,12 @@ public:
     /// Changes the state.
     std::vector<Field> duals(double time, const Field& temperature, const std::vector<Adjoint>& weights);
     ThermalHistory run(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
-                       Observer& observer, const StepCallback& on_step, const FieldCallback& on_field);
+                       Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
+                       const CheckpointPlan* checkpoints = nullptr);
 
 private:
-    friend class HeatAdjoint;  ///< which runs backward over the same steps
+    friend class HeatAdjoint;     ///< which runs backward over the same steps
+    friend class HeatCheckpoint;  ///< which stores and restores what is between two steps
     struct Interface {
         SparseFunctional mean_a;
         SparseFunctional mean_b;
@@ -81,12 +82,15 @@ private:
     void prepare_prescribed();
     void prepare_materials();
     void prepare_tangents();
+    void prepare_solver();
     void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
     void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
+    void create_matrices();
     void assemble();
     void choose_laws(const HeatSegment& segment);
     void enter_segment(const HeatSegment& segment);
     void begin_segment(const HeatSegment& segment, double time);
+    void start_segment(RunPlace& place, ThermalHistory& history);
     void assemble_cells(Mat mass, Mat stiffness, Mat variable) const;
     void assemble_bonds(Mat stiffness, Mat variable) const;
     void assemble_interfaces(Mat stiffness) const;
@@ -97,6 +101,8 @@ private:
     void assemble_variable_films(const std::function<PointCoefficient(const Film&)>& coefficient_on);
     /// Without a temperature: by the constants of materials that follow it.
     void combine_system(double factor, Vec temperature);
+    void note_multigrid(Vec temperature);
+    [[nodiscard]] bool keeps_multigrid_temperature() const;
     [[nodiscard]] HeatRate rate(double time, Vec temperature) const;
     void add_sources(HeatRate& rate, const std::vector<double>& mean) const;
     void add_interfaces(HeatRate& rate, const std::vector<double>& mean) const;
@@ -115,6 +121,8 @@ private:
     [[nodiscard]] Vec heat_of(Vec temperature) const;
     void heat_change(Vec from, Vec to, Vec change) const;
     void add_variable_conduction(Vec temperature, Vec rate) const;
+    using MaterialMap = double (*)(const Material& material, double temperature);
+    void add_tangent(Mat matrix, Mat of, Mat scaled, MaterialMap slope, Vec temperature) const;
     void add_conduction_tangent(Mat matrix, Vec temperature) const;
     void add_capacity(Mat matrix, Vec temperature) const;
     void note_extremes();
@@ -124,6 +132,8 @@ private:
     [[nodiscard]] std::vector<double> first_known_sump(double factor) const;
     [[nodiscard]] std::vector<double> second_known_sump() const;
     Step step(double time, double dt);
+    bool try_step(RunPlace& place, double end, ThermalHistory& history, const FieldCallback& on_field);
+    void accept_step(double dt, const Step& outcome, ThermalHistory& history);
     static void hermite(Vec start, Vec start_slope, Vec end, Vec end_slope, double h, double s, Vec result);
     double estimate_error(double dt);
     void set_tolerance(double relative, double absolute);
@@ -180,6 +190,8 @@ private:
     mutable std::unique_ptr<Everywhere> everywhere_;
     double system_factor_ = -1;
     double multigrid_factor_ = -1;  ///< for which the multigrid hierarchy was built
+    MultigridOrigin multigrid_origin_;
+    OwnedVec multigrid_temperature_;  ///< where the matrix follows it, with multigrid_origin_
     std::vector<double> shell_slopes_;
 
     OwnedVec before_, now_, middle_, next_, slope_before_, slope_now_, slope_middle_, slope_next_, work_, work2_,

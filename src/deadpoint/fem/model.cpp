@@ -20,8 +20,8 @@ namespace {
 
 // A mesh of the deformation's own, and the ways to it and back.
 struct OwnMesh {
-    OwnMesh(const Machine& machine, const Discretisation& heat)
-        : space(machine, heat.orders), values(heat, space), back(space, heat), to(heat, space, values, back)
+    OwnMesh(const Machine& machine, std::vector<int> orders, const Discretisation& heat)
+        : space(machine, std::move(orders)), values(heat, space), back(space, heat), to(heat, space, values, back)
     {}
     Discretisation space;
     Transfer values;
@@ -33,12 +33,13 @@ struct OwnMesh {
 
 struct Model::Implementation {
     Implementation(const Machine& machine_, std::vector<Material> materials_, std::vector<int> orders,
-                   const Machine* deformation_)
+                   const Machine* deformation_, std::vector<int> deformation_orders)
         : machine(machine_), materials(std::move(materials_)), space(machine, std::move(orders)),
           expansion(space, materials)
     {
         if (deformation_)
-            own = std::make_unique<OwnMesh>(*deformation_, space);
+            own = std::make_unique<OwnMesh>(
+                *deformation_, deformation_orders.empty() ? space.orders : std::move(deformation_orders), space);
     }
     [[nodiscard]] const Discretisation& deformed() const { return own ? own->space : space; }
     ElasticSolver& deformation()
@@ -181,13 +182,14 @@ std::vector<double> gathered(const Discretisation& space, const std::vector<Cell
 }  // namespace
 
 Model::Model(const Machine& machine, std::vector<Material> materials, std::vector<int> orders, Observer&,
-             const Machine* deformation)
+             const Machine* deformation, std::vector<int> deformation_orders)
 {
     require_sound(machine, materials, orders);
     require_same_mesh(machine);
     if (deformation)
         require_same_mesh(*deformation);
-    implementation_ = std::make_unique<Implementation>(machine, std::move(materials), std::move(orders), deformation);
+    implementation_ = std::make_unique<Implementation>(machine, std::move(materials), std::move(orders), deformation,
+                                                       std::move(deformation_orders));
 }
 Model::Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer,
              const Machine* deformation)
@@ -212,13 +214,14 @@ void Model::assemble_heat(const HeatProblem& problem)
 }
 
 ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
-                           Observer& observer, const StepCallback& on_step, const FieldCallback& on_field)
+                           Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
+                           const CheckpointPlan* checkpoints)
 {
     release_heat();
     auto solver = std::move(implementation_->heat);
     if (!solver)
         throw std::logic_error("Model::heat() needs assemble_heat() before it");
-    auto history = solver->run(adjoints, reference_temperature, attribution, observer, on_step, on_field);
+    auto history = solver->run(adjoints, reference_temperature, attribution, observer, on_step, on_field, checkpoints);
     implementation_->last = solver->state();
     implementation_->finished = std::move(solver);
     return history;

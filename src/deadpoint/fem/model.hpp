@@ -58,6 +58,8 @@ struct ModelSize {
 /// Unknowns of a deformation up to which it is solved by a sparse factor; what takes about 8 GB.
 inline constexpr long long largest_factor = 1'500'000;
 
+struct CheckpointPlan;  // checkpoint.hpp
+
 /// Finite elements on the whole machine: transient heat conduction with joint films, and the thermo-elastic
 /// deformation of each body by itself.
 ///
@@ -75,9 +77,10 @@ public:
     /// @param materials  per part of the machine
     /// @param orders     of the elements, 1 or 2, per part of the machine
     /// @param deformation  the same parts meshed for the deformation; none: the same mesh. Outlives the model.
+    /// @param deformation_orders  of the elements on that mesh; empty: those of the heat
     /// @throws InputError where ranks built different meshes or a material constant is not positive and finite
     Model(const Machine& machine, std::vector<Material> materials, std::vector<int> orders, Observer& observer,
-          const Machine* deformation = nullptr);
+          const Machine* deformation = nullptr, std::vector<int> deformation_orders = {});
     Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer,
           const Machine* deformation = nullptr);
     ~Model();
@@ -92,9 +95,11 @@ public:
     /// estimate of third order; Hosea and Shampine 1996), each stage by Newton with the joint heat's dependence on the
     /// joint temperature included. The fluxes of the stages close the energy balance exactly.
     /// @param attribution  index of the adjoint whose value is split by part, or -1
-    /// @throws ConvergenceError, DomainError for a non-finite temperature
+    /// @param checkpoints  where the run keeps its state, and whether it goes on from there; none: nowhere
+    /// @throws ConvergenceError, DomainError for a non-finite temperature; as open_checkpoint where it resumes
     ThermalHistory heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
-                        Observer& observer, const StepCallback& on_step, const FieldCallback& on_field);
+                        Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
+                        const CheckpointPlan* checkpoints = nullptr);
 
     /// What has made a functional of the last heat()'s temperatures, by running backward over its steps. Its problem
     /// must still be there, and release_heat() not called.

@@ -2,9 +2,9 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/write_file.hpp"
+#include "deadpoint/fem/file_order.hpp"
 #include "deadpoint/fem/session.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -16,52 +16,9 @@ namespace {
 
 constexpr const char* kind = "deadpoint-thermal-state-1";
 
-// A number that other meshes hardly share, the same on any number of ranks.
-std::uint64_t mesh_mark(const Machine& machine)
-{
-    std::uint64_t mark = 1469598103934665603ULL;
-    const auto mix = [&](std::uint64_t value) { mark = (mark ^ value) * 1099511628211ULL; };
-    for (const auto& node : machine.nodes)
-        for (const double x : node)
-            mix(static_cast<std::uint64_t>(std::llround(x * 1e9)));
-    for (const auto& cell : machine.cells) {
-        mix(cell.part);
-        for (const auto node : cell.nodes)
-            mix(node);
-    }
-    return mark;
-}
-
-// Global numbers of the unknowns in the order of the file.
-std::vector<std::size_t> order_of_file(const Discretisation& space)
-{
-    std::vector<std::size_t> order;
-    std::vector<bool> seen(static_cast<std::size_t>(space.total), false);
-    std::vector<dealii::types::global_dof_index> unknowns;
-    for (std::uint32_t c = 0; c < space.machine.cells.size(); ++c) {
-        const auto cell = space.cell(c);
-        unknowns.resize(cell->get_fe().n_dofs_per_cell());
-        cell->get_dof_indices(unknowns);
-        for (const auto unknown : unknowns)
-            if (!seen[unknown]) {
-                seen[unknown] = true;
-                order.push_back(unknown);
-            }
-    }
-    return order;
-}
-
-// One digit where all parts agree, else one per part.
-std::string orders_text(const std::vector<int>& orders)
-{
-    const bool equal = std::ranges::count(orders, orders.front()) == std::ssize(orders);
-    return equal ? std::to_string(orders.front()) : fmt::format("{}", fmt::join(orders, ""));
-}
-
 std::string heading(const Discretisation& space, const ThermalState& like)
 {
-    const auto text = fmt::format("{} mesh {:016x} order {} unknowns {} sumps {}", kind, mesh_mark(space.machine),
-                                  orders_text(space.orders), space.total, like.sumps.size());
+    const auto text = fmt::format("{} {} sumps {}", kind, mesh_text(space), like.sumps.size());
     return like.enclosures.empty() ? text : fmt::format("{} enclosures {}", text, like.enclosures.size());
 }
 
@@ -128,10 +85,7 @@ ThermalState read_thermal_state(const std::string& file, const Discretisation& s
     state.enclosures = read(in, like.enclosures.size(), file);
     const auto order = order_of_file(space);
     const auto values = read(in, order.size(), file);
-    state.temperature.owned.resize(static_cast<std::size_t>(space.last - space.first));
-    for (std::size_t i = 0; i < order.size(); ++i)
-        if (const auto unknown = static_cast<PetscInt>(order[i]); space.owns(unknown))
-            state.temperature.owned[static_cast<std::size_t>(unknown - space.first)] = values[i];
+    state.temperature.owned = share_of_file(space, order, values);
     return state;
 }
 

@@ -7,7 +7,7 @@
 
 /// Internal to fem/: a temperature field as a file, from which another run can start.
 ///
-/// The file is a line of text with what it belongs to (JSON), then the unknowns as doubles of this machine's byte
+/// The file is a line of text with what it belongs to, then the unknowns as doubles of this machine's byte
 /// order, numbered by their first appearance cell by cell, which does not depend on the number of ranks.
 namespace deadpoint::fem {
 

@@ -1,13 +1,14 @@
 #include "deadpoint/fem/ties.hpp"
 
+#include "deadpoint/fem/tie_conditions.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 namespace deadpoint::fem {
 namespace {
-
-constexpr double largest_continuation = 0.1;
 
 // Parts from fine to coarse, by the distance of their nodes: a part's place in this order.
 std::vector<std::size_t> coarseness(const Discretisation& space)
@@ -29,74 +30,51 @@ std::vector<std::size_t> coarseness(const Discretisation& space)
 }  // namespace
 
 Ties::Ties(const Discretisation& space)
+    : tied_(static_cast<std::size_t>(space.total)), held_(static_cast<std::size_t>(3 * space.total))
 {
     const auto& machine = space.machine;
     const auto place = coarseness(space);
-
-    // Per part: nodes that may be tied, and the cells they may be tied to.
-    struct Candidate {
-        std::map<std::uint32_t, int> cells;  // with the bond
-        std::map<int, Vec3> normals;         // by bond, not of unit length
-    };
-    std::vector<std::map<PetscInt, Candidate>> candidates(machine.parts.size());
-    PointShape shape;
-    std::vector<std::size_t> unknowns;
-    std::vector<Vec3> all_positions(static_cast<std::size_t>(space.total));
-    for (int b = 0; b < static_cast<int>(machine.bonds.size()); ++b) {
-        const auto& bond = machine.bonds[b];
-        std::pair<std::uint32_t, std::uint32_t> previous{~0U, ~0U};
-        for (const auto& point : bond.points) {
-            if (std::pair(point.face_a, point.face_b) == previous)
-                continue;
-            previous = {point.face_a, point.face_b};
+    std::vector<BondedFaces> faces(machine.parts.size());
+    for (int b = 0; b < static_cast<int>(machine.bonds.size()); ++b)
+        for (const auto& point : machine.bonds[b].points) {
             const bool a_is_finer = place[machine.faces[point.face_a].part] < place[machine.faces[point.face_b].part];
             const auto fine = a_is_finer ? point.face_a : point.face_b;
-            const auto coarse = a_is_finer ? point.face_b : point.face_a;
-            space.evaluate(fine, a_is_finer ? point.position_a : point.position_b, false, shape);
-            space.cell_nodes(machine.faces[fine].cell, unknowns, all_positions);
-            for (int i = 0; i < shape.count; ++i)
-                if (std::abs(shape.value[i]) > 1e-9) {
-                    auto& candidate = candidates[machine.faces[fine].part][shape.dof[i]];
-                    candidate.cells.emplace(machine.faces[coarse].cell, b);
-                    auto& normal = candidate.normals[b];
-                    normal = normal + (a_is_finer ? 1.0 : -1.0) * point.normal;
-                }
+            faces[machine.faces[fine].part][fine].push_back({b, &point, a_is_finer});
         }
-    }
 
     std::vector<std::size_t> parts(machine.parts.size());
     std::iota(parts.begin(), parts.end(), 0);
-    std::sort(parts.begin(), parts.end(), [&](std::size_t a, std::size_t b) { return place[a] > place[b]; });
+    std::ranges::sort(parts, [&](std::size_t a, std::size_t b) { return place[a] > place[b]; });
     for (const auto part : parts)
-        for (const auto& [node, candidate] : candidates[part]) {
-            double least = largest_continuation;
-            PointShape best;
-            int followed = -1;
-            for (const auto& [cell, bond] : candidate.cells) {
-                const double outside = space.continue_cell(cell, all_positions[static_cast<std::size_t>(node)], shape);
-                if (outside < least) {
-                    least = outside;
-                    best = shape;
-                    followed = bond;
-                }
-            }
-            if (best.count == 0)
-                continue;
-            Direct direct{node, followed, normalised(candidate.normals.at(followed)), {}};
-            std::map<PetscInt, double> weights;
-            for (int i = 0; i < best.count; ++i) {
-                if (std::abs(best.value[i]) < 1e-12)
-                    continue;
-                direct.masters.emplace_back(best.dof[i], best.value[i]);
-                if (const auto chained = tied_.find(best.dof[i]); chained != tied_.end())
-                    for (const auto& [master, weight] : chained->second)
-                        weights[master] += best.value[i] * weight;
-                else
-                    weights[best.dof[i]] += best.value[i];
-            }
-            tied_[node].assign(weights.begin(), weights.end());
-            direct_.push_back(std::move(direct));
-        }
+        std::ranges::move(ties_of_part(space, faces[part]), std::back_inserter(ties_));
+    for (const auto& tie : ties_)
+        tied_[static_cast<std::size_t>(tie.node)] = true;
+}
+
+void Ties::hold(const std::vector<PetscInt>& unknowns)
+{
+    for (const auto unknown : unknowns)
+        held_[static_cast<std::size_t>(unknown)] = true;
+}
+
+// Per tied node its masters, all of them free: those that are tied themselves are replaced by theirs.
+std::map<PetscInt, Ties::Masters> Ties::followed_in_the_end(PetscInt component) const
+{
+    std::map<PetscInt, Masters> result;
+    for (const auto& tie : ties_) {
+        auto& masters = result[tie.node];
+        if (!follows(tie.node, component))
+            continue;
+        std::map<PetscInt, double> weights;
+        for (const auto& [node, weight] : tie.masters)
+            if (is_tied(node))
+                for (const auto& [master, share] : result.at(node))
+                    weights[master] += weight * share;
+            else
+                weights[node] += weight;
+        masters.assign(weights.begin(), weights.end());
+    }
+    return result;
 }
 
 std::vector<PetscInt> Ties::free_nodes(const Discretisation& space) const
@@ -119,28 +97,31 @@ OwnedMat Ties::expansion(const Discretisation& space) const
     const auto mine = static_cast<PetscInt>(free_nodes(space).size());
     const PetscInt rows = space.last - space.first;
 
-    std::size_t longest = 1;
-    for (const auto& [node, masters] : tied_)
-        longest = std::max(longest, masters.size());
+    std::array<std::map<PetscInt, Masters>, 3> followed;
+    std::vector<PetscInt> entries(static_cast<std::size_t>(3 * rows), 1);
+    for (PetscInt c = 0; c < 3; ++c) {
+        followed[c] = followed_in_the_end(c);
+        for (const auto& [node, masters] : followed[c])
+            if (space.owns(node))
+                entries[3 * (node - space.first) + c] = static_cast<PetscInt>(masters.size());
+    }
     OwnedMat matrix;
     DEADPOINT_PETSC(MatCreate(PETSC_COMM_WORLD, matrix.out()));
     DEADPOINT_PETSC(MatSetSizes(matrix, 3 * rows, 3 * mine, 3 * space.total, 3 * count));
     DEADPOINT_PETSC(MatSetType(matrix, MATAIJ));
-    std::vector<PetscInt> entries(static_cast<std::size_t>(3 * rows), 1);
-    for (const auto& [node, masters] : tied_)
-        if (space.owns(node))
-            std::fill_n(entries.begin() + 3 * (node - space.first), 3, static_cast<PetscInt>(masters.size()));
     DEADPOINT_PETSC(MatSeqAIJSetPreallocation(matrix, 0, entries.data()));
     DEADPOINT_PETSC(MatMPIAIJSetPreallocation(matrix, 0, entries.data(), 0, entries.data()));
+    const auto set = [&](PetscInt node, PetscInt master, PetscInt c, double weight) {
+        DEADPOINT_PETSC(
+            MatSetValue(matrix, 3 * node + c, 3 * number[static_cast<std::size_t>(master)] + c, weight, INSERT_VALUES));
+    };
     for (PetscInt node = space.first; node < space.last; ++node)
         for (PetscInt c = 0; c < 3; ++c)
-            if (const auto tie = tied_.find(node); tie != tied_.end())
-                for (const auto& [master, weight] : tie->second)
-                    DEADPOINT_PETSC(MatSetValue(matrix, 3 * node + c, 3 * number[static_cast<std::size_t>(master)] + c,
-                                                weight, INSERT_VALUES));
+            if (!is_tied(node))
+                set(node, node, c, 1);
             else
-                DEADPOINT_PETSC(MatSetValue(matrix, 3 * node + c, 3 * number[static_cast<std::size_t>(node)] + c, 1,
-                                            INSERT_VALUES));
+                for (const auto& [master, weight] : followed[c].at(node))
+                    set(node, master, c, weight);
     DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
     DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
     return matrix;

@@ -9,29 +9,45 @@
 /// Internal to fem/: bonded parts as ties, for the deformation.
 namespace deadpoint::fem {
 
-/// Every node of the finer part that lies on a bond moves with the cell of the coarser part there:
-/// u(node) = sum of that cell's shape functions at the node's place times its nodes' displacements.
+/// Nodes of the finer part of a bond follow the coarser part: u(node) = sum of weights times displacements of others.
 ///
-/// The weights reproduce linear displacements exactly, also where the node of a faceted cylinder lies a little off the
-/// other side's facets (the shape functions are continued out of the cell by at most a tenth of its size). A node on
-/// several bonds follows the first. Masters that are tied themselves are replaced by theirs. The same on all ranks.
+/// First order: the displacements of both sides agree in the mean weighted with each dual function psi of the finer
+/// side (dual_functions.hpp), integral of psi_s (u_fine - u_coarse) = 0, which gives u_s explicitly, passes a uniform
+/// stress exactly, and keeps linear displacements: the coarser side's cells are continued to the finer side's points,
+/// which on faceted cylinders lie a little off. Nodes of the finer side that no psi belongs to, beside a bond's edge or
+/// on an edge between two bonds, stand in the mean of their neighbours' condition.
+///
+/// Second order, and where a face is met by so little of the bond that its psi would swing widely: the node follows the
+/// coarser cell at its own place.
+///
+/// A node is tied where the other side's cell, continued by at most a tenth of its size, reaches it. The same on all
+/// ranks.
 class Ties {
 public:
     explicit Ties(const Discretisation& space);
 
-    /// A node and the cell that it follows, as the bonds say it.
-    struct Direct {
+    /// By how much a node goes along where a bond opens by 1 along its normal, all else closed.
+    struct Opening {
+        int bond = 0;  ///< index into Machine::bonds
+        Vec3 normal{};
+    };
+    using Masters = std::vector<std::pair<PetscInt, double>>;
+    struct Tie {
         PetscInt node = 0;
-        int bond = 0;                                      ///< index into Machine::bonds
-        Vec3 normal{};                                     ///< of the bond there, unit, out of the node's part
-        std::vector<std::pair<PetscInt, double>> masters;  ///< these may be tied themselves
+        Masters masters;  ///< with their weights; these may be tied themselves
+        std::vector<Opening> openings;
     };
     /// All of them; a node stands behind all nodes that it follows.
-    [[nodiscard]] const std::vector<Direct>& direct() const { return direct_; }
+    [[nodiscard]] const std::vector<Tie>& ties() const { return ties_; }
+    [[nodiscard]] bool is_tied(PetscInt node) const { return tied_[static_cast<std::size_t>(node)]; }
 
-    /// Per tied node its masters, all of them free, and their weights.
-    [[nodiscard]] const std::map<PetscInt, std::vector<std::pair<PetscInt, double>>>& tied() const { return tied_; }
-    [[nodiscard]] bool is_tied(PetscInt node) const { return tied_.contains(node); }
+    /// Unknowns (3 node + component) that keep still whatever their node is tied to.
+    void hold(const std::vector<PetscInt>& unknowns);
+    /// Whether this component of the node's displacement follows others.
+    [[nodiscard]] bool follows(PetscInt node, PetscInt component) const
+    {
+        return is_tied(node) && !held_[static_cast<std::size_t>(3 * node + component)];
+    }
 
     /// From free to all displacements, three per node: this rank's free nodes keep their order.
     [[nodiscard]] OwnedMat expansion(const Discretisation& space) const;
@@ -39,8 +55,11 @@ public:
     [[nodiscard]] std::vector<PetscInt> free_nodes(const Discretisation& space) const;
 
 private:
-    std::map<PetscInt, std::vector<std::pair<PetscInt, double>>> tied_;
-    std::vector<Direct> direct_;
+    [[nodiscard]] std::map<PetscInt, Masters> followed_in_the_end(PetscInt component) const;
+
+    std::vector<bool> tied_;  ///< per node
+    std::vector<bool> held_;  ///< per displacement
+    std::vector<Tie> ties_;
 };
 
 }  // namespace deadpoint::fem

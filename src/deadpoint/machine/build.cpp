@@ -354,6 +354,7 @@ Machine build_machine(const MachineDescription& description, Observer& observer)
     check(description);
     observer.stage("mesh");
     Assembly assembly;
+    assembly.second_order = description.second_order;
     assembly.machine.half_model = description.half_model;
     const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, observer);
     connect(description, assembly);

@@ -165,9 +165,10 @@ double total_area(const Machine& machine, const FacesByGeometry& sides, const st
 /// Clips all faces of one surface of side a against those of one surface of side b.
 class Clipper {
 public:
-    Clipper(const Machine& machine, const FaceGeometry& geometry, std::vector<ChartFace> side_a,
+    Clipper(const Assembly& assembly, const FaceGeometry& geometry, std::vector<ChartFace> side_a,
             std::vector<ChartFace> side_b)
-        : machine_(machine), chart_(geometry), side_a_(std::move(side_a)), side_b_(std::move(side_b))
+        : machine_(assembly.machine), fine_(assembly.second_order), chart_(geometry), side_a_(std::move(side_a)),
+          side_b_(std::move(side_b))
     {
         for (std::uint32_t k = 0; k < side_b_.size(); ++k) {
             for (int turn = -1; turn <= 1; ++turn) {
@@ -233,7 +234,7 @@ private:
             return area;
         }
         points_.clear();
-        append_points(common, points_);
+        append_points(common, fine_, points_);
         for (const PlanePoint& point : points_) {
             ContactPoint contact;
             contact.face_a = a.face;
@@ -251,6 +252,7 @@ private:
     }
 
     const Machine& machine_;
+    bool fine_;
     Chart chart_;
     std::vector<ChartFace> side_a_;
     std::vector<ChartFace> side_b_;
@@ -325,7 +327,7 @@ Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, dou
                 continue;
             }
             const Chart chart(geometry);
-            Clipper clipper(machine, geometry, flattened(machine, chart, faces_a, a.within),
+            Clipper clipper(assembly, geometry, flattened(machine, chart, faces_a, a.within),
                             flattened(machine, chart, faces_b, b.within));
             own += clipper.run(drawn, gap, travel.empty() ? over_time : as_drawn);
             for (std::size_t k = 0; k < travel.size(); ++k) {

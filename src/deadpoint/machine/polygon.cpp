@@ -8,23 +8,57 @@ namespace {
 
 double wedge(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-void append_triangle(const Vec2& a, const Vec2& b, const Vec2& c, std::vector<PlanePoint>& points)
+struct LinePoint {
+    double place;  ///< 0..1
+    double weight;
+};
+
+std::vector<LinePoint> gauss_points(bool fine)
 {
-    const double weight = wedge(b - a, c - a) / 6;
-    points.push_back({(2.0 / 3) * a + (1.0 / 6) * b + (1.0 / 6) * c, weight});
-    points.push_back({(1.0 / 6) * a + (2.0 / 3) * b + (1.0 / 6) * c, weight});
-    points.push_back({(1.0 / 6) * a + (1.0 / 6) * b + (2.0 / 3) * c, weight});
+    if (fine) {
+        const double g = std::sqrt(0.15);
+        return {{0.5 - g, 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + g, 5.0 / 18}};
+    }
+    const double g = 0.5 / std::sqrt(3.0);
+    return {{0.5 - g, 0.5}, {0.5 + g, 0.5}};
 }
 
-void append_quadrilateral(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, std::vector<PlanePoint>& points)
+struct Orbit {
+    double corner;
+    double other;
+    double weight;
+};
+
+// Dunavant (1985)
+std::vector<Orbit> triangle_orbits(bool fine)
 {
-    const double g = 0.5 / std::sqrt(3.0);
-    for (const double s : {0.5 - g, 0.5 + g}) {
-        for (const double r : {0.5 - g, 0.5 + g}) {
+    if (fine) {
+        return {{0.108103018168070, 0.445948490915965, 0.223381589678011},
+                {0.816847572980459, 0.091576213509771, 0.109951743655322}};
+    }
+    return {{2.0 / 3, 1.0 / 6, 1.0 / 3}};
+}
+
+void append_triangle(const Vec2& a, const Vec2& b, const Vec2& c, bool fine, std::vector<PlanePoint>& points)
+{
+    const double area = wedge(b - a, c - a) / 2;
+    for (const Orbit& o : triangle_orbits(fine)) {
+        points.push_back({o.corner * a + o.other * b + o.other * c, o.weight * area});
+        points.push_back({o.other * a + o.corner * b + o.other * c, o.weight * area});
+        points.push_back({o.other * a + o.other * b + o.corner * c, o.weight * area});
+    }
+}
+
+void append_quadrilateral(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, bool fine,
+                          std::vector<PlanePoint>& points)
+{
+    const auto line = gauss_points(fine);
+    for (const auto& [s, weight_s] : line) {
+        for (const auto& [r, weight_r] : line) {
             const Vec2 dr = (1 - s) * (b - a) + s * (c - d);
             const Vec2 ds = (1 - r) * (d - a) + r * (c - b);
             const Vec2 x = ((1 - r) * (1 - s)) * a + (r * (1 - s)) * b + (r * s) * c + ((1 - r) * s) * d;
-            points.push_back({x, wedge(dr, ds) / 4});
+            points.push_back({x, weight_s * weight_r * wedge(dr, ds)});
         }
     }
 }
@@ -73,14 +107,14 @@ Polygon intersection(const Polygon& subject, const Polygon& window)
     return result;
 }
 
-void append_points(const Polygon& polygon, std::vector<PlanePoint>& points)
+void append_points(const Polygon& polygon, bool fine, std::vector<PlanePoint>& points)
 {
     std::size_t i = 1;
     for (; i + 2 < polygon.size(); i += 2) {
-        append_quadrilateral(polygon[0], polygon[i], polygon[i + 1], polygon[i + 2], points);
+        append_quadrilateral(polygon[0], polygon[i], polygon[i + 1], polygon[i + 2], fine, points);
     }
     if (i + 1 < polygon.size()) {
-        append_triangle(polygon[0], polygon[i], polygon[i + 1], points);
+        append_triangle(polygon[0], polygon[i], polygon[i + 1], fine, points);
     }
 }
 

@@ -27,8 +27,10 @@ struct PlanePoint {
     Vec2 position{};
     double weight = 0;
 };
-/// Appends integration points of a convex polygon: it is split into quadrilaterals (2 x 2 Gauss points) and at most one
-/// triangle (3 points, degree 2). Weights sum to the area.
-void append_points(const Polygon& polygon, std::vector<PlanePoint>& points);
+/// Appends integration points of a convex polygon: it is split into quadrilaterals and at most one triangle. Weights
+/// sum to the area.
+/// @param fine  3 x 3 Gauss points and 6 points of degree 4, for products of quadratic functions; else 2 x 2 and 3 of
+///              degree 2
+void append_points(const Polygon& polygon, bool fine, std::vector<PlanePoint>& points);
 
 }  // namespace deadpoint::machine

@@ -212,9 +212,13 @@ SizeEstimate estimate_size(const Case& description, const Machine& machine)
     size.heat_unknowns = corners.unknowns();
     size.deformation_scale = study::deformation_scale(description, machine);
     const double share = description.chain ? std::pow(size.deformation_scale, -3) : 0;
-    size.deformation_unknowns = std::llround(3 * share * static_cast<double>(size.heat_unknowns));
-    const double rows = static_cast<double>(corners.first_order) + 2.5 * 8 * static_cast<double>(corners.second_order);
-    size.memory = memory_base + rows * (memory_per_heat_unknown + 3 * share * memory_per_deformation_unknown);
+    const auto deformed = study::count_corners(study::case_of_deformation(description), machine);
+    size.deformation_unknowns = std::llround(3 * share * static_cast<double>(deformed.unknowns()));
+    const auto rows = [](const study::CornerCount& count) {
+        return static_cast<double>(count.first_order) + 2.5 * 8 * static_cast<double>(count.second_order);
+    };
+    size.memory = memory_base + rows(corners) * memory_per_heat_unknown +
+                  3 * share * rows(deformed) * memory_per_deformation_unknown;
     return size;
 }
 

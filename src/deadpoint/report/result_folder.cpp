@@ -1,6 +1,7 @@
 #include "deadpoint/report/result_folder.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/write_file.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <string>
 #include <sys/stat.h>
 #include <system_error>
+#include <vector>
 
 namespace deadpoint::report {
 namespace {
@@ -51,6 +53,21 @@ fs::path make_unique_folder(const std::string& prefix)
     return name;
 }
 
+/// Puts all files of a folder on the disk: results must not be gone after a loss of power once they have their name.
+/// @throws IoError
+void sync_folder(const fs::path& folder)
+{
+    std::vector<fs::path> all{folder};
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        all.push_back(entry.path());
+    }
+    for (const auto& path : all) {
+        if (!sync_to_disk(path)) {
+            fail("write", path, std::strerror(errno));
+        }
+    }
+}
+
 }  // namespace
 
 ResultFolder::ResultFolder(fs::path target, IfExists if_exists) : if_exists_(if_exists)
@@ -87,6 +104,7 @@ void ResultFolder::commit()
 {
     keep_ = true;  // from here on results are complete; never lose them
     refuse_existing(target_, if_exists_);
+    sync_folder(partial_);
     std::error_code error;
     fs::path old;
     if (fs::exists(target_)) {
@@ -101,6 +119,7 @@ void ResultFolder::commit()
         fail("write", target_, fmt::format("{} (the results are in '{}')", error.message(), partial_.string()));
     }
     partial_.clear();
+    sync_to_disk(target_.has_parent_path() ? target_.parent_path() : fs::path("."));
     if (!old.empty()) {
         fs::remove_all(old, error);
     }

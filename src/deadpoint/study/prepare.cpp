@@ -89,11 +89,21 @@ Machine prepare_machine(const casefile::Case& input, double size_scale, Observer
     return machine;
 }
 
+casefile::Case case_of_deformation(casefile::Case input)
+{
+    if (input.numerics.deformation_order == 0)
+        return input;
+    input.numerics.order = input.numerics.deformation_order;
+    for (auto& [name, part] : input.parts)
+        part.order = 0;
+    return input;
+}
+
 double deformation_scale(const casefile::Case& input, const Machine& machine)
 {
     if (input.numerics.deformation_size > 0)
         return input.numerics.deformation_size;
-    const double unknowns = 3 * static_cast<double>(count_corners(input, machine).unknowns());
+    const double unknowns = 3 * static_cast<double>(count_corners(case_of_deformation(input), machine).unknowns());
     return unknowns <= static_cast<double>(fem::largest_factor) ? 1 : std::cbrt(unknowns / wanted_unknowns);
 }
 
@@ -101,12 +111,14 @@ std::optional<Machine> prepare_deformation_machine(const casefile::Case& input, 
                                                    const Machine& machine, Observer& observer)
 {
     const double scale = deformation_scale(input, machine);
-    if (!input.chain || scale == 1)
+    const auto own = case_of_deformation(input);
+    const bool alike = describe_orders(own, machine) == describe_orders(input, machine);
+    if (!input.chain || (scale == 1 && alike))
         return std::nullopt;
     observer.stage("mesh of the deformation");
     Repeated quiet(observer);
     try {
-        auto coarse = machine::build_machine(describe_machine(input, size_scale * scale), quiet);
+        auto coarse = machine::build_machine(describe_machine(own, size_scale * scale), quiet);
         settle_claims(input, coarse);
         return coarse;
     } catch (const InputError& error) {

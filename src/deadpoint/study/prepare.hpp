@@ -16,6 +16,9 @@ namespace deadpoint::study {
 /// @throws InputError as build_machine(), or where two surfaces claim a face with equal right
 Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer);
 
+/// The case with the orders of the elements that the deformation takes.
+casefile::Case case_of_deformation(casefile::Case input);
+
 /// How much coarser the deformation's mesh is than the heat's: numerics.deformation_size, or where that is 0, 1 while a
 /// sparse factor of the deformation fits (fem::largest_factor), and beyond it what leaves wanted_unknowns.
 double deformation_scale(const casefile::Case& input, const Machine& machine);

@@ -3,10 +3,12 @@
 #include "deadpoint/casefile/write.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/vtu.hpp"
+#include "deadpoint/fem/checkpoint.hpp"
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/study/chain_model.hpp"
 #include "deadpoint/study/drift_causes.hpp"
 #include "deadpoint/study/gap_model.hpp"
+#include "deadpoint/study/prepare.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <map>
 
 namespace deadpoint::study {
 namespace {
@@ -150,6 +153,19 @@ private:
     std::vector<int> bodies_;
 };
 
+using ExactFields = std::map<double, fem::Field>;
+
+// For checkpoints: as the view rounds them, but where they were handed on for more than the view.
+std::vector<fem::HandedField> handed_on(const ViewRecorder& view, const ExactFields& exact)
+{
+    auto result = view.kept();
+    std::erase_if(result, [&](const fem::HandedField& field) { return exact.contains(field.time); });
+    for (const auto& [time, field] : exact)
+        result.push_back({time, std::span<const double>(field.owned)});
+    std::ranges::sort(result, {}, &fem::HandedField::time);
+    return result;
+}
+
 void warn_about(const ThermalHistory& history, const HeatProblem& problem, Observer& observer)
 {
     if (history.law_out_of_range)
@@ -230,7 +246,7 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
         return;
     watch.start("unknowns");
     model.emplace(machine, describe_materials(input, machine), describe_orders(input, machine), observer,
-                  own_deformation);
+                  own_deformation, describe_orders(case_of_deformation(input), deformed()));
     model->support(describe_foundation(input, deformed()));
     if (input.chain) {
         watch.start("dimension chain");
@@ -283,23 +299,33 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     double end = 0;
     for (const auto& segment : problem.segments)
         end += segment.duration;
+    ExactFields exact;
     FieldWriter writer(input, machine, *model, chain ? &*chain : nullptr, frame ? &*frame : nullptr, adjoints, options);
     ViewRecorder view;
     std::vector<std::pair<double, fem::Field>> kept;
     double field_seconds = 0;
+    const fem::CheckpointPlan checkpoints{options.checkpoint_file, casefile::case_hash(input),
+                                          options.checkpoint_interval, options.resume,
+                                          [&] { return handed_on(view, exact); }};
+    const bool keeps = !checkpoints.file.empty();
     result.thermal = model->heat(
         adjoints, reference, chain ? static_cast<int>(drift::gap) : -1, observer,
         [&](double time) { observer.progress(time / end, fmt::format("t = {:.2f} h", time / 3600)); },
         [&](double time, const fem::Field& field) {
             const double before = watch.seconds();
-            if (std::ranges::binary_search(viewed_times, time))
+            const bool viewed = std::ranges::binary_search(viewed_times, time);
+            const bool written = std::ranges::binary_search(written_times, time);
+            if (viewed)
                 view.add(time, field);
             if (std::ranges::binary_search(options.kept_times, time))
                 kept.emplace_back(time, field);
-            if (std::ranges::binary_search(written_times, time))
+            if (written)
                 writer.write(time, field, result);
+            if (keeps && (written || !viewed))
+                exact.emplace(time, field);
             field_seconds += watch.seconds() - before;
-        });
+        },
+        keeps ? &checkpoints : nullptr);
     watch.stop();
     if (!options.state_file.empty())
         model->write_state(options.state_file);
@@ -401,10 +427,12 @@ std::string shared_part(const casefile::Case& input)
     const auto order = shared.numerics.order;
     const auto size = shared.numerics.size;
     const auto deformation_size = shared.numerics.deformation_size;
+    const auto deformation_order = shared.numerics.deformation_order;
     shared.numerics = {};
     shared.numerics.order = order;
     shared.numerics.size = size;
     shared.numerics.deformation_size = deformation_size;
+    shared.numerics.deformation_order = deformation_order;
     return casefile::write_case(shared);
 }
 

@@ -90,6 +90,9 @@ struct RunOptions {
     std::vector<std::string> comments = {};  ///< for the head of the field files: version, case hash, warnings so far
     bool view = false;                       ///< make RunResult::view
     bool causes = false;                     ///< make RunResult::causes, where the case has a dimension chain
+    std::string checkpoint_file = {};        ///< where the time steps keep their state; empty: nowhere
+    double checkpoint_interval = 600;        ///< fem::CheckpointPlan's
+    bool resume = false;                     ///< go on from checkpoint_file
     std::vector<double> kept_times = {};     ///< ascending: fields that `at_end` is given [s]
     std::function<void(const RunInside&)> at_end = {};
 };
@@ -122,7 +125,8 @@ std::string shared_part(const casefile::Case& input);
 /// Computes a case on its meshed machine. Collective under MPI: all ranks call it and get the same result.
 ///
 /// The deformation is left out where the case has no dimension chain. After Observer::cancelled() the result holds
-/// everything up to the last finished step, marked as interrupted.
+/// everything up to the last finished step, marked as interrupted. A run that is resumed gives what one without a pause
+/// gives (fem/checkpoint).
 ///
 /// @param deformation  as SharedModel
 /// @throws InputError, DomainError, ConvergenceError, IoError

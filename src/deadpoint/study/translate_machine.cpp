@@ -3,6 +3,7 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/study/travel.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <string>
 
@@ -122,6 +123,8 @@ MachineDescription describe_machine(const casefile::Case& input, double size_sca
     MachineDescription result;
     result.size = input.numerics.size;
     result.size_scale = size_scale;
+    result.second_order = input.numerics.order == 2 ||
+                          std::ranges::any_of(input.parts, [](const auto& part) { return part.second.order == 2; });
     result.half_model = input.machine.half_model;
     result.unbonded = input.machine.unbonded;
     for (const auto& [name, part] : input.parts)

@@ -78,6 +78,14 @@ void ViewRecorder::add(double time, const fem::Field& field)
     fields_.emplace_back(field.owned.begin(), field.owned.end());
 }
 
+std::vector<fem::HandedField> ViewRecorder::kept() const
+{
+    std::vector<fem::HandedField> result;
+    for (std::size_t i = 0; i < times_.size(); ++i)
+        result.push_back({times_[i], std::span<const float>(fields_[i])});
+    return result;
+}
+
 ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double reference, const CloseJoints& close)
 {
     ViewData view;

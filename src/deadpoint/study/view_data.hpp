@@ -4,6 +4,7 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/light_surface.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/checkpoint.hpp"
 #include "deadpoint/fem/model.hpp"
 
 #include <cstddef>
@@ -52,6 +53,8 @@ class ViewRecorder {
 public:
     void add(double time, const fem::Field& field);
     [[nodiscard]] bool empty() const { return times_.empty(); }
+    /// What was added.
+    [[nodiscard]] std::vector<fem::HandedField> kept() const;
 
     /// Collective. Empties the recorder.
     /// @param reference  temperature without deformation [K]

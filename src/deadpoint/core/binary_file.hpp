@@ -1,0 +1,138 @@
+#pragma once
+
+#include "deadpoint/core/hash.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// Values as bytes in a file of ours, for this kind of machine: numbers as they are in memory, a text or list behind
+/// its count, a struct as its members. Which these are, a struct says once for writing and reading:
+///
+///     constexpr auto members(const Series*) { return std::tuple{&Series::value, &Series::rate}; }
+///
+/// The file begins with its kind and ends with its length and a checksum of all before, so that one that was cut short
+/// or changed is known before anything of it is believed.
+namespace deadpoint {
+
+template <class Value>
+inline constexpr bool is_number = std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>;
+
+class BinaryWriter {
+public:
+    /// @param out  whose failures are its owner's
+    BinaryWriter(std::ostream& out, std::string_view kind);
+    /// Numbers, bools, texts, lists, and structs with members().
+    template <class... Values>
+    void operator()(const Values&... values)
+    {
+        (put(values), ...);
+    }
+    /// Ends the file.
+    void finish();
+
+private:
+    void put_bytes(const void* data, std::size_t size);
+
+    template <class Value>
+    void put(const Value& value)
+    {
+        if constexpr (is_number<Value>)
+            put_bytes(&value, sizeof(Value));
+        else if constexpr (std::is_same_v<Value, bool>)
+            put(static_cast<std::uint8_t>(value));
+        else
+            std::apply([&](auto... member) { (put(value.*member), ...); }, members(&value));
+    }
+    void put(const std::string& text) { put_numbers(text.data(), text.size()); }
+    template <class Value>
+    void put(const std::vector<Value>& values)
+    {
+        if constexpr (is_number<Value>)
+            put_numbers(values.data(), values.size());
+        else {
+            put(std::uint64_t{values.size()});
+            for (const Value& value : values)
+                put(value);
+        }
+    }
+    template <class Value>
+    void put_numbers(const Value* values, std::size_t count)
+    {
+        put(std::uint64_t{count});
+        put_bytes(values, count * sizeof(Value));
+    }
+
+    std::ostream& out_;
+    StableHash checksum_;
+    std::uint64_t length_ = 0;
+};
+
+class BinaryReader {
+public:
+    /// Opens a file and checks all of it.
+    /// @param help  what a user can do where it is of no use, for the messages
+    /// @throws IoError if it cannot be read, is of another kind, was cut short or changed
+    BinaryReader(std::filesystem::path file, std::string_view kind, std::string help);
+    /// Reads what a writer was given in the same order. No count is believed that the file is too short for.
+    /// @throws IoError if the file is at its end
+    template <class... Values>
+    void operator()(Values&... values)
+    {
+        (get(values), ...);
+    }
+    /// @throws IoError that names the file and says that it is broken
+    [[noreturn]] void refuse(const std::string& reason) const;
+
+private:
+    void get_bytes(void* data, std::size_t size);
+    [[nodiscard]] std::size_t get_count(std::size_t size_of_one);
+
+    template <class Value>
+    void get(Value& value)
+    {
+        if constexpr (is_number<Value>)
+            get_bytes(&value, sizeof(Value));
+        else if constexpr (std::is_same_v<Value, bool>) {
+            std::uint8_t byte = 0;
+            get(byte);
+            value = byte != 0;
+        } else
+            std::apply([&](auto... member) { (get(value.*member), ...); }, members(&value));
+    }
+    void get(std::string& text)
+    {
+        text.resize(get_count(1));
+        get_bytes(text.data(), text.size());
+    }
+    template <class Value>
+    void get(std::vector<Value>& values)
+    {
+        if constexpr (is_number<Value>) {
+            values.resize(get_count(sizeof(Value)));
+            get_bytes(values.data(), values.size() * sizeof(Value));
+        } else {
+            values.clear();
+            for (std::size_t left = get_count(1); left > 0; --left) {
+                Value value{};
+                get(value);
+                values.push_back(std::move(value));
+            }
+        }
+    }
+
+    std::filesystem::path file_;
+    std::string help_;
+    std::ifstream in_;
+    std::uint64_t left_ = 0;  ///< not read yet [byte]
+};
+
+}  // namespace deadpoint
