@@ -31,5 +31,4 @@ Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, dou
 std::vector<Contact> find_bonds(const Assembly& assembly, const std::vector<std::string>& unbonded,
                                 const std::vector<std::array<std::uint32_t, 2>>& joined, std::vector<double>& covered);
 
-
 }  // namespace deadpoint::machine
