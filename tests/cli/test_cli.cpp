@@ -257,7 +257,21 @@ TEST_CASE("Ctrl-C keeps the results so far, marked as interrupted, with exit cod
     CHECK(has(result.err, "stopping after this step"));
     CHECK(has(content(target + "/summary.json"), "\"interrupted\": true"));
     CHECK(has(content(target + "/history.csv"), "time [s]"));
-    CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
+    CHECK(fs::exists(target + ".checkpoint"));  // to go on from; and nothing else is left
+    CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 2);
+}
+
+TEST_CASE("an interrupted run keeps the gap, and does not go on to which heat moved it")
+{
+    const Folder folder;
+    const auto target = folder / "results";
+    const auto result = interrupted("run " DEADPOINT_SOURCE_DIR "/cases/starter/case.toml --size 3 -o " + target +
+                                        " --set output.fields=false --set 'operation.0.duration=100 h'"
+                                        " --set 'numerics.max_step=1 s'",
+                                    "time steps\n");
+    CHECK(result.code == 130);
+    CHECK(has(content(target + "/history.csv"), "E_SW"));
+    CHECK(!fs::exists(target + "/causes.csv"));
 }
 
 TEST_CASE("loads writes every file of a linkage without parts and prints its figures")

@@ -135,7 +135,8 @@ TEST_CASE("two ranks refine to the same meshes")
 
 TEST_CASE("a checkpoint of two ranks is gone on from by one, two and three")
 {
-    const auto file = (std::filesystem::temp_directory_path() / "deadpoint-ranks.checkpoint").string();
+    const ScratchFolder folder;
+    const auto file = (folder.path / "checkpoint").string();
     const auto kept = file + ".kept";
     const std::string name = "warm-box",
                       overrides = "machine.initial_temperature=\"80 degC\" enclosures.box.temperature=\"30 degC\"";
@@ -153,6 +154,4 @@ TEST_CASE("a checkpoint of two ranks is gone on from by one, two and three")
             else  // to the solver's tolerance, over a rise of 60 K
                 CHECK(std::abs(resumed[i] - whole[i]) < 60e-6);
     }
-    for (const auto& each : {file, kept})
-        std::filesystem::remove(each);
 }

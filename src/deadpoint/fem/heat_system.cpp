@@ -58,6 +58,9 @@ void HeatSolver::prepare_solver()
     default_option("-heat_mg_levels_ksp_type", "chebyshev");
     default_option("-heat_mg_levels_ksp_max_it", "2");
     default_option("-heat_mg_levels_pc_type", "jacobi");
+    // A bound that is too low turns the preconditioner indefinite where films are far stiffer than the metal.
+    default_option("-heat_mg_levels_ksp_chebyshev_esteig", "0,0.1,0,1.2");
+    default_option("-heat_mg_levels_esteig_ksp_type", "cg");
     DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "heat_"));
     DEADPOINT_PETSC(KSPSetFromOptions(solver_));
     DEADPOINT_PETSC(KSPSetOperators(solver_, shell_, system_));

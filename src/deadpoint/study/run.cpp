@@ -336,7 +336,7 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
         result.timings.emplace_back("fields", field_seconds);
     if (chain)
         result.drift = drift_series(result.thermal);
-    if (chain && options.causes && input.output.causes) {
+    if (chain && options.causes && input.output.causes && !result.thermal.interrupted) {
         watch.start("causes");
         result.causes = drift_causes(input, problem, *result.drift, *model, adjoints[drift::gap]);
         watch.stop();
