@@ -21,10 +21,9 @@ struct CoveredFace {
 /// Puso and Laursen, Comput. Methods Appl. Mech. Eng. 193, 2004). psi = D M^-1 N', with D_i = integral of N_i, M_ij =
 /// integral of N'_i N_j and N' the shape functions of those nodes plus equal shares of the other nodes'.
 /// @param chosen  nodes of the face, by column of `shape`
-/// @return none where what is covered says too little about one of them: an integral of N_i is below 1e-3 of the area
-/// (0
-///         at the corners of a triangle of second order), or the least singular value of D^-1/2 M D^-1/2 below 0.02 (on
-///         a whole square 1/9, of second order 4/25; on a whole triangle 1/4)
+/// @return none where what is covered says too little about one of them: an integral of N_i is below 1e-3 of the area,
+///         as at the corners of a triangle of second order (0), or the least singular value of D^-1/2 M D^-1/2 is below
+///         0.02 (on a whole square 1/9, of second order 4/25; on a whole triangle 1/4)
 std::optional<Eigen::MatrixXd> dual_functions(const CoveredFace& face, const std::vector<int>& chosen);
 
 }  // namespace deadpoint::fem

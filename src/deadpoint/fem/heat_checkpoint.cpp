@@ -93,6 +93,9 @@ struct HeatCheckpoint::Kept {
     double multigrid_factor = -1;
     MultigridOrigin multigrid;
 
+    /// What goes to the solver and back without a change.
+    Carried as_it_is() { return {previous_dt, have_previous, next_field, iterations, solves, sump}; }
+
     friend constexpr auto members(const Kept*)
     {
         return std::tuple{&Kept::previous_dt, &Kept::have_previous, &Kept::next_field,       &Kept::iterations,
@@ -217,15 +220,16 @@ void HeatCheckpoint::offer(const ThermalHistory& history, const RunPlace& place,
     cost_ = std::chrono::duration<double>(last_ - begin).count();
 }
 
+HeatCheckpoint::Carried HeatCheckpoint::solvers_own() const
+{
+    return {solver_.previous_dt_, solver_.have_previous_, solver_.next_field_,
+            solver_.iterations_,  solver_.solves_,        solver_.sump_};
+}
+
 HeatCheckpoint::Kept HeatCheckpoint::kept() const
 {
     Kept kept;
-    kept.previous_dt = solver_.previous_dt_;
-    kept.have_previous = solver_.have_previous_;
-    kept.next_field = solver_.next_field_;
-    kept.iterations = solver_.iterations_;
-    kept.solves = solver_.solves_;
-    kept.sump = solver_.sump_;
+    kept.as_it_is() = solvers_own();
     kept.oil_temperature = solver_.oil_temperature_;
     ThermalHistory extremes;
     solver_.extremes_of_ranks(extremes);
@@ -345,7 +349,7 @@ void HeatCheckpoint::check(const BinaryReader& reader, const Kept& kept, const R
 }
 
 // The multigrid hierarchy is built as it was: one of the present matrix would solve as well, but not to the same bits.
-void HeatCheckpoint::put_back(const Kept& kept, std::size_t segment)
+void HeatCheckpoint::put_back(Kept& kept, std::size_t segment)
 {
     const auto& segments = solver_.problem_->segments;
     if (kept.multigrid_factor > 0) {
@@ -361,12 +365,7 @@ void HeatCheckpoint::put_back(const Kept& kept, std::size_t segment)
         DEADPOINT_PETSC(PCApply(multigrid, solver_.now_, solver_.work_));  // some of it is set up by its first use
     }
     solver_.enter_segment(segments[segment]);
-    solver_.previous_dt_ = kept.previous_dt;
-    solver_.have_previous_ = kept.have_previous;
-    solver_.next_field_ = kept.next_field;
-    solver_.iterations_ = kept.iterations;
-    solver_.solves_ = kept.solves;
-    solver_.sump_ = kept.sump;
+    solvers_own() = kept.as_it_is();
     if (!solver_.problem_->oil.empty())
         solver_.set_oil(kept.oil_temperature);
     solver_.lowest_ = kept.lowest;

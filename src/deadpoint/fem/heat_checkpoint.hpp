@@ -5,6 +5,7 @@
 #include "deadpoint/fem/heat_solver.hpp"
 
 #include <chrono>
+#include <tuple>
 
 /// Internal to fem/: writes the state of HeatSolver between two steps, and puts it back.
 namespace deadpoint::fem {
@@ -24,6 +25,8 @@ public:
 
 private:
     struct Kept;
+    using Carried = std::tuple<double&, bool&, std::size_t&, int&, int&, std::vector<double>&>;
+    [[nodiscard]] Carried solvers_own() const;
     [[nodiscard]] bool due() const;
     [[nodiscard]] Kept kept() const;
     [[nodiscard]] std::vector<Vec> vectors() const;
@@ -33,7 +36,7 @@ private:
     template <class Value>
     [[nodiscard]] Field read_field(BinaryReader& reader) const;
     void check(const BinaryReader& reader, const Kept& kept, const RunPlace& place) const;
-    void put_back(const Kept& kept, std::size_t segment);
+    void put_back(Kept& kept, std::size_t segment);
     void hand_on_again(BinaryReader& reader, const FieldCallback& on_field) const;
 
     HeatSolver& solver_;
