@@ -60,6 +60,9 @@ public:
     double continue_cell(std::uint32_t cell, const Vec3& position, PointShape& shape) const;
     [[nodiscard]] dealii::DynamicSparsityPattern cell_pattern() const;
     void add_bond_pattern(dealii::DynamicSparsityPattern& pattern) const;
+    /// Couples the cells on both sides of each point.
+    void add_pattern_across(const std::vector<ContactPoint>& points, dealii::DynamicSparsityPattern& pattern) const;
+    [[nodiscard]] std::vector<dealii::types::global_dof_index> unknowns_of(std::uint32_t cell) const;
     /// Where the owned unknowns sit.
     [[nodiscard]] std::vector<Vec3> support_points() const;
     /// Part of each owned unknown.
@@ -86,6 +89,7 @@ public:
 
 private:
     void create_triangulation();
+    void number_neighbours_alike();
 
     std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells_;
     std::vector<double> depth_;

@@ -1,9 +1,9 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
+#include "deadpoint/fem/large_pages.hpp"
 #include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
-#include <set>
 
 // Matrices of the heat problem; time integration is in heat_solver.cpp.
 
@@ -27,12 +27,6 @@ void HeatSolver::add_interface_pattern(dealii::DynamicSparsityPattern& pattern) 
             if (space_.owns(static_cast<PetscInt>(row)))
                 pattern.add_entries(row, columns.begin(), columns.end());
     };
-    const auto dofs_of = [&](std::uint32_t face) {
-        const auto cell = space_.cell(space_.machine.faces[face].cell);
-        std::vector<Index> indices(cell->get_fe().n_dofs_per_cell());
-        cell->get_dof_indices(indices);
-        return indices;
-    };
     for (std::size_t i = 0; i < interfaces_.size(); ++i) {
         for (const auto& strip : interfaces_[i].strips) {
             std::vector<Index> a, b;
@@ -43,21 +37,12 @@ void HeatSolver::add_interface_pattern(dealii::DynamicSparsityPattern& pattern) 
             couple(a, b);
             couple(b, a);
         }
-        if (!interfaces_[i].strips.empty())
-            continue;
-        std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
-        for (const auto& point : space_.machine.interfaces[i].points)
-            pairs.emplace(point.face_a, point.face_b);
-        for (const auto& [face_a, face_b] : pairs) {
-            const auto a = dofs_of(face_a), b = dofs_of(face_b);
-            couple(a, b);
-            couple(b, a);
-        }
+        if (interfaces_[i].strips.empty())
+            space_.add_pattern_across(space_.machine.interfaces[i].points, pattern);
     }
 }
 
-// All of one pattern, with zeros where a matrix has nothing, so that they are added as they lie in memory.
-void HeatSolver::create_matrices()
+void HeatSolver::create_pattern()
 {
     auto pattern = space_.cell_pattern();
     space_.add_bond_pattern(pattern);
@@ -76,6 +61,13 @@ void HeatSolver::create_matrices()
     }
     DEADPOINT_PETSC(MatAssemblyBegin(stiffness_, MAT_FINAL_ASSEMBLY));
     DEADPOINT_PETSC(MatAssemblyEnd(stiffness_, MAT_FINAL_ASSEMBLY));
+}
+
+// All of one pattern, with zeros where a matrix has nothing, so that they are added as they lie in memory.
+void HeatSolver::create_matrices()
+{
+    create_pattern();
+    give_back_freed_memory();
     const auto alike = [&](OwnedMat& matrix) {
         DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, matrix.out()));
     };

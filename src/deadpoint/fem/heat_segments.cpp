@@ -57,6 +57,7 @@ void HeatSolver::enter_segment(const HeatSegment& segment)
     if (!std::ranges::equal(*before, *laws_, same_films)) {
         assemble();
         system_factor_ = multigrid_factor_ = -1;
+        aggregates_built_ = false;
     }
 }
 

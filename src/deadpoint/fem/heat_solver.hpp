@@ -85,6 +85,7 @@ private:
     void prepare_solver();
     void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
     void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
+    void create_pattern();
     void create_matrices();
     void assemble();
     void choose_laws(const HeatSegment& segment);
@@ -101,6 +102,8 @@ private:
     void assemble_variable_films(const std::function<PointCoefficient(const Film&)>& coefficient_on);
     /// Without a temperature: by the constants of materials that follow it.
     void combine_system(double factor, Vec temperature);
+    void build_aggregates();
+    void fill_system(double factor, Mat films, Vec temperature);
     void note_multigrid(Vec temperature);
     [[nodiscard]] bool keeps_multigrid_temperature() const;
     [[nodiscard]] HeatRate rate(double time, Vec temperature) const;
@@ -189,7 +192,8 @@ private:
     OwnedKsp solver_;
     mutable std::unique_ptr<Everywhere> everywhere_;
     double system_factor_ = -1;
-    double multigrid_factor_ = -1;  ///< for which the multigrid hierarchy was built
+    bool aggregates_built_ = false;  ///< of the multigrid, for the laws of the segment
+    double multigrid_factor_ = -1;   ///< for which the multigrid hierarchy was built
     MultigridOrigin multigrid_origin_;
     OwnedVec multigrid_temperature_;  ///< where the matrix follows it, with multigrid_origin_
     std::vector<double> shell_slopes_;

@@ -1,6 +1,8 @@
 #include "deadpoint/fem/heat_solver.hpp"
 #include "deadpoint/fem/session.hpp"
+#include "deadpoint/fem/tr_bdf2.hpp"
 
+#include <algorithm>
 #include <ml_utils.h>
 
 // The linear system of a stage and its solver.
@@ -20,14 +22,15 @@ void default_option(const char* name, const char* value)
         DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, name, value));
 }
 
-// Makes the next multigrid hierarchy a function of its matrix alone, so that a resumed run can build it again: without
-// what smoothers keep of the last one, and with the same random vectors, from which ML estimates eigenvalues.
+// Makes the next multigrid hierarchy a function of its matrices alone, so that a resumed run can build it again:
+// without what smoothers keep of the last one, and with the same random vectors, from which ML estimates eigenvalues.
 void begin_anew(KSP solver)
 {
     PC multigrid = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver, &multigrid));
     DEADPOINT_PETSC(PCSetType(multigrid, PCNONE));
     DEADPOINT_PETSC(PCSetType(multigrid, PCML));
+    DEADPOINT_PETSC(PCSetUseAmat(multigrid, PETSC_FALSE));
     DEADPOINT_PETSC(PCSetFromOptions(multigrid));
     ML_set_random_seed(1 + rank());
 }
@@ -53,6 +56,8 @@ void HeatSolver::prepare_solver()
     DEADPOINT_PETSC(PCSetType(preconditioner, PCML));
     // Weak couplings across films only blur the aggregates.
     default_option("-heat_pc_ml_Threshold", "0.01");
+    // Of aggregates and their interpolation, which are half of a hierarchy's cost; see build_aggregates().
+    default_option("-heat_pc_ml_reuse_interpolation", "true");
     // Runs at the memory's speed, which Gauss-Seidel sweeps do
     // not, and alike on any number of ranks.
     default_option("-heat_mg_levels_ksp_type", "chebyshev");
@@ -123,27 +128,52 @@ void HeatSolver::assemble_variable_films(const std::function<PointCoefficient(co
     DEADPOINT_PETSC(MatAssemblyEnd(variable_, MAT_FINAL_ASSEMBLY));
 }
 
+// Aggregates and interpolation of the multigrid, from the matrix of the longest step, where conduction rules and coarse
+// levels matter; they serve every step size.
+void HeatSolver::build_aggregates()
+{
+    begin_anew(solver_);
+    double longest = 0;
+    for (const auto& segment : problem_->segments)
+        longest = std::max(longest, segment.duration);
+    const double step = problem_->fixed_step > 0 ? problem_->fixed_step : problem_->max_step;
+    fill_system(diagonal * std::min(step, longest), nullptr, nullptr);
+    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, PETSC_FALSE));
+    PC multigrid = nullptr;
+    DEADPOINT_PETSC(KSPGetPC(solver_, &multigrid));
+    DEADPOINT_PETSC(PCSetUp(multigrid));  // KSPSetUp would do so only the first time
+    aggregates_built_ = true;
+}
+
 void HeatSolver::combine_system(double factor, Vec temperature)
 {
     // The old multigrid still serves a matrix that changed little:
     // with films that follow the temperature, or the next step
     // size.
-    const bool reuse = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
-    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, reuse ? PETSC_TRUE : PETSC_FALSE));
+    const bool reuse =
+        aggregates_built_ && factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
     if (!reuse) {
+        if (!aggregates_built_)
+            build_aggregates();
         multigrid_factor_ = factor;
         note_multigrid(temperature);
-        begin_anew(solver_);
     }
+    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, reuse ? PETSC_TRUE : PETSC_FALSE));
+    fill_system(factor, variable_, temperature);
+    system_factor_ = factor;
+}
+
+// system = M + factor (K + K_films), with tangents at a temperature if one is given.
+void HeatSolver::fill_system(double factor, Mat films, Vec temperature)
+{
     DEADPOINT_PETSC(MatCopy(stiffness_, system_, SAME_NONZERO_PATTERN));
-    if (variable_films_)
-        DEADPOINT_PETSC(MatAXPY(system_, 1, variable_, SAME_NONZERO_PATTERN));
+    if (films)
+        DEADPOINT_PETSC(MatAXPY(system_, 1, films, SAME_NONZERO_PATTERN));
     add_conduction_tangent(system_, temperature);
     DEADPOINT_PETSC(MatScale(system_, factor));
     add_capacity(system_, temperature);
     DEADPOINT_PETSC(MatZeroRowsColumns(system_, static_cast<PetscInt>(prescribed_.size()), prescribed_.data(), 1,
                                        nullptr, nullptr));
-    system_factor_ = factor;
 }
 
 }  // namespace deadpoint::fem

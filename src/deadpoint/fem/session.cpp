@@ -1,5 +1,6 @@
 #include "deadpoint/fem/session.hpp"
 
+#include "deadpoint/fem/large_pages.hpp"
 #include "deadpoint/fem/petsc.hpp"
 
 #include <cstdlib>
@@ -15,6 +16,7 @@ Session::Session(int& argc, char**& argv)
         MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    ask_for_large_pages();
     // PETSc must neither read our command line nor catch our signals.
     PetscInitializeNoArguments();
     PetscPopSignalHandler();
