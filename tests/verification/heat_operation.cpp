@@ -342,6 +342,9 @@ TEST_CASE("a run goes on from a saved state")
         std::ofstream(file) << "something else\n";
         CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("is not a temperature state"),
                              deadpoint::IoError);
+        std::ofstream(file) << "deadpoint-thermal-state-1 " << std::string(100'000, 'x');  // no line is so long
+        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("is not a temperature state"),
+                             deadpoint::IoError);
         std::filesystem::remove(file);
         CHECK_THROWS_AS(run(input, {file.string(), "", "", {}}), deadpoint::IoError);
     }

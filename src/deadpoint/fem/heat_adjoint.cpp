@@ -139,7 +139,7 @@ void HeatAdjoint::use_films(const StageRecord& stage)
     solver_.system_factor_ = -1;
     solver_.assemble_variable_films([&](const HeatSolver::Film& film) -> HeatSolver::PointCoefficient {
         const double value = film_coefficients_[static_cast<std::size_t>(&film - films.data())];
-        return [value](const HeatSolver::FilmPoint&) { return value; };
+        return [value](const FilmPoint&) { return value; };
     });
 }
 

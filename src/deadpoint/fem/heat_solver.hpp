@@ -3,22 +3,12 @@
 #include "deadpoint/fem/discretisation.hpp"
 #include "deadpoint/fem/enclosed_air.hpp"
 #include "deadpoint/fem/expansion.hpp"
+#include "deadpoint/fem/heat_surfaces.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/fem/run_place.hpp"
 
 /// Internal to fem/: transient heat conduction with joint films.
 namespace deadpoint::fem {
-
-inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< [W/m2/K4]
-
-/// Adds factor * rows x columns to a matrix.
-void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns, double factor);
-
-/// Of all ranks' `values` by unknown, at a point.
-double value_at(const PointShape& shape, const double* values);
-
-/// A vector of the same layout, its entries not set.
-OwnedVec duplicate(Vec vector);
 
 class HeatSolver {
 public:
@@ -39,32 +29,8 @@ public:
 private:
     friend class HeatAdjoint;     ///< which runs backward over the same steps
     friend class HeatCheckpoint;  ///< which stores and restores what is between two steps
-    struct Interface {
-        SparseFunctional mean_a;
-        SparseFunctional mean_b;
-        double area = 0;
-        double sum = 0;               ///< film_a + film_b + oil
-        double heat_weight_area = 0;  ///< its share of its source's heat, 0..1
-        double film_heat = 0;         ///< the same, of what falls into its film
-        SparseFunctional load_zone;   ///< watts by unknown of one watt by load zone less one spread evenly
-        /// Turning joints: per axial strip the moments of both sides' unknowns, (dof, zeroth, first).
-        struct Strip {
-            std::vector<std::pair<PetscInt, std::array<double, 2>>> a, b;
-            std::array<double, 2> norm{};
-        };
-        std::vector<Strip> strips;
-    };
-    struct FilmPoint {
-        PointShape shape;
-        double weight = 0;
-    };
-    struct Film {
-        const SurfaceCondition* condition = nullptr;
-        SparseFunctional integral;  ///< of T over the surface
-        double area = 0;
-        std::vector<FilmPoint> points;  ///< only where the coefficient depends on temperature
-        std::size_t index = 0;          ///< into HeatProblem::surfaces
-    };
+    using Interface = HeatInterface;
+    using Film = HeatFilm;
     struct Step {
         double error = 0;
         double from_prescribed = 0;

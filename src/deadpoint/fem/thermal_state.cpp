@@ -5,6 +5,7 @@
 #include "deadpoint/fem/file_order.hpp"
 #include "deadpoint/fem/session.hpp"
 
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -69,8 +70,10 @@ void write_thermal_state(const std::string& file, const Discretisation& space, c
 ThermalState read_thermal_state(const std::string& file, const Discretisation& space, const ThermalState& like)
 {
     std::ifstream in(file, std::ios::binary);
-    std::string line;
-    if (!in || !std::getline(in, line) || line.rfind(kind, 0) != 0)
+    std::array<char, 4096> first{};  // line; ours are shorter
+    in.getline(first.data(), first.size());
+    const std::string line(first.data());
+    if (!in || line.rfind(kind, 0) != 0)
         throw IoError(fmt::format("{} is not a temperature state\n  help: name the folder of a finished run, which "
                                   "holds state.bin",
                                   file));
