@@ -23,8 +23,8 @@ if(DEADPOINT_COVERAGE)
 endif()
 
 if(DEADPOINT_FUZZ)
-    target_compile_options(deadpoint_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
-        -fno-omit-frame-pointer)
+    target_compile_options(deadpoint_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow
+        -fno-sanitize-recover=undefined,float-cast-overflow -fno-omit-frame-pointer)
     target_link_options(deadpoint_options INTERFACE -fsanitize=address,undefined)
 endif()
 

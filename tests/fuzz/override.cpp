@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const std::string text(reinterpret_cast<const char*>(data), size);
     try {
-        deadpoint::casefile::read_case(DEADPOINT_SOURCE_DIR "/cases/starter/case.toml", {text});
+        deadpoint::casefile::read_case(DEADPOINT_SOURCE_DIR "/tests/fuzz/sound/case.toml", {text});
     } catch (const deadpoint::Error&) {
         return 0;
     }

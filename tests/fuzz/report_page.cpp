@@ -71,8 +71,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }();
     if (size == 0 || !ready)
         return 0;
+    static std::size_t broken = 0;
     const auto chosen = data[0] % files.size();
     const auto& folder = file.folder();
+    if (chosen != broken)
+        make_sound(folder, broken);
+    broken = chosen;
     InputFile::write(folder / files[chosen].first, data + 1, size - 1);
     const std::vector<fs::path> folders{folder};
     const auto page = folder / "page.html";
@@ -80,6 +84,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         write_or_refuse([&] { deadpoint::report::write_report(page, deadpoint::report::report_sources(folders)); });
     else
         write_or_refuse([&] { deadpoint::report::write_sweep_report(page, folder); });
-    make_sound(folder, chosen);
     return 0;
 }

@@ -7,21 +7,34 @@
 #include <array>
 #include <filesystem>
 
+namespace {
+
+constexpr std::array<const char*, 3> names{"summary.json", "history.csv", "loads.json"};
+
+void make_sound(const std::filesystem::path& folder, const char* name)
+{
+    std::filesystem::copy_file(std::filesystem::path(DEADPOINT_SOURCE_DIR "/tests/fuzz/sound") / name, folder / name,
+                               std::filesystem::copy_options::overwrite_existing);
+}
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     static const InputFile file("");
-    static const std::array<std::string, 3> names{"summary.json", "history.csv", "loads.json"};
-    if (size == 0)
+    static const bool ready = [] {
+        for (const char* name : names)
+            make_sound(file.folder(), name);
+        return true;
+    }();
+    static std::size_t broken = 0;
+    if (size == 0 || !ready)
         return 0;
     const auto chosen = data[0] % names.size();
-    for (const auto& name : names) {
-        const auto target = file.folder() / name;
-        if (name == names[chosen])
-            InputFile::write(target, data + 1, size - 1);
-        else
-            std::filesystem::copy_file(DEADPOINT_SOURCE_DIR "/tests/fuzz/sound/" + name, target,
-                                       std::filesystem::copy_options::overwrite_existing);
-    }
+    if (chosen != broken)
+        make_sound(file.folder(), names[broken]);
+    broken = chosen;
+    InputFile::write(file.folder() / names[chosen], data + 1, size - 1);
     try {
         deadpoint::report::read_result(file.folder());
     } catch (const deadpoint::Error&) {

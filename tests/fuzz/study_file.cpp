@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     static const InputFile file(".toml");
     static const bool copied =
-        std::filesystem::copy_file(DEADPOINT_SOURCE_DIR "/cases/starter/case.toml", file.folder() / "case.toml");
+        std::filesystem::copy_file(DEADPOINT_SOURCE_DIR "/tests/fuzz/sound/case.toml", file.folder() / "case.toml");
     (void)copied;
     file.write(data, size);
     try {

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <limits>
 #include <sstream>
+#include <sys/stat.h>
 
 using namespace deadpoint;
 
@@ -151,4 +152,13 @@ TEST_CASE("reading on beyond the last value is refused")
     CHECK_THROWS_AS(reader(last), IoError);
     CHECK_THROWS_AS(BinaryReader(folder.path / "none", kind, ""), IoError);
     CHECK_THROWS_AS(BinaryReader(folder.file("other", bytes_of(example())), "test-kind-2\n", ""), IoError);
+}
+
+TEST_CASE("a folder or a pipe in the place of the file is refused at once")
+{
+    const ScratchFolder folder;
+    const auto pipe = folder.path / "pipe";
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    for (const auto& file : {folder.path, pipe})
+        CHECK_THROWS_WITH_AS(BinaryReader(file, kind, ""), doctest::Contains("it is not a file"), IoError);
 }

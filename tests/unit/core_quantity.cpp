@@ -42,6 +42,7 @@ TEST_CASE("quantities are converted to SI")
     CHECK(parse_quantity("  -485.6mm ", D::length) == -0.4856);
     CHECK(parse_quantity("+5 mm", D::length) == 0.005);
     CHECK(parse_quantity("0.5", D::none) == 0.5);
+    CHECK(parse_quantity("0e99999999999 mm", D::length) == 0);  // zero whatever its exponent
 }
 
 TEST_CASE("angles and angular velocities")

@@ -47,7 +47,8 @@ TEST_CASE("check: what is wrong is named")
     CHECK(mentions(refusal([](Shaft& s) { s.bearings.clear(); }), "has no bearings"));
     CHECK(mentions(refusal([](Shaft& s) { s.bearings.pop_back(); }), "bearings at two positions"));
     CHECK(mentions(refusal([](Shaft& s) { s.bearings[1].position = 0.05; }), "bearings at two positions"));
-    CHECK(mentions(refusal([](Shaft& s) { s.bearings[1].position = 0.56; }), "bearing 'right': at 560 mm"));
+    CHECK(mentions(refusal([](Shaft& s) { s.bearings[1].position = 0.56; }),
+                   "bearing 'right': at 560 mm it is not on the shaft, which runs from 0 to 550 mm"));
     CHECK(mentions(refusal([](Shaft& s) { s.bearings[1].position = std::nan(""); }), "bearing 'right'"));
     CHECK(mentions(refusal([](Shaft& s) { s.bearings[0].stiffness = {}; }), "bearing 'left': the stiffness"));
     CHECK(mentions(refusal([](Shaft& s) { s.bearings[0].stiffness[0][1] = 1e9; }), "resist motion"));

@@ -164,6 +164,25 @@ TEST_CASE("flexible shaft: stiff and on stiff bearings it gives the rigid reacti
     CHECK(apart(rigid_cycle(shaft, loads), flexible_cycle(shaft, loads)) < 1e-4 * 4e4);
 }
 
+TEST_CASE("flexible shaft: almost without mass it hands the pin's force on, whatever its bearings' dampers take of it")
+{
+    Shaft shaft = shafts::small_shaft();
+    for (Section& section : shaft.sections)
+        section.density *= 1e-6;
+    shaft.disks.clear();
+    shaft.modal_damping = 0;
+    for (Bearing& bearing : shaft.bearings)
+        bearing.damping = {{{2e6, 3e5}, {1e5, 4e6}}};  // at the rate of the pulse as much as the springs
+    ShaftLoads loads = smooth_loads(0.2, 4e4);
+    loads.samples = 720;
+    const ShaftCycle cycle = flexible_cycle(shaft, loads);
+    REQUIRE(cycle.time.size() == loads.pin_force.size());
+    double worst = 0;
+    for (std::size_t n = 0; n < cycle.time.size(); ++n)
+        worst = std::max(worst, norm(sum_of(cycle, n, 0, 1) - loads.pin_force[n]));
+    CHECK(worst < 1e-6 * 4e4);  // what is left of the mass
+}
+
 TEST_CASE("flexible shaft: mean reactions balance the mean loads, forces and moments")
 {
     Shaft shaft = shafts::table1("literal", 5e8);

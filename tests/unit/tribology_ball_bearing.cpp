@@ -155,6 +155,7 @@ TEST_CASE("thermal preload: even warming does nothing, a warm inner ring tighten
     CHECK(0 < back);
     CHECK(back < single);
     CHECK(single < face);
+    CHECK(face - single == doctest::Approx(single - back).scale(0).epsilon(1e-12));  // the pair turned around
     const double neutral = bearing.pitch_diameter / std::tan(bearing.contact_angle);
     CHECK(std::abs(thermal_approach(bearing, {10, 0, 5}, expansion, PairArrangement::back_to_back, neutral)) < 1e-18);
 

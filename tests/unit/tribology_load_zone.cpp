@@ -149,6 +149,11 @@ TEST_CASE("load zones that mean nothing are refused")
     CHECK_THROWS_AS(spread_radial(row, -1, 0), InputError);
     CHECK_THROWS_AS(spread_single(row, 1, 1), InputError);
     CHECK_THROWS_AS(spread_pair(row, 1, 1, 0), InputError);
+    for (const double angle : {-0.1, 1.58, 3.0}) {  // below 0, above pi/2
+        RollingRow turned = row;
+        turned.contact_angle = angle;
+        CHECK_THROWS_WITH_AS(spread_radial(turned, 1, 0), doctest::Contains("is outside 0 .. pi/2"), InputError);
+    }
     CHECK_THROWS_AS(radial_integral(0, ball), InputError);
     row.elements = 0;
     CHECK_THROWS_AS(spread_radial(row, 1, 0), InputError);

@@ -191,6 +191,11 @@ private:
         }
         begins_line_ = false;
         if (c == '"' || c == '\'') {
+            // toml++ takes such a quote for a part of what stands before it, and what follows for plain characters.
+            if (position_ > 0 &&
+                std::string_view(" \t\r\n=,.[{").find(text_[position_ - 1]) == std::string_view::npos) {
+                return complain("a quote in the middle of a name or value", "put all of the text in quotes");
+            }
             return skip_string(c);
         }
         if (c == '[') {

@@ -274,7 +274,7 @@ private:
             return false;
         }
         return read_with(
-            {}, [this](std::size_t i, const Diagnostic&) { return fmt::format("set.{}", i); }, "set");
+            {}, [](std::size_t i, const Diagnostic&) { return fmt::format("set.{}", i); }, "set");
     }
 
     /// Reads the base case with the study's settings and more; reports what it refuses.
@@ -321,7 +321,7 @@ private:
             for (std::size_t k = 0; k < step.size(); ++k) {
                 overrides.push_back(fmt::format("{}={}", axis.keys[k], step[k]));
             }
-            const std::string whole = axis.count > 0 ? at + ".from" : fmt::format("{}.values.{}", at, i);
+            std::string whole = axis.count > 0 ? at + ".from" : fmt::format("{}.values.{}", at, i);
             if (!known_good_.contains(overrides) && read_with(
                                                         overrides,
                                                         [&](std::size_t index, const Diagnostic& d) {

@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/error.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
@@ -36,6 +37,9 @@ void BinaryWriter::finish()
 BinaryReader::BinaryReader(std::filesystem::path file, std::string_view kind, std::string help)
     : file_(std::move(file)), help_(std::move(help))
 {
+    std::error_code error;
+    if (std::filesystem::exists(file_, error) && !std::filesystem::is_regular_file(file_, error))
+        refuse("it is not a file");  // a pipe would be waited for
     errno = 0;
     in_.open(file_, std::ios::binary | std::ios::ate);
     if (!in_)
@@ -51,7 +55,7 @@ BinaryReader::BinaryReader(std::filesystem::path file, std::string_view kind, st
 
     StableHash checksum;
     checksum.add(head);
-    std::string piece(1 << 20, '\0');
+    std::string piece(std::min<std::uint64_t>(size, 1 << 20), '\0');
     for (std::uint64_t left = size - kind.size() - sizeof(std::uint64_t); left > 0;) {
         const auto here = std::min<std::uint64_t>(left, piece.size());
         left_ = here;

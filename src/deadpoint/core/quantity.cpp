@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -138,11 +139,11 @@ public:
     {
         const std::scoped_lock lock(mutex_);
         const Unit from = parse(unit);
-        const Unit to = parse(si);
-        if (!from || !to || ut_are_convertible(from.get(), to.get()) == 0) {
+        ut_unit* const to = si_unit(si);
+        if (!from || to == nullptr || ut_are_convertible(from.get(), to) == 0) {
             return std::nullopt;
         }
-        const Converter converter(ut_get_converter(from.get(), to.get()));
+        const Converter converter(ut_get_converter(from.get(), to));
         if (!converter) {
             return std::nullopt;
         }
@@ -170,11 +171,24 @@ private:
                           "UDUNITS2_XML_PATH to udunits2.xml");
         }
     }
-    ~UnitSystem() { ut_free_system(system_); }
+    ~UnitSystem()
+    {
+        si_units_.clear();
+        ut_free_system(system_);
+    }
 
     [[nodiscard]] Unit parse(const std::string& unit) const { return Unit(ut_parse(system_, unit.c_str(), UT_UTF8)); }
+    [[nodiscard]] ut_unit* si_unit(const std::string& si)
+    {
+        auto& unit = si_units_[si];
+        if (!unit) {
+            unit = parse(si);
+        }
+        return unit.get();
+    }
 
     ut_system* system_ = nullptr;
+    std::map<std::string, Unit> si_units_;  ///< those of our dimensions, parsed
     std::mutex mutex_;
 };
 
@@ -248,7 +262,7 @@ std::optional<int> power_of_ten(double factor)
 double to_si(std::string_view digits, double number, const Scale& scale)
 {
     const auto shift = scale.offset == 0 ? power_of_ten(scale.factor) : std::nullopt;
-    if (!shift) {
+    if (!shift || number == 0) {  // a zero may have any exponent
         return number * scale.factor + scale.offset;
     }
     const auto e = digits.find_first_of("eE");

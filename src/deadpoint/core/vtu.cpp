@@ -101,7 +101,7 @@ public:
     template <class T>
     std::string element(const std::string& name, int components, const T* data, std::size_t count)
     {
-        const std::string line =
+        std::string line =
             fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)"
                         "\n",
                         type_name<T>(), escaped(name), components, bytes_.size());
