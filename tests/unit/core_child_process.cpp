@@ -68,5 +68,9 @@ TEST_CASE("A child process that crashes, hangs or takes all memory becomes an er
         std::vector<char> much(std::size_t{1} << 30U, 'x');
         return {much.begin(), much.begin() + 1};
     });
+#ifdef __SANITIZE_ADDRESS__  // its operator new ends the process instead of throwing
+    CHECK(glutton.starts_with("part 'a': reading 'a.step' failed: the reader ended without a result"));
+#else
     CHECK(glutton.starts_with("part 'a': reading 'a.step' needs more than 0.3 GB of memory"));
+#endif
 }

@@ -164,6 +164,8 @@ TEST_CASE("film law: radiation is added exactly, ranges are flagged, nonsense re
     CHECK_THROWS_WITH_AS((void)film_law({}, ambient), doctest::Contains("length for natural convection"), DomainError);
     CHECK_THROWS_AS((void)film_law({.natural_length = 1, .forced = ForcedFlow::moving_plate}, ambient), DomainError);
     CHECK_THROWS_AS((void)film_law({.natural_length = 1, .emissivity = 2}, ambient), DomainError);
+    CHECK_THROWS_WITH_AS((void)film_law({.natural_length = 1, .speed = std::nan("")}, ambient),
+                         doctest::Contains("speed is not finite"), DomainError);
     CHECK_THROWS_AS((void)film_law({.natural_length = 1}, -3), DomainError);
     CHECK_THROWS_AS((void)film_law({.natural_length = 1}, ambient)(5000), DomainError);
 }

@@ -144,6 +144,8 @@ TEST_CASE("oil: nonsense is refused")
 {
     OilCircuit circuit = five_joints();
     CHECK_THROWS_AS((void)OilLine(circuit).at({300, 300}), InputError);
+    CHECK_THROWS_WITH_AS((void)OilLine(circuit).heat()({300, 300}), doctest::Contains("2 temperatures for 5 joints"),
+                         InputError);
     CHECK_THROWS_AS((void)OilLine(circuit).at({300, 300, std::nan(""), 300, 300}), DomainError);
     CHECK_THROWS_AS((void)mass_flow_of(-1, 870), InputError);
     circuit.conductance[3] = -1;
