@@ -5,7 +5,6 @@
 #include "deadpoint/fem/file_order.hpp"
 #include "deadpoint/fem/session.hpp"
 
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -70,14 +69,14 @@ void write_thermal_state(const std::string& file, const Discretisation& space, c
 ThermalState read_thermal_state(const std::string& file, const Discretisation& space, const ThermalState& like)
 {
     std::ifstream in(file, std::ios::binary);
-    std::array<char, 4096> first{};  // line; ours are shorter
-    in.getline(first.data(), first.size());
-    const std::string line(first.data());
+    const auto wanted = heading(space, like);
+    std::string line(wanted.size() + 4096, '\0');  // room for that of another machine, not for any file
+    in.getline(line.data(), std::ssize(line));
+    line.resize(line.find('\0'));
     if (!in || line.rfind(kind, 0) != 0)
         throw IoError(fmt::format("{} is not a temperature state\n  help: name the folder of a finished run, which "
                                   "holds state.bin",
                                   file));
-    const auto wanted = heading(space, like);
     if (line != wanted)
         throw InputError(fmt::format(
             "{} belongs to another mesh, element order or set of oil circuits and enclosures\n  it is:  {}\n  "
