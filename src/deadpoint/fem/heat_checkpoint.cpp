@@ -319,7 +319,7 @@ void HeatCheckpoint::restore(ThermalHistory& history, RunPlace& place, const Fie
     std::swap(rate.vector, solver_.rate_now_.vector);
     solver_.rate_now_ = std::move(rate);
 
-    if (solver_.keeps_multigrid_temperature())
+    if (solver_.system_follows_temperature())
         solver_.multigrid_temperature_ = duplicate(solver_.now_);
     for (Vec vector : vectors())
         std::ranges::copy(read_field<double>(reader).owned, Entries(vector).values());
@@ -387,8 +387,6 @@ void HeatCheckpoint::hand_on_again(BinaryReader& reader, const FieldCallback& on
     }
 }
 
-bool HeatSolver::keeps_multigrid_temperature() const { return variable_films_ || materials_vary(); }
-
 void HeatSolver::note_multigrid(Vec temperature)
 {
     if (!temperature)
@@ -399,7 +397,7 @@ void HeatSolver::note_multigrid(Vec temperature)
     for (std::size_t k = 0; k < air_->count(); ++k)
         multigrid_origin_.air.push_back(air_->temperature(k));
     multigrid_origin_.slopes = shell_slopes_;
-    if (!keeps_multigrid_temperature())
+    if (!system_follows_temperature())
         return;
     if (!multigrid_temperature_)
         multigrid_temperature_ = duplicate(temperature);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/fem/coarse_matrices.hpp"
 #include "deadpoint/fem/discretisation.hpp"
 #include "deadpoint/fem/enclosed_air.hpp"
 #include "deadpoint/fem/expansion.hpp"
@@ -71,7 +72,7 @@ private:
     void build_aggregates();
     void fill_system(double factor, Mat films, Vec temperature);
     void note_multigrid(Vec temperature);
-    [[nodiscard]] bool keeps_multigrid_temperature() const;
+    [[nodiscard]] bool system_follows_temperature() const { return variable_films_ || materials_vary(); }
     [[nodiscard]] HeatRate rate(double time, Vec temperature) const;
     void add_sources(HeatRate& rate, const std::vector<double>& mean) const;
     void add_interfaces(HeatRate& rate, const std::vector<double>& mean) const;
@@ -159,6 +160,7 @@ private:
     mutable std::unique_ptr<Everywhere> everywhere_;
     double system_factor_ = -1;
     bool aggregates_built_ = false;  ///< of the multigrid, for the laws of the segment
+    CoarseMatrices coarse_;          ///< where the system does not follow the temperature
     double multigrid_factor_ = -1;   ///< for which the multigrid hierarchy was built
     MultigridOrigin multigrid_origin_;
     OwnedVec multigrid_temperature_;  ///< where the matrix follows it, with multigrid_origin_

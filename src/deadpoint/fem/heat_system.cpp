@@ -12,6 +12,8 @@ namespace {
 
 // Of a multigrid hierarchy, in the ratio of step sizes. Beyond, the bounds of its smoother may not hold any more.
 constexpr double largest_reuse = 2.5;
+// Below that of the shortest step: mass alone rules the matrix [s].
+constexpr double shortest_factor = 1e-7;
 
 // Options that the user gave to PETSC win.
 void default_option(const char* name, const char* value)
@@ -128,39 +130,47 @@ void HeatSolver::assemble_variable_films(const std::function<PointCoefficient(co
     DEADPOINT_PETSC(MatAssemblyEnd(variable_, MAT_FINAL_ASSEMBLY));
 }
 
-// Aggregates and interpolation of the multigrid, from the matrix of the longest step, where conduction rules and coarse
-// levels matter; they serve every step size.
+// Aggregates and interpolation of the multigrid, from a matrix that conduction rules, where coarse levels matter; they
+// serve every step size. So do two sets of coarse matrices, where nothing but the factor changes.
 void HeatSolver::build_aggregates()
 {
     begin_anew(solver_);
+    coarse_ = {};
     double longest = 0;
     for (const auto& segment : problem_->segments)
         longest = std::max(longest, segment.duration);
-    const double step = problem_->fixed_step > 0 ? problem_->fixed_step : problem_->max_step;
-    fill_system(diagonal * std::min(step, longest), nullptr, nullptr);
-    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, PETSC_FALSE));
     PC multigrid = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &multigrid));
-    DEADPOINT_PETSC(PCSetUp(multigrid));  // KSPSetUp would do so only the first time
+    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, PETSC_FALSE));
+    for (const double factor : {longest, shortest_factor}) {
+        fill_system(factor, nullptr, nullptr);
+        DEADPOINT_PETSC(PCSetUp(multigrid));  // KSPSetUp would do so only the first time
+        if (system_follows_temperature())
+            break;
+        coarse_.keep(multigrid, factor);
+    }
     aggregates_built_ = true;
 }
 
 void HeatSolver::combine_system(double factor, Vec temperature)
 {
-    // The old multigrid still serves a matrix that changed little:
-    // with films that follow the temperature, or the next step
-    // size.
-    const bool reuse =
-        aggregates_built_ && factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
-    if (!reuse) {
-        if (!aggregates_built_)
-            build_aggregates();
-        multigrid_factor_ = factor;
-        note_multigrid(temperature);
-    }
-    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, reuse ? PETSC_TRUE : PETSC_FALSE));
+    if (!aggregates_built_)
+        build_aggregates();
     fill_system(factor, variable_, temperature);
     system_factor_ = factor;
+    const bool near = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
+    // A matrix that follows the temperature changes little at a time: the old multigrid still serves it.
+    const bool anew = system_follows_temperature() && !near;
+    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, anew ? PETSC_FALSE : PETSC_TRUE));
+    if (system_follows_temperature() && near)
+        return;
+    multigrid_factor_ = factor;
+    note_multigrid(temperature);
+    if (coarse_.complete()) {
+        PC multigrid = nullptr;
+        DEADPOINT_PETSC(KSPGetPC(solver_, &multigrid));
+        coarse_.follow(multigrid, factor);
+    }
 }
 
 // system = M + factor (K + K_films), with tangents at a temperature if one is given.
