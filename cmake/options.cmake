@@ -6,6 +6,7 @@ endif()
 
 add_library(deadpoint_options INTERFACE)
 target_compile_options(deadpoint_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+target_link_options(deadpoint_options INTERFACE -Wl,--version-script=${CMAKE_CURRENT_LIST_DIR}/own-eigen.map)
 if(DEADPOINT_WERROR)
     target_compile_options(deadpoint_options INTERFACE -Werror)
 endif()
