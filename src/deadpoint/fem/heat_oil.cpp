@@ -95,7 +95,7 @@ void HeatSolver::settle_oil(double time)
         if (set_oil(reaches) < settled)
             return;
         auto flows = std::move(rate_now_.oil);
-        rate_now_ = rate(time, now_);
+        rate_now_ = rate_again(time, now_);
         rate_now_.oil = std::move(flows);
     }
     throw ConvergenceError("oil and joints did not agree at t = " + std::to_string(time) +

@@ -167,12 +167,19 @@ void HeatSolver::add_body_heat(HeatRate& rate, double time) const
 
 HeatRate HeatSolver::rate(double time, Vec temperature) const
 {
+    if (!conducted_heat_)
+        conducted_heat_ = duplicate(temperature);
+    DEADPOINT_PETSC(MatMult(stiffness_, temperature, conducted_heat_));
+    return rate_again(time, temperature);
+}
+
+HeatRate HeatSolver::rate_again(double time, Vec temperature) const
+{
     HeatRate result;
     result.time = time;
     result.oil_temperature = oil_temperature_;
     result.vector = duplicate(temperature);
-    DEADPOINT_PETSC(MatMult(stiffness_, temperature, result.vector));
-    DEADPOINT_PETSC(VecScale(result.vector, -1));
+    DEADPOINT_PETSC(VecAXPBY(result.vector, -1, 0, conducted_heat_));
     add_variable_conduction(temperature, Vec(result.vector));
     result.air.resize(air_->count());
 

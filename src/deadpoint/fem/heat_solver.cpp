@@ -73,7 +73,7 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
     HeatRate current = rate(time, temperature);
     if (!problem_->oil.empty()) {
         set_oil(follow_oil(current, time, factor, known_sump));
-        current = rate(time, temperature);
+        current = rate_again(time, temperature);
     }
     for (int iteration = 0; iteration < max_newton; ++iteration) {
         shell_slopes_ = current.source_slope;
@@ -120,7 +120,7 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
         }
         if (oil_change > 0) {
             set_oil(reaches);
-            current = rate(time, temperature);
+            current = rate_again(time, temperature);
         }
     }
     throw ConvergenceError("joint heat and temperatures did not agree within " + std::to_string(max_newton) +

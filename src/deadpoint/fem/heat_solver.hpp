@@ -74,6 +74,8 @@ private:
     void note_multigrid(Vec temperature);
     [[nodiscard]] bool system_follows_temperature() const { return variable_films_ || materials_vary(); }
     [[nodiscard]] HeatRate rate(double time, Vec temperature) const;
+    /// Of the same field as the last, at other temperatures of the oil, which saves the product with the matrix.
+    [[nodiscard]] HeatRate rate_again(double time, Vec temperature) const;
     void add_sources(HeatRate& rate, const std::vector<double>& mean) const;
     void add_interfaces(HeatRate& rate, const std::vector<double>& mean) const;
     void add_body_heat(HeatRate& rate, double time) const;
@@ -155,6 +157,7 @@ private:
     OwnedMat conduction_;  ///< of parts whose conductivity follows the temperature
     OwnedMat scaled_mass_, scaled_conduction_;
     OwnedVec mapped_, conducted_;
+    mutable OwnedVec conducted_heat_;  ///< K T of the last rate [W]
     bool capacity_varies_ = false, conduction_varies_ = false;
     OwnedKsp solver_;
     mutable std::unique_ptr<Everywhere> everywhere_;
