@@ -1,85 +1,11 @@
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/drift/clearances.hpp"
+#include "deadpoint/drift/contact_side.hpp"
 #include "deadpoint/drift/corners.hpp"
-
-#include <cmath>
-#include <doctest/doctest.h>
-#include <functional>
-#include <numbers>
+#include "drift_contacts.hpp"
 
 using namespace deadpoint;
 using namespace deadpoint::drift;
-using doctest::Approx;
-
-namespace {
-
-constexpr double micrometre = 1e-6;
-constexpr double rounding = 1e-12;  // relative: the displacements below are among those that the fits take
-
-using Displacement = std::function<Vec3(std::uint32_t face, const Vec3& position)>;
-
-double value(const Functional& functional, const Displacement& displacement)
-{
-    double sum = 0;
-    for (const auto& point : functional.points)
-        sum += dot(point.weight, displacement(point.face, point.position));
-    return sum;
-}
-
-auto micrometres(double expected) { return Approx(expected * micrometre).scale(0).epsilon(rounding); }
-
-// Two bodies of one part each. Side a of every contact lies on face 2 c, side b on face 2 c + 1, c the contact.
-Machine two_bodies()
-{
-    Machine machine;
-    machine.parts.resize(2);
-    machine.parts[0].body = "frame";
-    machine.parts[1].body = "slide";
-    return machine;
-}
-
-void add_contact(Machine& machine, const FaceGeometry& geometry, const std::vector<ContactPoint>& points)
-{
-    Contact contact;
-    contact.geometry = geometry;
-    contact.part_b = 1;
-    contact.points = points;
-    for (auto& point : contact.points) {
-        point.face_a = static_cast<std::uint32_t>(2 * machine.interfaces.size());
-        point.face_b = point.face_a + 1;
-        contact.drawn_area += point.weight;
-    }
-    machine.interfaces.push_back(contact);
-}
-
-constexpr double radius = 0.05;
-
-// An arc of a bearing about `centre`, its points unevenly heavy; `bore`: side a is the bore.
-void add_bearing(Machine& machine, const Vec2& centre, double from, double to, bool bore)
-{
-    std::vector<ContactPoint> points;
-    constexpr int count = 60;
-    for (int i = 0; i < count; ++i) {
-        const double phi = (from + (to - from) * (i + 0.5) / count) * std::numbers::pi / 180;
-        const Vec3 outwards{std::cos(phi), std::sin(phi), 0};
-        ContactPoint point;
-        point.position_a = Vec3{centre[0], centre[1], 0.01 * i} + radius * outwards;
-        point.position_b = point.position_a;
-        point.normal = (bore ? -1.0 : 1.0) * outwards;
-        point.weight = 1e-4 * (1 + 0.4 * std::sin(3 * phi));
-        points.push_back(point);
-    }
-    add_contact(machine, CylinderGeometry{{centre[0], centre[1], 0}, {0, 0, 1}, radius, bore}, points);
-}
-
-// A shift and a growth of the radius.
-Vec3 moved_circle(const Vec2& centre, const Vec2& shift, double growth, const Vec3& position)
-{
-    const Vec3 arm{position[0] - centre[0], position[1] - centre[1], 0};
-    return Vec3{shift[0], shift[1], 7} + (growth / radius) * arm;
-}
-
-}  // namespace
 
 TEST_CASE("a circle's centre: an arc off the origin gives back its shift and its growth, apart")
 {
@@ -154,6 +80,21 @@ TEST_CASE("a guide's clearance is what its opposite faces open together, whereve
         return micrometre * Vec3{opens + (face % 2 == 1 ? 50 : 0), 2, 9};
     };
     CHECK(value(clearances[0].growth, displacement) == micrometres(7));
+}
+
+TEST_CASE("the mean height of a surface counts each face with its share of it")
+{
+    Machine machine;
+    machine.nodes = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}, {2, 0, 0}, {2, 0, 1}};
+    machine.faces.resize(2);
+    machine.faces[0].nodes = {0, 1, 2, 3};
+    machine.faces[1].nodes = {1, 4, 5, 2};
+    machine.surfaces.resize(1);
+    machine.surfaces[0].faces = {{0, 1}, {1, 0.25}};
+    const auto displacement = [](std::uint32_t face, const Vec3&) {
+        return micrometre * Vec3{3, face == 0 ? 1.0 : 6.0, 3};
+    };
+    CHECK(value(mean_height(machine, 0), displacement) == micrometres((1 + 0.25 * 6) / 1.25));
 }
 
 TEST_CASE("corners: the gap to the table's point below, on a table that stands askew and bends as a plane")
