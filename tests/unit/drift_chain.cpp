@@ -1,7 +1,6 @@
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/drift/clearances.hpp"
 #include "deadpoint/drift/contact_side.hpp"
-#include "deadpoint/drift/corners.hpp"
 #include "drift_contacts.hpp"
 
 using namespace deadpoint;
@@ -95,66 +94,4 @@ TEST_CASE("the mean height of a surface counts each face with its share of it")
         return micrometre * Vec3{3, face == 0 ? 1.0 : 6.0, 3};
     };
     CHECK(value(mean_height(machine, 0), displacement) == micrometres((1 + 0.25 * 6) / 1.25));
-}
-
-TEST_CASE("corners: the gap to the table's point below, on a table that stands askew and bends as a plane")
-{
-    Machine machine;
-    machine.parts.resize(2);
-    const auto add_face = [&](std::uint32_t part, const std::vector<Vec3>& nodes) {
-        Face face;
-        face.part = part;
-        face.node_count = static_cast<std::uint8_t>(nodes.size());
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            face.nodes[i] = static_cast<std::uint32_t>(machine.nodes.size());
-            machine.nodes.push_back(nodes[i]);
-        }
-        machine.faces.push_back(face);
-        return SurfaceFace{static_cast<std::uint32_t>(machine.faces.size() - 1), 1};
-    };
-    MeshSurface slide, table;
-    slide.faces.push_back(add_face(0, {{-0.4, 0, -0.3}, {0.1, 0, -0.3}, {0.1, 0, 0.3}, {-0.4, 0, 0.3}}));
-    slide.faces.push_back(add_face(0, {{0.1, 0, -0.3}, {0.4, 0, -0.3}, {0.4, 0, 0.3}}));
-    slide.faces.push_back(add_face(0, {{0.1, 0, -0.3}, {0.4, 0, 0.3}, {0.1, 0, 0.3}}));
-    table.faces.push_back(add_face(1, {{-0.9, -0.3, 0.1}, {-0.2, -0.3, -0.9}, {0.1, -0.3, 0.2}}));
-    table.faces.push_back(add_face(1, {{-0.2, -0.3, -0.9}, {0.9, -0.3, -0.2}, {0.3, -0.3, 0.9}, {0.1, -0.3, 0.2}}));
-    table.faces.push_back(add_face(1, {{-0.9, -0.3, 0.1}, {0.1, -0.3, 0.2}, {0.3, -0.3, 0.9}}));
-    machine.surfaces = {slide, table};
-
-    Linkage linkage;
-    linkage.bodies = {"frame", "slide"};
-    linkage.slide_body = 1;
-    LinkageJoint guide;
-    guide.kind = LinkageJoint::Kind::slide;
-    guide.body_b = 1;
-    guide.guides_rotation = false;
-    linkage.joints = {guide};
-    BottomDeadPointSensitivity sensitivity;
-    sensitivity.joint_centres = {{0, 0}};
-    sensitivity.weight = {{0, 0}};
-    ChainDescription chain;
-    chain.joints.resize(1);
-    chain.slide_surface = 0;
-    chain.table_surface = 1;
-    std::vector<Functional> dimensions(dimension_count);
-    dimensions[slide_height].points = {{0, {-0.2, 0, 0.1}, {0, 1, 0}}};
-    const auto corners = corner_gaps(machine, linkage, sensitivity, chain, dimensions, {{{0, 0}}, 0});
-    REQUIRE(corners.size() == 4);
-    const auto slide_at = [](double x, double z) { return 11 - 4 * x + 6 * z; };  // [um]
-    const auto table_at = [](double x, double z) { return 2 + 3 * x - 5 * z; };
-    const auto displacement = [&](std::uint32_t face, const Vec3& at) {
-        return micrometre * Vec3{1, face < 3 ? slide_at(at[0], at[2]) : table_at(at[0], at[2]), 1};
-    };
-    // The travel is the chain's height of the slide less the mean of its face, which a plane takes at its middle.
-    const double travel = slide_at(-0.2, 0.1) - slide_at(0, 0);
-    std::size_t i = 0;
-    for (const double z : {-0.3, 0.3})
-        for (const double x : {-0.4, 0.4}) {
-            const auto& corner = corners[i++];
-            CAPTURE(corner.name);
-            CHECK(corner.name == std::string(z < 0 ? "front " : "back ") + (x < 0 ? "left" : "right"));
-            CHECK(corner.x == x);
-            CHECK(corner.z == z);
-            CHECK(value(corner.gap, displacement) == micrometres(slide_at(x, z) - table_at(x, z) + travel));
-        }
 }

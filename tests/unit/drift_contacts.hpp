@@ -25,7 +25,8 @@ inline double value(const Functional& functional, const Displacement& displaceme
 
 inline auto micrometres(double expected) { return doctest::Approx(expected * micrometre).scale(0).epsilon(rounding); }
 
-// Two bodies of one part each. Side a of every contact lies on face 2 c, side b on face 2 c + 1, c the contact.
+// Two bodies of one part each. Side a of contact c lies on face 2 c beyond those of the machine, side b on face 2 c
+// + 1.
 inline Machine two_bodies()
 {
     Machine machine;
@@ -42,7 +43,7 @@ inline void add_contact(Machine& machine, const FaceGeometry& geometry, const st
     contact.part_b = 1;
     contact.points = points;
     for (auto& point : contact.points) {
-        point.face_a = static_cast<std::uint32_t>(2 * machine.interfaces.size());
+        point.face_a = static_cast<std::uint32_t>(machine.faces.size() + 2 * machine.interfaces.size());
         point.face_b = point.face_a + 1;
         contact.drawn_area += point.weight;
     }
