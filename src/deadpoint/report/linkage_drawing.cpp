@@ -285,8 +285,10 @@ private:
         for (std::size_t i = 1; i < list.size(); ++i)
             list[i].y = std::max(list[i].y, list[i - 1].y + 16);
         double limit = top_ + height() - 4;
-        for (std::size_t i = list.size(); i-- > 0; limit = list[i].y - 16)
+        for (std::size_t i = list.size(); i-- > 0;) {
             list[i].y = std::min(list[i].y, limit);
+            limit = list[i].y - 16;
+        }
         const double x = left_ + width() + 14;
         std::string svg;
         for (const auto& label : list)
