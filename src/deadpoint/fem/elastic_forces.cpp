@@ -67,8 +67,8 @@ void ElasticSolver::pass_on(std::vector<double>& shape) const
         for (const auto& [master, weight] : tie.masters)
             for (PetscInt c = 0; c < 3; ++c)
                 if (ties_.follows(tie.node, c))
-                    shape[static_cast<std::size_t>(3 * tie.node + c)] +=
-                        weight * shape[static_cast<std::size_t>(3 * master + c)];
+                    shape[3 * static_cast<std::size_t>(tie.node) + c] +=
+                        weight * shape[3 * static_cast<std::size_t>(master) + c];
 }
 
 // The bond opens by 1 along its normal: the work is that of the ties' forces.
@@ -82,7 +82,7 @@ ElasticSolver::Gauge ElasticSolver::describe_bond(int bond) const
         for (const auto& opening : tie.openings)
             for (PetscInt c = 0; c < 3; ++c)
                 if (opening.bond == bond && ties_.follows(tie.node, c))
-                    result.shape[static_cast<std::size_t>(3 * tie.node + c)] = opening.normal[c];
+                    result.shape[3 * static_cast<std::size_t>(tie.node) + c] = opening.normal[c];
     pass_on(result.shape);
     return result;
 }

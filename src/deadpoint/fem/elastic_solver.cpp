@@ -276,7 +276,7 @@ std::vector<double> ElasticSolver::evaluate(const std::vector<Functional>& funct
                 if (space_.owns(shape.dof[i]))
                     for (int c = 0; c < 3; ++c)
                         sums[k] += shape.value[i] * point.weight[c] *
-                                   displacement.owned[static_cast<std::size_t>(3 * (shape.dof[i] - space_.first) + c)];
+                                   displacement.owned[3 * static_cast<std::size_t>(shape.dof[i] - space_.first) + c];
         }
     sum_over_ranks(sums);
     return sums;

@@ -52,7 +52,7 @@ void FittedTransfer::assemble(const Discretisation& coarse)
         back_.shape(i, shape);
         for (int k = 0; k < shape.count; ++k)
             for (int l = 0; l < shape.count; ++l)
-                block[static_cast<std::size_t>(k * shape.count + l)] = weight_[i] * shape.value[k] * shape.value[l];
+                block[static_cast<std::size_t>(k) * shape.count + l] = weight_[i] * shape.value[k] * shape.value[l];
         DEADPOINT_PETSC(MatSetValues(matrix_, shape.count, shape.dof.data(), shape.count, shape.dof.data(),
                                      block.data(), ADD_VALUES));
     }

@@ -14,7 +14,7 @@ void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns,
     std::array<double, max_cell_dofs * max_cell_dofs> block{};
     for (int i = 0; i < rows.count; ++i)
         for (int j = 0; j < columns.count; ++j)
-            block[static_cast<std::size_t>(i * columns.count + j)] = factor * rows.value[i] * columns.value[j];
+            block[static_cast<std::size_t>(i) * columns.count + j] = factor * rows.value[i] * columns.value[j];
     DEADPOINT_PETSC(
         MatSetValues(matrix, rows.count, rows.dof.data(), columns.count, columns.dof.data(), block.data(), ADD_VALUES));
 }
@@ -168,7 +168,7 @@ void HeatSolver::assemble_bonds(Mat stiffness, Mat variable) const
         const double most_b = per_b * largest_conductivity(material_b);
         const double penalty = 10 * most_a * most_b / (most_a + most_b);
         const int n = pair.points.front().a.count + pair.points.front().b.count;
-        block.assign(static_cast<std::size_t>(n * n), 0.0);
+        block.assign(static_cast<std::size_t>(n) * n, 0.0);
         variable_block = block;
         for (const auto& p : pair.points) {
             for (int i = 0; i < n; ++i) {
@@ -182,7 +182,7 @@ void HeatSolver::assemble_bonds(Mat stiffness, Mat variable) const
             }
             for (int i = 0; i < n; ++i)
                 for (int j = 0; j < n; ++j) {
-                    const auto at = static_cast<std::size_t>(i * n + j);
+                    const auto at = static_cast<std::size_t>(i) * n + j;
                     block[at] += p.weight * (penalty * jump[i] * jump[j] - (flux[j] - variable_flux[j]) * jump[i] -
                                              flux[i] * jump[j]);
                     variable_block[at] -= p.weight * variable_flux[j] * jump[i];

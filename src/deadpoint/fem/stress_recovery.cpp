@@ -151,8 +151,7 @@ std::vector<std::uint32_t> StressRecovery::with_neighbours(const std::vector<std
             wider.insert(wider.end(), around.begin(), around.end());
         }
     std::ranges::sort(wider);
-    const auto rest = std::ranges::unique(wider);
-    wider.erase(rest.begin(), rest.end());
+    wider.erase(std::unique(wider.begin(), wider.end()), wider.end());
     return wider;
 }
 

@@ -120,7 +120,8 @@ private:
         const auto geometries = by_area();
         for (const auto& [node, found] : met) {
             Candidate candidate;
-            candidate.geometry = *std::ranges::find_if(geometries, [&](auto g) { return found.surfaces.contains(g); });
+            candidate.geometry = *std::ranges::find_if(
+                geometries, [&surfaces = found.surfaces](auto g) { return surfaces.contains(g); });
             candidate.at_its_place = follow_at_its_place(node, found.cells);
             if (candidate.at_its_place) {
                 auto& opening = candidate.at_its_place->openings[0];

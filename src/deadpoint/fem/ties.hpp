@@ -46,7 +46,7 @@ public:
     /// Whether this component of the node's displacement follows others.
     [[nodiscard]] bool follows(PetscInt node, PetscInt component) const
     {
-        return is_tied(node) && !held_[static_cast<std::size_t>(3 * node + component)];
+        return is_tied(node) && !held_[3 * static_cast<std::size_t>(node) + component];
     }
 
     /// From free to all displacements, three per node: this rank's free nodes keep their order.

@@ -143,7 +143,8 @@ Vec2 interior_point(int face)
         const std::size_t middle = curve.size() / 2;
         const Vec2 tangent = curve[middle + 1] - curve[middle - 1];
         const Vec2 normal = (1 / norm(tangent)) * Vec2{-tangent[1], tangent[0]};
-        for (double offset = 0.3 * length; offset > 1e-7; offset *= 0.4) {
+        double offset = 0.3 * length;
+        while (offset > 1e-7) {
             for (const double sign : {1.0, -1.0}) {
                 const Vec2 point = curve[middle] + (sign * offset) * normal;
                 const double distance = inner_distance(boundary, point);
@@ -152,6 +153,7 @@ Vec2 interior_point(int face)
                     best = point;
                 }
             }
+            offset *= 0.4;
         }
     }
     return best;

@@ -99,7 +99,8 @@ struct CurveData {
 double clearance(const CurveData& own, const std::map<int, CurveData>& curves)
 {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& [tag, other] : curves) {
+    for (const auto& entry : curves) {
+        const CurveData& other = entry.second;
         const auto shares = [&](int end) { return end == other.ends[0] || end == other.ends[1]; };
         if (&other == &own || shares(own.ends[0]) || shares(own.ends[1])) {
             continue;

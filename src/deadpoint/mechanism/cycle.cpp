@@ -125,8 +125,10 @@ double Cycle::duration(double from, double to) const
         if (since > from && since < to)
             ends.push_back(since);
     }
-    for (double inner = from + turn / 180; inner < to; inner += turn / 180)
-        ends.push_back(inner);
+    const double longest = turn / 180;
+    const int pieces = static_cast<int>(std::ceil((to - from) / longest));
+    for (int i = 1; i < pieces; ++i)
+        ends.push_back(from + i * longest);
     std::sort(ends.begin(), ends.end());
 
     double sum = 0;

@@ -221,8 +221,9 @@ private:
             const Vec2 base = (offset + side * 1.05 * block_) * across;
             std::string path = outline({base + low * along, base + high * along});
             const double pitch = 0.45 * block_;
-            for (double s = low; s <= high - 0.5 * pitch; s += pitch) {
-                const Vec2 foot = base + (s + 0.5 * pitch) * along;
+            const long strokes = std::lround((high - low) / pitch);
+            for (long i = 0; i < strokes; ++i) {
+                const Vec2 foot = base + (low + (static_cast<double>(i) + 0.5) * pitch) * along;
                 path += outline({foot, foot + (side * 0.35 * block_) * across - (0.35 * block_) * along});
             }
             svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1\"/>\n", path, grey);
@@ -284,8 +285,10 @@ private:
         for (std::size_t i = 1; i < list.size(); ++i)
             list[i].y = std::max(list[i].y, list[i - 1].y + 16);
         double limit = top_ + height() - 4;
-        for (std::size_t i = list.size(); i-- > 0; limit = list[i].y - 16)
+        for (std::size_t i = list.size(); i-- > 0;) {
             list[i].y = std::min(list[i].y, limit);
+            limit = list[i].y - 16;
+        }
         const double x = left_ + width() + 14;
         std::string svg;
         for (const auto& label : list)

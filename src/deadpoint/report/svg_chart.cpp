@@ -124,8 +124,9 @@ std::vector<double> steps_of(double low, double high, double step)
     std::vector<double> ticks;
     const double first = std::floor(low / step + 1e-9);
     const double last = std::ceil(high / step - 1e-9);
-    for (double i = first; i <= last; ++i) {
-        ticks.push_back(i * step);
+    const long count = std::lround(last - first);
+    for (long i = 0; i <= count; ++i) {
+        ticks.push_back((first + static_cast<double>(i)) * step);
     }
     return ticks;
 }

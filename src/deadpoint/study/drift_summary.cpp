@@ -17,8 +17,9 @@ std::vector<double> sample_times(const std::vector<double>& time)
     const double length = time.back() - time.front();
     const double spacing = std::max(sampling, length / most_samples);
     std::vector<double> samples = time;
-    for (double t = time.front(); t < time.back(); t += spacing) {
-        samples.push_back(t);
+    const int count = static_cast<int>(std::ceil(length / spacing));
+    for (int i = 0; i < count; ++i) {
+        samples.push_back(time.front() + i * spacing);
     }
     std::ranges::sort(samples);
     samples.erase(std::unique(samples.begin(), samples.end()), samples.end());

@@ -217,8 +217,7 @@ std::vector<fem::PointData> FrameState::add_time(const casefile::Case& input, do
     if (parts.empty())
         return {};
     std::ranges::sort(parts);
-    const auto rest = std::ranges::unique(parts);
-    parts.erase(rest.begin(), rest.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
     auto stress = model_.stress(parts, displacement, temperature, input.machine.initial_temperature);
     if (at_rest_)
         add(stress, model_.stress(parts, *at_rest_, loads_));

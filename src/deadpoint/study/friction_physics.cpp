@@ -105,7 +105,8 @@ double warm_preload(const Friction& friction, double difference)
 RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const Friction& friction,
                       const std::vector<RubbingJoint>& joints)
 {
-    constexpr double range = 60, step = 2.5;  // [K]
+    constexpr double step = 2.5;  // [K]
+    constexpr int steps = 24;     // to either side
     const auto heat = [&](double difference) {
         const double preload = warm_preload(friction, difference);
         double sum = 0;
@@ -116,7 +117,8 @@ RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const Friction&
     };
     const double cold = heat(0);
     std::vector<double> differences, added;
-    for (double difference = -range; difference <= range; difference += step) {
+    for (int i = -steps; i <= steps; ++i) {
+        const double difference = i * step;
         differences.push_back(difference);
         added.push_back(friction.scale * (heat(difference) - cold));
     }

@@ -62,7 +62,7 @@ std::vector<std::string> material_warnings(const casefile::Case& input, const Ma
                 lowest = std::min(lowest, history.part_lowest[p]);
                 highest = std::max(highest, history.part_highest[p]);
             }
-        const auto check = [&](const char* key, const casefile::Table& table) {
+        const auto check = [&, &name = name](const char* key, const casefile::Table& table) {
             if (!table.x.empty() && (lowest < table.x.front() - rounding || highest > table.x.back() + rounding))
                 warnings.push_back(fmt::format(
                     "materials.{}.{} was used from {:.1f} to {:.1f} degC, but its table holds from {:.1f} to {:.1f} "

@@ -46,13 +46,13 @@ EllipticIntegrals elliptic_integrals(double complementary)
     double b = complementary;
     double c_squared = 1 - complementary * complementary;
     double sum = c_squared / 2;
-    for (double factor = 1; c_squared > 1e-34 && factor < 1e6; factor *= 2) {
+    for (int halving = 0; c_squared > 1e-34 && halving < 20; ++halving) {
         const double c = (a - b) / 2;
         const double mean = (a + b) / 2;
         b = std::sqrt(a * b);
         a = mean;
         c_squared = c * c;
-        sum += factor * c_squared;
+        sum += std::ldexp(c_squared, halving);
     }
     const double first = pi / (2 * a);
     return {first, first * (1 - sum)};
