@@ -129,6 +129,28 @@ TEST_CASE("static: load in the middle of a pinned beam bends and shears it")
     CHECK(sag == doctest::Approx(reference()["checks"]["static_centre"]["closed"].get<double>()).epsilon(1e-7));
 }
 
+TEST_CASE("static: what gives way below two bearings does not change what they carry")
+{
+    Shaft shaft = shafts::pinned_beam(4);
+    for (Bearing& bearing : shaft.bearings) {
+        bearing.stiffness = shafts::isotropic(5e7);
+        bearing.housing_mass = 3;
+        bearing.support_stiffness = Matrix2{{{2e8, 3e7}, {3e7, 1e8}}};
+    }
+    const ShaftSystem system = assemble(shaft, std::vector<double>{0.3});
+    const Matrix at_load = force_pattern(system, 0.3);
+    const std::vector<double> across = column(at_load, 0), along = column(at_load, 1);
+    std::vector<double> load(across.size());
+    for (std::size_t i = 0; i < load.size(); ++i)
+        load[i] = 3000 * across[i] - 2000 * along[i];
+    const std::vector<Vec2> forces = bearing_forces(system, static_displacement(system, load));
+    for (std::size_t b = 0; b < 2; ++b) {
+        const double share = b == 0 ? 0.7 : 0.3;  // by the lever, the beam being 1 m long
+        CHECK(forces[b][0] == doctest::Approx(share * 3000).epsilon(1e-8));
+        CHECK(forces[b][1] == doctest::Approx(share * -2000).epsilon(1e-8));
+    }
+}
+
 TEST_CASE("static: a force spread over the crank keeps sum and moment, and bends as its integral")
 {
     const Shaft shaft = shafts::pinned_beam(3);

@@ -27,6 +27,8 @@ ChartSeries over_turn(std::string name, const std::vector<double>& angle, const 
     ChartSeries series;
     series.name = std::move(name);
     const std::size_t count = angle.size();
+    if (count == 0)
+        return series;
     std::size_t start = 0;
     while (start < count && angle[start] - angle.front() < pi - 1e-9)
         ++start;

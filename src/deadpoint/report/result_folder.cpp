@@ -70,7 +70,7 @@ void sync_folder(const fs::path& folder)
 
 }  // namespace
 
-ResultFolder::ResultFolder(fs::path target, IfExists if_exists) : if_exists_(if_exists)
+ResultFolder::ResultFolder(const fs::path& target, IfExists if_exists) : if_exists_(if_exists)
 {
     target_ = target.lexically_normal();
     if (!target_.has_filename()) {

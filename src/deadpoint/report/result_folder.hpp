@@ -16,7 +16,7 @@ public:
     /// Creates the partial folder, and missing parents of the target.
     /// @throws IoError if the target exists and may not be replaced, if it exists and is no folder, or if the folder
     ///         cannot be created
-    explicit ResultFolder(std::filesystem::path target, IfExists if_exists = IfExists::refuse);
+    explicit ResultFolder(const std::filesystem::path& target, IfExists if_exists = IfExists::refuse);
     ~ResultFolder();
     ResultFolder(const ResultFolder&) = delete;
     ResultFolder& operator=(const ResultFolder&) = delete;
