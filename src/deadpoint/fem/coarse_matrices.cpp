@@ -68,11 +68,10 @@ void CoarseMatrices::keep(PC multigrid, double factor)
     bounds_.resize(solvers.size());
     for (std::size_t level = 1; level < solvers.size(); ++level)
         bounds_[level] = std::max(bounds_[level], largest_eigenvalue(matrix_of(solvers[level])));
-    for (std::size_t level = 1; level < solvers.size(); ++level)
-        if (first) {
-            first_factor_ = factor;
-            return;
-        }
+    if (first) {
+        first_factor_ = factor;
+        return;
+    }
     for (std::size_t level = 0; level < slopes_.size(); ++level) {
         DEADPOINT_PETSC(MatAXPY(slopes_[level], -1, first_[level], SAME_NONZERO_PATTERN));
         DEADPOINT_PETSC(MatScale(slopes_[level], 1 / (factor - first_factor_)));

@@ -11,15 +11,6 @@ namespace {
 // Of each solve, in the norm of its solution: what is left out of the shares of all causes together is of this size.
 constexpr double relative_tolerance = 1e-8;
 
-void clear_rows(Vec vector, const std::vector<PetscInt>& rows, PetscInt first)
-{
-    double* values = nullptr;
-    DEADPOINT_PETSC(VecGetArray(vector, &values));
-    for (const PetscInt row : rows)
-        values[row - first] = 0;
-    DEADPOINT_PETSC(VecRestoreArray(vector, &values));
-}
-
 }  // namespace
 
 HeatAdjoint::HeatAdjoint(HeatSolver& solver)
@@ -27,9 +18,6 @@ HeatAdjoint::HeatAdjoint(HeatSolver& solver)
       middle_weights_(solver.next_), middle_solution_(solver.slope_before_), change_(solver.slope_middle_),
       mass_product_(solver.work_), stiffness_product_(solver.work2_)
 {
-    prescribed_ = std::ranges::any_of(problem_.surfaces, [](const SurfaceCondition& condition) {
-        return condition.kind == SurfaceCondition::Kind::temperature;
-    });
     solver_.shell_slopes_.clear();  // the heat is as booked and no longer follows the temperature
     for (std::size_t k = 0; k < solver_.air_->count(); ++k)  // nor do the enclosures
         DEADPOINT_PETSC(VecSet(solver_.air_->load(k), 0));
@@ -159,13 +147,13 @@ void HeatAdjoint::solve_stage(double factor, const StageRecord& stage, Vec weigh
     if (factor != solver_.system_factor_)
         solver_.combine_system(factor, nullptr);
     DEADPOINT_PETSC(VecCopy(weights, mass_product_));
-    clear_rows(mass_product_, solver_.prescribed_, solver_.space_.first);
-    clear_rows(solution, solver_.prescribed_, solver_.space_.first);
+    solver_.clear_prescribed(mass_product_);
+    solver_.clear_prescribed(solution);
     DEADPOINT_PETSC(KSPSetTolerances(solver_.solver_, relative_tolerance, 1e-300, 1e10, 2000));
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_.solver_, PETSC_TRUE));
     iterations_ += solve(solver_.solver_, mass_product_, solution, "the weights of the heat");
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_.solver_, PETSC_FALSE));
-    if (!prescribed_)
+    if (!solver_.some_prescribed_)
         return;
     apply_stiffness(solution, stiffness_product_);
     DEADPOINT_PETSC(VecScale(stiffness_product_, factor));
@@ -174,7 +162,7 @@ void HeatAdjoint::solve_stage(double factor, const StageRecord& stage, Vec weigh
 
 void HeatAdjoint::add_prescribed(Vec weights, double time)
 {
-    if (!prescribed_)
+    if (!solver_.some_prescribed_)
         return;
     std::vector<double> sums(problem_.surfaces.size(), 0.0);
     const double *right = nullptr, *left = nullptr;

@@ -49,7 +49,6 @@ private:
 
     HeatSolver& solver_;
     const HeatProblem& problem_;
-    bool prescribed_ = false;  ///< somewhere, by any rank
     HeatCauses causes_;
     std::vector<double> film_coefficients_;  ///< in HeatSolver::variable_, per film
     Vec weights_, solution_, middle_weights_, middle_solution_, change_, mass_product_, stiffness_product_;

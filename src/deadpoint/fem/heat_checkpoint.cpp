@@ -323,6 +323,7 @@ void HeatCheckpoint::restore(ThermalHistory& history, RunPlace& place, const Fie
         solver_.multigrid_temperature_ = duplicate(solver_.now_);
     for (Vec vector : vectors())
         std::ranges::copy(read_field<double>(reader).owned, Entries(vector).values());
+    solver_.store(solver_.now_, solver_.stored_now_);
     put_back(kept, place.segment);
     hand_on_again(reader, on_field);
 }

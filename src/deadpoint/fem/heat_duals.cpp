@@ -27,9 +27,8 @@ std::vector<Field> HeatSolver::duals(double time, const Field& temperature, cons
         DEADPOINT_PETSC(VecGetArray(work_, &load));
         for (std::size_t i = 0; i < weight.owned.size(); ++i)
             load[i] = time * weight.owned[i];
-        for (const PetscInt row : prescribed_)
-            load[row - space_.first] = 0;
         DEADPOINT_PETSC(VecRestoreArray(work_, &load));
+        clear_prescribed(work_);
         iterations_ += solve(solver_, work_, work2_, "the dual of the temperature field");
         const double* values = nullptr;
         DEADPOINT_PETSC(VecGetArrayRead(work2_, &values));

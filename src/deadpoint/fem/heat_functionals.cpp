@@ -332,6 +332,9 @@ void HeatSolver::prepare_films()
 
 void HeatSolver::prepare_prescribed()
 {
+    some_prescribed_ = std::ranges::any_of(problem_->surfaces, [](const SurfaceCondition& condition) {
+        return condition.kind == SurfaceCondition::Kind::temperature;
+    });
     std::map<PetscInt, std::pair<Vec3, const SurfaceCondition*>> found;
     PointShape shape;
     for (const auto& condition : problem_->surfaces) {

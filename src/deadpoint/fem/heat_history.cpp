@@ -146,9 +146,8 @@ void HeatSolver::add_energy(EnergyBalance& energy, double dt, double from_prescr
     energy.to_oil += over_step(&HeatRate::to_oil);
     energy.from_surfaces += over_step(&HeatRate::flux) + from_prescribed;
     heat_change(now_, next_, work2_);
-    DEADPOINT_PETSC(MatMult(mass_, work2_, work_));
     PetscScalar stored = 0;
-    DEADPOINT_PETSC(VecSum(work_, &stored));
+    DEADPOINT_PETSC(VecDot(capacities_, work2_, &stored));
     energy.stored += stored;
 }
 

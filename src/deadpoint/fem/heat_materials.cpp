@@ -50,13 +50,18 @@ void HeatSolver::heat_change(Vec from, Vec to, Vec change) const
     DEADPOINT_PETSC(VecAXPY(change, -1, heat_of(from)));
 }
 
-void HeatSolver::add_variable_conduction(Vec temperature, Vec rate) const
+void HeatSolver::store(Vec temperature, Vec stored) const
 {
+    DEADPOINT_PETSC(MatMult(mass_, heat_of(temperature), stored));
+}
+
+void HeatSolver::conduct(Vec temperature, Vec conducted) const
+{
+    DEADPOINT_PETSC(MatMult(stiffness_, temperature, conducted));
     if (!conduction_varies_)
         return;
     apply(flux_temperature, materials_, part_of_unknown_, temperature, mapped_);
-    DEADPOINT_PETSC(MatMult(conduction_, mapped_, conducted_));
-    DEADPOINT_PETSC(VecAXPY(rate, -1, conducted_));
+    DEADPOINT_PETSC(MatMultAdd(conduction_, mapped_, conducted, conducted));
 }
 
 // matrix += of, its columns scaled by a slope of the materials where a temperature is given.
@@ -88,7 +93,6 @@ void HeatSolver::prepare_tangents()
     if (!materials_vary())
         return;
     mapped_ = duplicate(now_);
-    conducted_ = duplicate(now_);
     if (capacity_varies_)
         DEADPOINT_PETSC(MatDuplicate(mass_, MAT_COPY_VALUES, scaled_mass_.out()));
     if (conduction_varies_)

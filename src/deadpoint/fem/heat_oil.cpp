@@ -84,10 +84,10 @@ double HeatSolver::set_oil(const std::vector<double>& temperature)
     return change;
 }
 
-// The oil at the start of a segment, for the field as it is.
+// The oil at the start of a segment, for the field as it is, and the gains with it.
 void HeatSolver::settle_oil(double time)
 {
-    rate_now_ = rate(time, now_);
+    rate_now_ = gains(time, now_);
     if (problem_->oil.empty())
         return;
     for (int i = 0; i < 100; ++i) {
@@ -95,7 +95,7 @@ void HeatSolver::settle_oil(double time)
         if (set_oil(reaches) < settled)
             return;
         auto flows = std::move(rate_now_.oil);
-        rate_now_ = rate_again(time, now_);
+        rate_now_ = gains(time, now_);
         rate_now_.oil = std::move(flows);
     }
     throw ConvergenceError("oil and joints did not agree at t = " + std::to_string(time) +

@@ -165,22 +165,13 @@ void HeatSolver::add_body_heat(HeatRate& rate, double time) const
         }
 }
 
-HeatRate HeatSolver::rate(double time, Vec temperature) const
-{
-    if (!conducted_heat_)
-        conducted_heat_ = duplicate(temperature);
-    DEADPOINT_PETSC(MatMult(stiffness_, temperature, conducted_heat_));
-    return rate_again(time, temperature);
-}
-
-HeatRate HeatSolver::rate_again(double time, Vec temperature) const
+HeatRate HeatSolver::gains(double time, Vec temperature) const
 {
     HeatRate result;
     result.time = time;
     result.oil_temperature = oil_temperature_;
     result.vector = duplicate(temperature);
-    DEADPOINT_PETSC(VecAXPBY(result.vector, -1, 0, conducted_heat_));
-    add_variable_conduction(temperature, Vec(result.vector));
+    DEADPOINT_PETSC(VecZeroEntries(result.vector));
     result.air.resize(air_->count());
 
     std::vector<const SparseFunctional*> integrals;
@@ -226,6 +217,15 @@ void HeatSolver::impose(double time, Vec temperature) const
     for (std::size_t i = 0; i < prescribed_.size(); ++i)
         values[prescribed_[i] - space_.first] = prescribed_at_[i].second->temperature(prescribed_at_[i].first, time);
     DEADPOINT_PETSC(VecRestoreArray(temperature, &values));
+}
+
+void HeatSolver::clear_prescribed(Vec residual) const
+{
+    double* values = nullptr;
+    DEADPOINT_PETSC(VecGetArray(residual, &values));
+    for (const PetscInt row : prescribed_)
+        values[row - space_.first] = 0;
+    DEADPOINT_PETSC(VecRestoreArray(residual, &values));
 }
 
 // What the tangent of the law, with which the solve was made, gives less the law itself, per source.

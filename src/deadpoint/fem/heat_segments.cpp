@@ -67,6 +67,9 @@ void HeatSolver::begin_segment(const HeatSegment& segment, double time)
     if (time == 0)
         impose(time, now_);
     settle_oil(time);
+    conduct(now_, work_);
+    DEADPOINT_PETSC(VecAXPY(rate_now_.vector, -1, work_));
+    store(now_, stored_now_);
 }
 
 // The slope of the fields is not known where a segment starts.

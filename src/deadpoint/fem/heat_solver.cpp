@@ -28,6 +28,14 @@ void require_finite(Vec vector, double time)
                           " s; look for a heat law or film that is not finite at the temperatures reached");
 }
 
+// Sum of weights times vectors; the result is none of them.
+template <std::size_t count>
+void combine(const std::array<double, count>& weights, std::array<Vec, count> vectors, Vec result)
+{
+    DEADPOINT_PETSC(VecZeroEntries(result));
+    DEADPOINT_PETSC(VecMAXPY(result, count, weights.data(), vectors.data()));
+}
+
 }  // namespace
 
 OwnedVec duplicate(Vec vector)
@@ -54,9 +62,11 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
     create_matrices();
     assemble();
     now_ = create_vector(space_, 1);
-    for (OwnedVec* v : {&before_, &middle_, &next_, &slope_middle_, &slope_now_, &slope_before_, &slope_next_, &work_,
-                        &work2_, &error_})
+    for (OwnedVec* v : {&before_, &middle_, &next_, &slope_middle_, &slope_now_, &slope_before_, &slope_next_,
+                        &stored_now_, &stored_middle_, &stored_next_, &capacities_, &known_, &work_, &work2_, &error_})
         *v = duplicate(now_);
+    DEADPOINT_PETSC(VecSet(work_, 1));
+    DEADPOINT_PETSC(MatMult(mass_, work_, capacities_));
     if (variable_films_)
         everywhere_ = std::make_unique<Everywhere>(now_);
     air_ = std::make_unique<EnclosedAir>(problem_->enclosures, now_);
@@ -64,28 +74,50 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
     prepare_solver();
 }
 
-// Newton for  M T - factor rate(T) = known,  starting from the guess in `temperature`.
-HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const std::vector<double>& known_sump,
-                                 Vec temperature)
+// M T - factor (gains - K T) - known  into work_. Where the system is M + factor K, it takes one product.
+void HeatSolver::stage_residual(double factor, Vec temperature, const HeatRate& gained)
+{
+    if (system_is_linear()) {
+        DEADPOINT_PETSC(MatMult(system_, temperature, work_));
+    } else {
+        conduct(temperature, work2_);
+        store(temperature, work_);
+        DEADPOINT_PETSC(VecAXPY(work_, factor, work2_));
+    }
+    DEADPOINT_PETSC(VecAXPY(work_, -factor, gained.vector));
+    DEADPOINT_PETSC(VecAXPY(work_, -1, known_));
+    clear_prescribed(work_);
+}
+
+// The heat stored at the end of a stage, and its gains made the rate: by the stage's own formula (stored - known) /
+// factor where it holds for every unknown.
+void HeatSolver::finish_stage(double factor, Vec temperature, HeatRate& gained, Vec stored)
+{
+    store(temperature, stored);
+    if (system_is_linear()) {
+        DEADPOINT_PETSC(VecWAXPY(gained.vector, -1, known_, stored));
+        DEADPOINT_PETSC(VecScale(gained.vector, 1 / factor));
+    } else {
+        conduct(temperature, work_);
+        DEADPOINT_PETSC(VecAXPY(gained.vector, -1, work_));
+    }
+}
+
+// Newton for  M T - factor rate(T) = known_,  starting from the guess in `temperature`.
+HeatRate HeatSolver::solve_stage(double time, double factor, const std::vector<double>& known_sump, Vec temperature,
+                                 Vec stored)
 {
     time_ = time;
     impose(time, temperature);
-    HeatRate current = rate(time, temperature);
+    HeatRate current = gains(time, temperature);
     if (!problem_->oil.empty()) {
         set_oil(follow_oil(current, time, factor, known_sump));
-        current = rate_again(time, temperature);
+        current = gains(time, temperature);
     }
     for (int iteration = 0; iteration < max_newton; ++iteration) {
         shell_slopes_ = current.source_slope;
         build_system(factor, temperature);
-        DEADPOINT_PETSC(MatMult(mass_, heat_of(temperature), work_));
-        DEADPOINT_PETSC(VecAXPY(work_, -factor, current.vector));
-        DEADPOINT_PETSC(VecAXPY(work_, -1, known));
-        double* residual = nullptr;
-        DEADPOINT_PETSC(VecGetArray(work_, &residual));
-        for (const PetscInt row : prescribed_)
-            residual[row - space_.first] = 0;
-        DEADPOINT_PETSC(VecRestoreArray(work_, &residual));
+        stage_residual(factor, temperature, current);
         const auto of_air = air_->residual(current);
         air_->take_out(of_air, work_);
         set_tolerance(1e-13, problem_->solver_tolerance);
@@ -95,7 +127,7 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
         require_finite(temperature, time);
         const double air_change = air_->move(of_air, work2_);
 
-        HeatRate updated = rate(time, temperature);
+        HeatRate updated = gains(time, temperature);
         const auto corrections = tangent_less_law(current, updated);
         double curvature = 0, total = 1e-300;
         for (std::size_t r = 0; r < corrections.size(); ++r) {
@@ -116,11 +148,12 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
         if (curvature <= largest_curvature * total && change < 1e-7 &&
             oil_change <= oil_share_of_tolerance * problem_->time_tolerance) {
             correct_heat(current, corrections);
+            finish_stage(factor, temperature, current, stored);
             return current;
         }
         if (oil_change > 0) {
             set_oil(reaches);
-            current = rate_again(time, temperature);
+            current = gains(time, temperature);
         }
     }
     throw ConvergenceError("joint heat and temperatures did not agree within " + std::to_string(max_newton) +
@@ -131,11 +164,8 @@ HeatRate HeatSolver::solve_stage(double time, double factor, Vec known, const st
 // The cubic through values and slopes at both ends of an interval of length h, at the place s (0 and 1 are its ends).
 void HeatSolver::hermite(Vec start, Vec start_slope, Vec end, Vec end_slope, double h, double s, Vec result)
 {
-    const std::array<double, 4> weights{(1 + 2 * s) * (1 - s) * (1 - s), h * s * (1 - s) * (1 - s), s * s * (3 - 2 * s),
-                                        h * s * s * (s - 1)};
-    std::array<Vec, 4> vectors{start, start_slope, end, end_slope};
-    DEADPOINT_PETSC(VecSet(result, 0));
-    DEADPOINT_PETSC(VecMAXPY(result, 4, weights.data(), vectors.data()));
+    combine<4>({(1 + 2 * s) * (1 - s) * (1 - s), h * s * (1 - s) * (1 - s), s * s * (3 - 2 * s), h * s * s * (s - 1)},
+               {start, start_slope, end, end_slope}, result);
 }
 
 // What the sumps' temperatures are known to be before a stage, as the field's.
@@ -163,39 +193,27 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
     const double to_middle = gamma_stage * dt;
     if (previous_dt_ > 0)
         hermite(before_, slope_before_, now_, slope_now_, previous_dt_, 1 + to_middle / previous_dt_, middle_);
-    else {
+    else if (have_previous_)
+        DEADPOINT_PETSC(VecWAXPY(middle_, to_middle, slope_now_, now_));
+    else
         DEADPOINT_PETSC(VecCopy(now_, middle_));
-        if (have_previous_)
-            DEADPOINT_PETSC(VecAXPY(middle_, to_middle, slope_now_));
-    }
-    OwnedVec known = duplicate(now_);
-    DEADPOINT_PETSC(MatMult(mass_, heat_of(now_), known));
-    DEADPOINT_PETSC(VecAXPY(known, factor, rate_now_.vector));
+    DEADPOINT_PETSC(VecWAXPY(known_, factor, rate_now_.vector, stored_now_));
     air_->begin_first_stage(dt, have_previous_, rate_now_);
-    rate_middle_ = solve_stage(time + gamma_stage * dt, factor, known, first_known_sump(factor), middle_);
+    rate_middle_ = solve_stage(time + gamma_stage * dt, factor, first_known_sump(factor), middle_, stored_middle_);
 
-    DEADPOINT_PETSC(VecCopy(middle_, error_));
-    DEADPOINT_PETSC(VecAXPBY(error_, -bdf_now, bdf_middle, now_));
-    DEADPOINT_PETSC(VecCopy(heat_of(middle_), work_));
-    DEADPOINT_PETSC(VecAXPBY(work_, -bdf_now, bdf_middle, heat_of(now_)));
-    DEADPOINT_PETSC(MatMult(mass_, work_, known));
-    DEADPOINT_PETSC(VecWAXPY(slope_middle_, -1, now_, middle_));
-    DEADPOINT_PETSC(VecScale(slope_middle_, 1 / factor));
+    combine<2>({bdf_middle, -bdf_now}, {stored_middle_, stored_now_}, known_);
     if (have_previous_) {
-        DEADPOINT_PETSC(VecAXPY(slope_middle_, -1, slope_now_));
+        combine<3>({1 / factor, -1 / factor, -1}, {middle_, now_, slope_now_}, slope_middle_);
         hermite(now_, slope_now_, middle_, slope_middle_, to_middle, 1 / gamma_stage, next_);
     } else {
-        DEADPOINT_PETSC(VecCopy(now_, next_));
-        DEADPOINT_PETSC(VecAXPY(next_, 1 / gamma_stage, middle_));
-        DEADPOINT_PETSC(VecAXPY(next_, -1 / gamma_stage, now_));
+        combine<2>({1 / factor, -1 / factor}, {middle_, now_}, slope_middle_);
+        combine<2>({1 / gamma_stage, 1 - 1 / gamma_stage}, {middle_, now_}, next_);
     }
     air_->begin_second_stage();
-    rate_next_ = solve_stage(time + dt, factor, known, second_known_sump(), next_);
+    rate_next_ = solve_stage(time + dt, factor, second_known_sump(), next_, stored_next_);
 
     // slope at the end, from the second stage's own formula
-    DEADPOINT_PETSC(VecCopy(next_, slope_next_));
-    DEADPOINT_PETSC(VecAXPY(slope_next_, -1, error_));
-    DEADPOINT_PETSC(VecScale(slope_next_, 1 / factor));
+    combine<3>({1 / factor, -bdf_middle / factor, bdf_now / factor}, {next_, middle_, now_}, slope_next_);
 
     Step result;
     result.from_prescribed = prescribed_heat(dt);
@@ -215,21 +233,13 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
 double HeatSolver::estimate_error(double dt)
 {
     if (have_previous_) {
-        DEADPOINT_PETSC(VecSet(error_, 0));
-        DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[0], slope_now_));
-        DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[1], slope_middle_));
-        DEADPOINT_PETSC(VecAXPY(error_, dt * error_weights[2], slope_next_));
+        combine<3>({dt * error_weights[0], dt * error_weights[1], dt * error_weights[2]},
+                   {slope_now_, slope_middle_, slope_next_}, error_);
         return air_->error(dt);
     }
-    DEADPOINT_PETSC(VecCopy(rate_now_.vector, work_));
-    DEADPOINT_PETSC(VecScale(work_, dt * error_weights[0]));
-    DEADPOINT_PETSC(VecAXPY(work_, dt * error_weights[1], rate_middle_.vector));
-    DEADPOINT_PETSC(VecAXPY(work_, dt * error_weights[2], rate_next_.vector));
-    double* residual = nullptr;
-    DEADPOINT_PETSC(VecGetArray(work_, &residual));
-    for (const PetscInt row : prescribed_)
-        residual[row - space_.first] = 0;
-    DEADPOINT_PETSC(VecRestoreArray(work_, &residual));
+    combine<3>({dt * error_weights[0], dt * error_weights[1], dt * error_weights[2]},
+               {rate_now_.vector, rate_middle_.vector, rate_next_.vector}, work_);
+    clear_prescribed(work_);
     const auto of_air = air_->first_error(dt, {&rate_now_, &rate_middle_, &rate_next_});
     air_->take_out(of_air, work_);
     // sharp enough that all numbers of ranks take the same steps
@@ -245,7 +255,7 @@ double HeatSolver::estimate_error(double dt)
 double HeatSolver::prescribed_heat(double dt)
 {
     std::vector<double> sum{0};
-    if (!problem_->surfaces.empty()) {
+    if (some_prescribed_) {
         heat_change(now_, next_, work2_);
         DEADPOINT_PETSC(MatMult(mass_, work2_, work_));
         DEADPOINT_PETSC(VecAXPY(work_, -dt * outer_weight, rate_now_.vector));
@@ -353,8 +363,9 @@ void HeatSolver::accept_step(double dt, const Step& outcome, ThermalHistory& his
     history.energy.stored += air_->accept(dt);
     std::swap(before_, now_);
     std::swap(now_, next_);
+    std::swap(stored_now_, stored_next_);
     previous_dt_ = have_previous_ ? dt : 0;
-    DEADPOINT_PETSC(VecCopy(slope_now_, slope_before_));
+    std::swap(slope_before_, slope_now_);
     std::swap(slope_now_, slope_next_);
     rate_now_ = std::move(rate_next_);
     for (std::size_t k = 0; k < sump_.size(); ++k)

@@ -73,9 +73,15 @@ private:
     void fill_system(double factor, Mat films, Vec temperature);
     void note_multigrid(Vec temperature);
     [[nodiscard]] bool system_follows_temperature() const { return variable_films_ || materials_vary(); }
-    [[nodiscard]] HeatRate rate(double time, Vec temperature) const;
-    /// Of the same field as the last, at other temperatures of the oil, which saves the product with the matrix.
-    [[nodiscard]] HeatRate rate_again(double time, Vec temperature) const;
+    /// Whether the system is M + factor K for every unknown.
+    [[nodiscard]] bool system_is_linear() const { return !system_follows_temperature() && !some_prescribed_; }
+    /// The rate without K T.
+    [[nodiscard]] HeatRate gains(double time, Vec temperature) const;
+    /// K T with what follows the temperature [W].
+    void conduct(Vec temperature, Vec conducted) const;
+    /// M T, or M h(T) [J].
+    void store(Vec temperature, Vec stored) const;
+    void clear_prescribed(Vec residual) const;
     void add_sources(HeatRate& rate, const std::vector<double>& mean) const;
     void add_interfaces(HeatRate& rate, const std::vector<double>& mean) const;
     void add_body_heat(HeatRate& rate, double time) const;
@@ -92,7 +98,6 @@ private:
     /// What the mass matrix acts on: the temperature, or the one of equal heat [K].
     [[nodiscard]] Vec heat_of(Vec temperature) const;
     void heat_change(Vec from, Vec to, Vec change) const;
-    void add_variable_conduction(Vec temperature, Vec rate) const;
     using MaterialMap = double (*)(const Material& material, double temperature);
     void add_tangent(Mat matrix, Mat of, Mat scaled, MaterialMap slope, Vec temperature) const;
     void add_conduction_tangent(Mat matrix, Vec temperature) const;
@@ -100,7 +105,9 @@ private:
     void note_extremes();
     void extremes_of_ranks(ThermalHistory& history) const;
     void impose(double time, Vec temperature) const;
-    HeatRate solve_stage(double time, double factor, Vec known, const std::vector<double>& known_sump, Vec temperature);
+    void stage_residual(double factor, Vec temperature, const HeatRate& gained);
+    void finish_stage(double factor, Vec temperature, HeatRate& gained, Vec stored);
+    HeatRate solve_stage(double time, double factor, const std::vector<double>& sump, Vec temperature, Vec stored);
     [[nodiscard]] std::vector<double> first_known_sump(double factor) const;
     [[nodiscard]] std::vector<double> second_known_sump() const;
     Step step(double time, double dt);
@@ -121,10 +128,7 @@ private:
     double prescribed_heat(double dt);
     [[nodiscard]] double rungs(double error, int least, int most) const;
     void add_energy(EnergyBalance& energy, double dt, double from_prescribed);
-    static bool depends_on_temperature(const SurfaceCondition& condition)
-    {
-        return !condition.laws.empty() || condition.emissivity > 0;
-    }
+    static bool depends_on_temperature(const SurfaceCondition& c) { return !c.laws.empty() || c.emissivity > 0; }
     /// Convection of a surface in the present segment.
     [[nodiscard]] FilmLaw film_at(const SurfaceCondition& condition, double surroundings) const;
     static double film_flux(const LawValue& film, double emissivity, double surface, double surroundings);
@@ -150,14 +154,14 @@ private:
     std::unique_ptr<EnclosedAir> air_;
     std::vector<Film> films_;
     bool variable_films_ = false;
+    bool some_prescribed_ = false;      ///< on any rank
     std::vector<PetscInt> prescribed_;  ///< owned unknowns with given temperature, global numbers
     std::vector<std::pair<Vec3, const SurfaceCondition*>> prescribed_at_;
 
     OwnedMat mass_, stiffness_, variable_, system_, shell_;
     OwnedMat conduction_;  ///< of parts whose conductivity follows the temperature
     OwnedMat scaled_mass_, scaled_conduction_;
-    OwnedVec mapped_, conducted_;
-    mutable OwnedVec conducted_heat_;  ///< K T of the last rate [W]
+    OwnedVec mapped_;
     bool capacity_varies_ = false, conduction_varies_ = false;
     OwnedKsp solver_;
     mutable std::unique_ptr<Everywhere> everywhere_;
@@ -171,6 +175,8 @@ private:
 
     OwnedVec before_, now_, middle_, next_, slope_before_, slope_now_, slope_middle_, slope_next_, work_, work2_,
         error_;
+    OwnedVec stored_now_, stored_middle_, stored_next_, known_;  ///< M T, and what it is known to be in a stage [J]
+    OwnedVec capacities_;                                        ///< M 1 [J/K]
     HeatRate rate_now_, rate_middle_, rate_next_;
     bool have_previous_ = false;  ///< the slope at the start of the step is known
     double previous_dt_ = 0;      ///< between slope_before_ and slope_now_; 0: unknown [s]

@@ -71,6 +71,7 @@ void HeatSolver::prepare_solver()
     DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "heat_"));
     DEADPOINT_PETSC(KSPSetFromOptions(solver_));
     DEADPOINT_PETSC(KSPSetOperators(solver_, shell_, system_));
+    build_aggregates();
 }
 
 // y = (M + factor (K + K_films)) x - factor sum of dH/dT b (b .
@@ -182,8 +183,9 @@ void HeatSolver::fill_system(double factor, Mat films, Vec temperature)
     add_conduction_tangent(system_, temperature);
     DEADPOINT_PETSC(MatScale(system_, factor));
     add_capacity(system_, temperature);
-    DEADPOINT_PETSC(MatZeroRowsColumns(system_, static_cast<PetscInt>(prescribed_.size()), prescribed_.data(), 1,
-                                       nullptr, nullptr));
+    if (some_prescribed_)
+        DEADPOINT_PETSC(MatZeroRowsColumns(system_, static_cast<PetscInt>(prescribed_.size()), prescribed_.data(), 1,
+                                           nullptr, nullptr));
 }
 
 }  // namespace deadpoint::fem
