@@ -149,7 +149,7 @@ private:
             half.numerics.time_tolerance /= 8;  // third order
             half.numerics.max_step /= 2;
             half.numerics.initial_step /= 2;
-            observer_.info("accuracy: the same with time steps half as long");
+            observer_.stage("accuracy: the same with time steps half as long");
             auto result = model_->run(half, {}, observer_);
             report_.time_change = largest_change(result_, result, wanted_.of);
             if (report_.time_change <= share_of_time * wanted_.tolerance)
@@ -220,9 +220,21 @@ private:
         for (std::size_t p = 0; p < factors_.size(); ++p)
             if (double& size = *input_.parts.at(machine_->parts[p].name).size; factors_[p] < 1)
                 size = std::stod(fmt::format("{:.3g}", size * factors_[p]));  // a number to put into a case file
-        observer_.info(
-            fmt::format("accuracy: mesh {}, with {} parts finer", report_.rounds.size() + 1, refined_parts_));
+        observer_.stage(fmt::format("accuracy: {}; mesh {}, with {} parts finer", standing(), report_.rounds.size() + 1,
+                                    refined_parts_));
         solve(true);
+    }
+
+    // Where the last mesh has come to.
+    [[nodiscard]] std::string standing() const
+    {
+        const bool gap = wanted_.of == Accuracy::Of::gap;
+        const auto shown = [&](double value) {
+            return fmt::format("{:.2g} {}", gap ? 1e6 * value : value, gap ? "um" : "K");
+        };
+        const auto& round = report_.rounds.back();
+        return fmt::format("{} cells, estimate {}{}, wanted {}", round.cells, shown(estimated()),
+                           round.change ? ", change " + shown(*round.change) : "", shown(wanted_.tolerance));
     }
 
     void finish_report()
