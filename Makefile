@@ -2,6 +2,7 @@
 PRESET ?= release
 CASE ?= jl75g-60
 JOBS ?= $(shell nproc)
+PROGRAM = build/$(PRESET)/app/deadpoint
 
 # Open MPI refuses to start as root otherwise (containers); one thread per process, since the work is split by MPI.
 export OMPI_ALLOW_RUN_AS_ROOT = 1
@@ -26,11 +27,12 @@ validate: build
 	ctest --preset $(PRESET) -R '^verification_(heat|elastic)$$'
 	scripts/validate build/$(PRESET)/validation --write
 	scripts/paper-equations
-	scripts/paper-heat --write
-	scripts/paper-loads --write
-	scripts/paper-results --write
-	scripts/independence --write
-	scripts/compare-calculix --write
+	scripts/paper-heat --write --program $(PROGRAM) --tests build/$(PRESET)/tests/paper/test_paper
+	scripts/paper-loads --write --program $(PROGRAM)
+	scripts/paper-results --write --program $(PROGRAM)
+	rm -rf build/independence
+	scripts/independence --write --program $(PROGRAM)
+	scripts/compare-calculix --write --program $(PROGRAM)
 
 build: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
