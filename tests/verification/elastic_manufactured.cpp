@@ -172,9 +172,9 @@ void check_order(const Mesh& coarse, const std::string& what)
     MESSAGE(name << ": errors " << first << ", " << second << " m, order " << order(first, second)
                  << "; of the exact values at the nodes " << first_between << ", " << second_between << " m, order "
                  << order(first_between, second_between));
-    record({"order in space, displacement, " + name, "p + 1, manufactured solution", "", coarse.order + 1.0, 0.1,
-            "0.1 asked; error in L2, every cell integrated"},
-           order(first, second));
+    record_order({"order in space, displacement, " + name, "p + 1, manufactured solution", "", coarse.order + 1.0, 0.1,
+                  "0.1 asked; error in L2, every cell integrated"},
+                 "m", {{1.5, first}, {1, second}});
 }
 
 }  // namespace

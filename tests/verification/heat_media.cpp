@@ -115,8 +115,9 @@ void check_order(const Media& media, int cells)
                                   media.order[0] == media.order[1] ? std::to_string(lower) : "1 and 2",
                                   media.bonded ? "bond of two materials" : "film between two materials");
     MESSAGE(name << ": errors " << coarse << ", " << fine << " K, order " << order);
-    record({"order in space, temperature, " + name + " and film to air", "p + 1", "", lower + 1.0, 0.1, "0.1 asked"},
-           order);
+    record_order(
+        {"order in space, temperature, " + name + " and film to air", "p + 1", "", lower + 1.0, 0.1, "0.1 asked"}, "K",
+        {{2, coarse}, {1, fine}});
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "../record.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 #include "solved_case.hpp"
@@ -70,17 +71,24 @@ std::vector<double> with_fixed_step(const Case& input, const deadpoint::Machine&
 }
 
 // Order of the time integration by three runs, each with half the step of the one before.
-void check_time_order(const Case& input, double step)
+void check_time_order(const Case& input, double step, const std::string& what)
 {
     deadpoint::Observer silent;
     const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
     const auto coarse = with_fixed_step(input, machine, step), middle = with_fixed_step(input, machine, step / 2),
                fine = with_fixed_step(input, machine, step / 4);
+    double before = 0, after = 0;
     for (std::size_t i = 0; i < fine.size(); ++i) {
-        const double order = observed_order(std::abs(coarse[i] - middle[i]), std::abs(middle[i] - fine[i]), 2);
-        MESSAGE("order in time " << order << ", last difference " << std::abs(middle[i] - fine[i]) << " K");
+        const double first = std::abs(coarse[i] - middle[i]), second = std::abs(middle[i] - fine[i]);
+        const double order = observed_order(first, second, 2);
+        MESSAGE("order in time " << order << ", last difference " << second << " K");
         CHECK(std::abs(order - 2) < 0.1);
+        before = std::max(before, first);
+        after = std::max(after, second);
     }
+    record_order(
+        {"order in time, " + what, "TR-BDF2", "", 2, 0.1, "0.1 asked; largest difference among probes and joints"}, "K",
+        {{2, before}, {1, after}});
 }
 
 }  // namespace
@@ -90,13 +98,13 @@ TEST_CASE("order in time: two slabs after a jump")
     auto input = read("two-slabs", {"parts.steel_slab.size=2 mm", "parts.aluminium_slab.size=2 mm"});
     input.operation.resize(1);
     input.operation[0].duration = 80;
-    check_time_order(input, 1.0);
+    check_time_order(input, 1.0, "two slabs after a jump");
 }
 
 TEST_CASE("order in time: a wall temperature that changes all the time")
 {
     auto input = read("nafems-t3", {"numerics.size=4 mm"});
-    check_time_order(input, 0.5);
+    check_time_order(input, 0.5, "a wall temperature that changes all the time");
 }
 
 TEST_CASE("order in time: heat that depends on the temperature it makes")
@@ -104,7 +112,7 @@ TEST_CASE("order in time: heat that depends on the temperature it makes")
     auto input = read("shaft-in-block", {"numerics.size=20 mm", "parts.block.size=20 mm", "parts.shaft.size=14 mm"});
     input.lubricants["oil"].viscosity = {{273.15, 373.15}, {300e-6, 3e-6}};  // smooth: no corner in the table
     input.operation[0].duration = 1600;
-    check_time_order(input, 40);
+    check_time_order(input, 40, "heat that depends on the temperature it makes");
 }
 
 TEST_CASE("order in space: a field without sources in a cube")
