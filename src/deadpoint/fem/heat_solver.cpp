@@ -254,19 +254,19 @@ double HeatSolver::estimate_error(double dt)
 // What entered through nodes of prescribed temperature during the step: their stored heat less their other gains.
 double HeatSolver::prescribed_heat(double dt)
 {
-    std::vector<double> sum{0};
-    if (some_prescribed_) {
-        heat_change(now_, next_, work2_);
-        DEADPOINT_PETSC(MatMult(mass_, work2_, work_));
-        DEADPOINT_PETSC(VecAXPY(work_, -dt * outer_weight, rate_now_.vector));
-        DEADPOINT_PETSC(VecAXPY(work_, -dt * outer_weight, rate_middle_.vector));
-        DEADPOINT_PETSC(VecAXPY(work_, -dt * diagonal, rate_next_.vector));
-        const double* values = nullptr;
-        DEADPOINT_PETSC(VecGetArrayRead(work_, &values));
-        for (const PetscInt row : prescribed_)
-            sum[0] += values[row - space_.first];
-        DEADPOINT_PETSC(VecRestoreArrayRead(work_, &values));
-    }
+    if (!some_prescribed_)
+        return 0;
+    heat_change(now_, next_, work2_);
+    DEADPOINT_PETSC(MatMult(mass_, work2_, work_));
+    DEADPOINT_PETSC(VecAXPY(work_, -dt * outer_weight, rate_now_.vector));
+    DEADPOINT_PETSC(VecAXPY(work_, -dt * outer_weight, rate_middle_.vector));
+    DEADPOINT_PETSC(VecAXPY(work_, -dt * diagonal, rate_next_.vector));
+    std::vector<double> sum(1, 0.0);
+    const double* values = nullptr;
+    DEADPOINT_PETSC(VecGetArrayRead(work_, &values));
+    for (const PetscInt row : prescribed_)
+        sum[0] += values[row - space_.first];
+    DEADPOINT_PETSC(VecRestoreArrayRead(work_, &values));
     sum_over_ranks(sum);
     return sum[0];
 }
