@@ -14,6 +14,14 @@ bool same_films(const InterfaceLaw& a, const InterfaceLaw& b)
 
 }  // namespace
 
+double HeatSolver::longest_segment(const HeatProblem& problem)
+{
+    double longest = 0;
+    for (const auto& segment : problem.segments)
+        longest = std::max(longest, segment.duration);
+    return longest;
+}
+
 void HeatSolver::choose_laws(const HeatSegment& segment)
 {
     laws_ = segment.interfaces.empty() ? &problem_->interfaces : &segment.interfaces;
@@ -38,6 +46,8 @@ bool HeatSolver::adopt(const HeatProblem& problem)
                       std::ranges::equal(laws, *laws_, same_films);
     if (!same)
         return false;
+    if (longest_segment(problem) > longest_segment(*problem_))
+        aggregates_built_ = false;  // the multigrid's bounds hold up to that
     for (auto& film : films_)
         film.condition = &problem.surfaces[film.index];
     for (auto& [position, condition] : prescribed_at_)

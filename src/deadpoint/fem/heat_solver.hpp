@@ -18,8 +18,7 @@ public:
     /// Takes another problem over if the matrices serve it as they are. Not after run().
     bool adopt(const HeatProblem& problem);
     void start_from(const ThermalState& state);
-    /// Where the run ended.
-    [[nodiscard]] ThermalState state() const;
+    [[nodiscard]] ThermalState state() const;  ///< where the run ended
     /// z of (M / time + K) z = weights per functional, with the films, joints and slopes of the heat laws at `time`.
     /// Changes the state.
     std::vector<Field> duals(double time, const Field& temperature, const std::vector<Adjoint>& weights);
@@ -33,8 +32,7 @@ private:
     using Interface = HeatInterface;
     using Film = HeatFilm;
     struct Step {
-        double error = 0;
-        double from_prescribed = 0;
+        double error = 0, from_prescribed = 0;
     };
 
     void prepare_parts();
@@ -70,6 +68,7 @@ private:
     /// Without a temperature: by the constants of materials that follow it.
     void combine_system(double factor, Vec temperature);
     void build_aggregates();
+    static double longest_segment(const HeatProblem& problem);
     void fill_system(double factor, Mat films, Vec temperature);
     void note_multigrid(Vec temperature);
     [[nodiscard]] bool system_follows_temperature() const { return variable_films_ || materials_vary(); }
@@ -166,7 +165,7 @@ private:
     OwnedKsp solver_;
     mutable std::unique_ptr<Everywhere> everywhere_;
     double system_factor_ = -1;
-    bool aggregates_built_ = false;  ///< of the multigrid, for the laws of the segment
+    bool aggregates_built_ = false;  ///< of the multigrid, for the laws and the length of the segments
     CoarseMatrices coarse_;          ///< where the system does not follow the temperature
     double multigrid_factor_ = -1;   ///< for which the multigrid hierarchy was built
     MultigridOrigin multigrid_origin_;

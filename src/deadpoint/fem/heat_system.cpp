@@ -137,13 +137,10 @@ void HeatSolver::build_aggregates()
 {
     begin_anew(solver_);
     coarse_ = {};
-    double longest = 0;
-    for (const auto& segment : problem_->segments)
-        longest = std::max(longest, segment.duration);
     PC multigrid = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &multigrid));
     DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, PETSC_FALSE));
-    for (const double factor : {longest, shortest_factor}) {
+    for (const double factor : {longest_segment(*problem_), shortest_factor}) {
         fill_system(factor, nullptr, nullptr);
         DEADPOINT_PETSC(PCSetUp(multigrid));  // KSPSetUp would do so only the first time
         if (system_follows_temperature())
