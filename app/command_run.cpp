@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/plan_text.hpp"
+#include "deadpoint/report/result_files.hpp"
 #include "deadpoint/report/run_files.hpp"
 #include "deadpoint/study/prepare.hpp"
 #include "deadpoint/study/refine.hpp"
@@ -29,10 +30,13 @@ struct RunOptions : ResultOptions {
 bool add_page(const ResultFolder& folder, Console& console)
 {
     const std::vector<report::ReportSource> source{{folder.path(), folder.target().filename().string()}};
+    const auto page = folder.path() / "report.html";
     try {
-        report::write_report(folder.path() / "report.html", source);
+        report::write_report(page, source);
         return true;
     } catch (const std::exception& error) {
+        std::error_code ignored;
+        std::filesystem::remove(page, ignored);
         console.warn(fmt::format("report.html is missing: {}", error.what()));
         return false;
     }
@@ -99,6 +103,9 @@ int run_case(RunOptions options, const OnRanks& ranks)
 
     const auto state_in = [](const std::string& place) { return place.empty() ? place : place + "/state.bin"; };
     wanted.start_from = state_in(options.from);
+    if (!options.from.empty()) {
+        report::ResultFiles(options.from).check("state.bin");
+    }
     wanted.state_file = state_in(path);
     wanted.field_folder = input.output.fields ? path : std::string{};
     wanted.comments = file_comments(input, console);
@@ -109,6 +116,7 @@ int run_case(RunOptions options, const OnRanks& ranks)
     console.finish();
     if (folder) {
         report::write_run_files(folder->path(), run.input, run.machine, result, console.warnings());
+        report::write_manifest(folder->path());
         const bool has_page = add_page(*folder, console);
         folder->commit();
         const auto where = folder->target().string();

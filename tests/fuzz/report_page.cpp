@@ -3,6 +3,7 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/page_parts.hpp"
+#include "deadpoint/report/result_files.hpp"
 #include "deadpoint/report/sweep_page.hpp"
 #include "input_file.hpp"
 
@@ -67,6 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const bool ready = [] {
         for (std::size_t i = 0; i < files.size(); ++i)
             make_sound(file.folder(), i);
+        deadpoint::report::write_manifest(file.folder() / "points/base");
         return true;
     }();
     if (size == 0 || !ready)
@@ -78,6 +80,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         make_sound(folder, broken);
     broken = chosen;
     InputFile::write(folder / files[chosen].first, data + 1, size - 1);
+    deadpoint::report::write_manifest(
+        (folder / files[chosen].first).parent_path());  // chance does not find the checksum
     const std::vector<fs::path> folders{folder};
     const auto page = folder / "page.html";
     if (chosen < 3)

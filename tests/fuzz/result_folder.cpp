@@ -2,6 +2,7 @@
 /// error of ours. The first byte of the input chooses the file; the other one is sound.
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/read_result.hpp"
+#include "deadpoint/report/result_files.hpp"
 #include "input_file.hpp"
 
 #include <array>
@@ -35,6 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         make_sound(file.folder(), names[broken]);
     broken = chosen;
     InputFile::write(file.folder() / names[chosen], data + 1, size - 1);
+    deadpoint::report::write_manifest(file.folder());  // chance does not find the checksum
     try {
         deadpoint::report::read_result(file.folder());
     } catch (const deadpoint::Error&) {

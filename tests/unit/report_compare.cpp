@@ -3,6 +3,7 @@
 #include "deadpoint/report/compare_files.hpp"
 #include "deadpoint/report/drift_summary_text.hpp"
 #include "deadpoint/report/read_result.hpp"
+#include "deadpoint/report/result_files.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>
@@ -29,7 +30,11 @@ struct Folder : ScratchFolder {
                            "0,20,20,5,0,0\n3600,22,30,4,-7.5,2\n");
         put("loads.json", R"({"slide": {"stroke_mm": 80}, "seats": {"B": {"mean_N": [1, -2]}}, "text": "x"})");
     }
-    void put(const std::string& name, const std::string& text) const { (void)file(name, text); }
+    void put(const std::string& name, const std::string& text) const
+    {
+        (void)file(name, text);
+        write_manifest(path);
+    }
     [[nodiscard]] std::string content(const std::string& name) const { return ::content(path / name); }
 };
 
@@ -56,6 +61,7 @@ TEST_CASE("a result folder is read back: rises, chain in metres, every number of
     CHECK(run.calibrated_time == 3600);
     CHECK(run.calibrated_probes == std::vector<std::string>{"top"});
     fs::remove(folder.path / "loads.json");
+    write_manifest(folder.path);
     CHECK_FALSE(read_result(folder.path).has_loads);
 }
 
@@ -70,7 +76,29 @@ TEST_CASE("a folder that no run has written, or an older version, is refused in 
     folder.put("summary.json", "{");
     CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("not the JSON"), InputError);
     fs::remove(folder.path / "summary.json");
-    CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("summary.json"), IoError);
+    CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("summary.json' is missing"), IoError);
+    write_manifest(folder.path);
+    CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("there is no"), IoError);
+}
+
+TEST_CASE("a history that was cut, emptied or edited is refused, and so is one that runs backwards or holds no number")
+{
+    const std::string head = "# deadpoint\ntime [s],top [degC]\n";
+    for (const std::string& text : {std::string(), head, head + "0,20\n", head + "0,20\n3600,23\n"}) {
+        CAPTURE(text);
+        const Folder folder;
+        (void)folder.file("history.csv", text);
+        CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("history.csv' was changed"), InputError);
+    }
+    const Folder folder;
+    const auto refused = [&](const std::string& rows, const char* what) {
+        folder.put("history.csv", head + rows);
+        CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains(what), InputError);
+    };
+    refused("0,20\n3600,22\n1800,21\n", "history.csv:5: the time does not increase");
+    refused("0,20\n0,22\n", "history.csv:4: the time does not increase");
+    refused("0,20\n3600,nan\n", "is no finite number");
+    refused("", "there are no rows");
 }
 
 TEST_CASE("the comparison as text, page and JSON: shown units, signs, baselines, notes and verdicts")

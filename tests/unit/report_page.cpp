@@ -2,6 +2,7 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/json_file.hpp"
 #include "deadpoint/report/page.hpp"
+#include "deadpoint/report/result_files.hpp"
 #include "deadpoint/report/sweep_page.hpp"
 #include "deadpoint/report/view_file.hpp"
 
@@ -21,10 +22,12 @@ namespace {
 
 using Folder = ScratchFolder;
 
+// Into a folder of results, which is then listed as it is.
 void put(const fs::path& path, const std::string& text)
 {
     fs::create_directories(path.parent_path());
     std::ofstream(path) << text;
+    write_manifest(path.parent_path());
 }
 
 std::string encoded(const std::string& text)
@@ -47,7 +50,7 @@ void put_study(const fs::path& folder, const std::string& name)
     put(folder / "sweep.json", R"({"version": "1", "study": {"name": ")" + name + R"(", "base": "case.toml", "note": "",
         "overrides": []}, "warnings": ["<b>hot</b>"], "limits": {"largest_um": null, "end_um": null}, "sets": [{"name": "s",
         "axes": [], "window": {"text": "speed 1 rpm to 2 rpm", "points": 1}}],
-        "points": [{"name": "one", "state": "done"}, {"name": "../elsewhere", "state": "failed"}]})");
+        "points": [{"name": "one", "state": "done", "case_hash": "77"}, {"name": "../elsewhere", "state": "failed"}]})");
     put(folder / "sweep.csv", "# by hand\npoint,largest E_SW [um],reason\none,-12.345678,\n\"../elsewhere\",,<i>\n");
     put(folder / "points/one/summary.json", R"({"version": "1", "case": {"name": "press", "hash": "77"},
         "initial_temperature_degC": 20, "probe_rises_K": {"P": {"end": 4}}, "gaps": {"force": {"final_kN": 3}},
@@ -241,11 +244,31 @@ TEST_CASE("without scripts the page of a run shows gap, corners, clearances, ris
         CHECK_MESSAGE(has(shown, piece), piece);
 }
 
+TEST_CASE("a page is not made from files of two runs, nor a study's from a point of another case")
+{
+    const ScratchFolder folder;
+    put_study(folder.path, "study");
+    const auto page = folder.path / "page.html";
+    const std::vector<fs::path> point{folder.path / "points/one"};
+    std::ofstream(folder.path / "points/one/history.csv") << "time [s],P [degC]\n0,20\n";
+    CHECK_THROWS_WITH_AS(write_report(page, report_sources(point)), doctest::Contains("history.csv' was changed"),
+                         InputError);
+    CHECK_THROWS_WITH_AS(write_sweep_report(page, folder.path), doctest::Contains("history.csv' was changed"),
+                         InputError);
+    put(folder.path / "points/one/summary.json", R"({"version": "1", "case": {"name": "press", "hash": "78"}})");
+    CHECK_THROWS_WITH_AS(write_sweep_report(page, folder.path), doctest::Contains("hash 78"), InputError);
+    std::ofstream(folder.path / "sweep.csv") << "point\n";
+    CHECK_THROWS_WITH_AS(write_sweep_report(page, folder.path), doctest::Contains("sweep.csv' was changed"),
+                         InputError);
+    CHECK_FALSE(fs::exists(page));
+}
+
 TEST_CASE("a study that cannot be read is refused with the remedy")
 {
     const ScratchFolder folder;
     CHECK_THROWS_WITH_AS(write_sweep_report(folder.path / "page.html", folder.path),
                          doctest::Contains("give a folder that 'deadpoint sweep' wrote"), InputError);
+    put(folder.path / "sweep.csv", "point\n");
     put(folder.path / "sweep.json", R"({"points": 3})");
     CHECK_THROWS_WITH_AS(write_sweep_report(folder.path / "page.html", folder.path),
                          doctest::Contains("run the study again"), InputError);

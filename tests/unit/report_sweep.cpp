@@ -2,6 +2,7 @@
 #include "deadpoint/core/csv_table.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/read_result.hpp"
+#include "deadpoint/report/result_files.hpp"
 #include "deadpoint/report/sweep_charts.hpp"
 #include "deadpoint/report/sweep_files.hpp"
 
@@ -363,6 +364,7 @@ TEST_CASE("what a run says of its gap and its joints is read back")
         "first_hour": {"change_um": -3.5}, "range_um": 7.5, "steady_from_s": 1200}}})");
     put("history.csv", "time [s],top [degC],pin temperature [degC],pin heat [W],motor heat [W],E_SW [um]\n"
                        "0,20,20,5,9,0\n3600,22,30,4,9,-7.5\n");
+    write_manifest(folder.path);
     const auto run = read_result(folder.path);
     REQUIRE(run.gap);
     CHECK(run.gap->first_hour_change == doctest::Approx(-3.5e-6).epsilon(1e-14));

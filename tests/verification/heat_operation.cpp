@@ -1,13 +1,16 @@
 #include "../scratch_folder.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/hash.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 #include "deadpoint/surroundings/oil_circuit.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sys/stat.h>
 
 // What the operation does to a machine besides friction: oil on its way, motors, warm rings, pauses, a later start.
 
@@ -302,6 +305,18 @@ deadpoint::study::RunResult run(const Case& input, const deadpoint::study::RunOp
     return deadpoint::study::run_case(input, machine, options, silent);
 }
 
+/// The same state with another last temperature [K], its length and checksum as they belong.
+void write_with_last_value(const std::filesystem::path& file, std::string bytes, double value)
+{
+    const std::size_t at = bytes.size() - 3 * sizeof(double);  // before length and checksum
+    std::memcpy(bytes.data() + at, &value, sizeof(value));
+    deadpoint::StableHash hash;
+    hash.add(std::string_view(bytes).substr(0, bytes.size() - sizeof(std::uint64_t)));
+    const auto checksum = hash.value();
+    std::memcpy(bytes.data() + bytes.size() - sizeof(checksum), &checksum, sizeof(checksum));
+    std::ofstream(file, std::ios::binary) << bytes;
+}
+
 }  // namespace
 
 TEST_CASE("a run goes on from a saved state")
@@ -340,13 +355,27 @@ TEST_CASE("a run goes on from a saved state")
         CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("is cut short"),
                              deadpoint::IoError);
         std::ofstream(file) << "something else\n";
-        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("is not a temperature state"),
-                             deadpoint::IoError);
-        std::ofstream(file) << "deadpoint-thermal-state-1 " << std::string(100'000, 'x');  // no line is so long
-        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("is not a temperature state"),
+        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("does not begin with"),
                              deadpoint::IoError);
         std::filesystem::remove(file);
         CHECK_THROWS_AS(run(input, {file.string(), "", "", {}}), deadpoint::IoError);
+        REQUIRE(mkfifo(file.c_str(), 0600) == 0);
+        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("it is not a file"),
+                             deadpoint::IoError);
+    }
+    SUBCASE("nor from one in which a bit was flipped, or that holds a temperature below absolute zero")
+    {
+        auto bytes = content(file);
+        bytes[bytes.size() / 2] ^= 1;
+        std::ofstream(file, std::ios::binary) << bytes;
+        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("its checksum does not fit"),
+                             deadpoint::IoError);
+        bytes[bytes.size() / 2] ^= 1;
+        write_with_last_value(file, bytes, -1);
+        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("a temperature of -1 K"),
+                             deadpoint::DomainError);
+        write_with_last_value(file, bytes, 300);
+        CHECK_NOTHROW(run(input, {file.string(), "", "", {}}));
     }
 }
 

@@ -93,15 +93,11 @@ std::vector<double> CsvTable::numbers(std::size_t column) const
     return values;
 }
 
-CsvTable read_csv(const std::filesystem::path& path)
+CsvTable parse_csv(const std::string& text, const std::string& file)
 {
-    const auto text = read_file(path, largest_result);
-    if (!text) {
-        throw IoError(fmt::format("cannot read '{}'\n  help: check that the file exists", path.string()));
-    }
     CsvTable table;
-    table.file = path.string();
-    std::istringstream in(*text);
+    table.file = file;
+    std::istringstream in(text);
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {
         if (line.ends_with('\r')) {
@@ -143,6 +139,15 @@ CsvTable read_csv(const std::filesystem::path& path)
                                      table.file));
     }
     return table;
+}
+
+CsvTable read_csv(const std::filesystem::path& path)
+{
+    const auto text = read_file(path, largest_result);
+    if (!text) {
+        throw IoError(fmt::format("cannot read '{}'\n  help: check that the file exists", path.string()));
+    }
+    return parse_csv(*text, path.string());
 }
 
 }  // namespace deadpoint

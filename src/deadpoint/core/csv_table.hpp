@@ -29,8 +29,14 @@ struct CsvTable {
     [[nodiscard]] std::vector<double> numbers(std::size_t column) const;
 };
 
-/// @throws IoError if the file cannot be read
+/// The table in a text.
+/// @param file  its name in messages
 /// @throws InputError if it has no heading, or a row with more or fewer cells than the heading
+CsvTable parse_csv(const std::string& text, const std::string& file);
+
+/// The table in a file.
+/// @throws IoError if the file cannot be read
+/// @throws InputError as parse_csv()
 CsvTable read_csv(const std::filesystem::path& path);
 
 }  // namespace deadpoint

@@ -1,5 +1,6 @@
 #include "deadpoint/fem/thermal_state.hpp"
 
+#include "deadpoint/core/binary_file.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/fem/file_order.hpp"
@@ -7,36 +8,30 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
-#include <sstream>
+#include <string_view>
 
 namespace deadpoint::fem {
 namespace {
 
-constexpr const char* kind = "deadpoint-thermal-state-1";
+constexpr std::string_view kind = "deadpoint-thermal-state-2\n";
+constexpr const char* help = "name the folder of a finished run with --from, or compute that run again";
 
 std::string heading(const Discretisation& space, const ThermalState& like)
 {
-    const auto text = fmt::format("{} {} sumps {}", kind, mesh_text(space), like.sumps.size());
+    const auto text = fmt::format("{} sumps {}", mesh_text(space), like.sumps.size());
     return like.enclosures.empty() ? text : fmt::format("{} enclosures {}", text, like.enclosures.size());
 }
 
-void write(std::ostream& out, const std::vector<double>& values)
+std::vector<double> read(BinaryReader& in, std::size_t count, const std::string& file)
 {
-    out.write(reinterpret_cast<const char*>(values.data()),
-              static_cast<std::streamsize>(values.size() * sizeof(double)));
-}
-
-std::vector<double> read(std::istream& in, std::size_t count, const std::string& file)
-{
-    std::vector<double> values(count);
-    in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(double)));
-    if (in.gcount() != static_cast<std::streamsize>(count * sizeof(double)))
-        throw IoError(fmt::format("{} is cut short; start from a complete result folder", file));
+    std::vector<double> values;
+    in(values);
+    if (values.size() != count)
+        in.refuse(fmt::format("it holds {} temperatures where {} are due", values.size(), count));
     for (const double value : values)
-        if (!std::isfinite(value))
-            throw DomainError(fmt::format("{} holds a temperature that is not finite", file));
+        if (!std::isfinite(value) || value <= 0)
+            throw DomainError(
+                fmt::format("{} holds a temperature of {} K, which no part can have\n  help: {}", file, value, help));
     return values;
 }
 
@@ -52,10 +47,9 @@ void write_thermal_state(const std::string& file, const Discretisation& space, c
             for (const auto unknown : order_of_file(space))
                 ordered.push_back(all[unknown]);
             write_file(file, [&](std::ostream& out) {
-                out << heading(space, state) << '\n';
-                write(out, state.sumps);
-                write(out, state.enclosures);
-                write(out, ordered);
+                BinaryWriter writer(out, kind);
+                writer(heading(space, state), state.sumps, state.enclosures, ordered);
+                writer.finish();
             });
         } catch (const IoError& reason) {
             error = reason.what();
@@ -68,20 +62,15 @@ void write_thermal_state(const std::string& file, const Discretisation& space, c
 
 ThermalState read_thermal_state(const std::string& file, const Discretisation& space, const ThermalState& like)
 {
-    std::ifstream in(file, std::ios::binary);
+    BinaryReader in(file, kind, help);
     const auto wanted = heading(space, like);
-    std::string line(wanted.size() + 4096, '\0');  // room for that of another machine, not for any file
-    in.getline(line.data(), std::ssize(line));
-    line.resize(line.find('\0'));
-    if (!in || line.rfind(kind, 0) != 0)
-        throw IoError(fmt::format("{} is not a temperature state\n  help: name the folder of a finished run, which "
-                                  "holds state.bin",
-                                  file));
-    if (line != wanted)
+    std::string found;
+    in(found);
+    if (found != wanted)
         throw InputError(fmt::format(
             "{} belongs to another mesh, element order or set of oil circuits and enclosures\n  it is:  {}\n  "
             "wanted: {}\n  help: start from a run of the same parts at the same --size",
-            file, line, wanted));
+            file, found, wanted));
     ThermalState state;
     state.sumps = read(in, like.sumps.size(), file);
     state.enclosures = read(in, like.enclosures.size(), file);

@@ -3,6 +3,7 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/json_file.hpp"
+#include "deadpoint/report/result_files.hpp"
 #include "deadpoint/report/table.hpp"
 
 #include <algorithm>
@@ -351,6 +352,8 @@ void write_compare_files(const std::filesystem::path& stem, const study::RunReco
     };
     write_json(with(".json"), compare_json(run, c));
     write_file(with(".md"), compare_page(run, c));
+    record_file(with(".json"));
+    record_file(with(".md"));
 }
 
 }  // namespace deadpoint::report

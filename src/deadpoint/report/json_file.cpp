@@ -33,6 +33,18 @@ int depth_of(const std::string& text)
     return most;
 }
 
+nlohmann::ordered_json parsed(const std::string& text, const std::filesystem::path& path)
+{
+    auto json = depth_of(text) > deepest ? nlohmann::ordered_json(nlohmann::ordered_json::value_t::discarded)
+                                         : nlohmann::ordered_json::parse(text, nullptr, false);
+    if (json.is_discarded()) {
+        throw InputError(fmt::format(
+            "'{}' is not the JSON that deadpoint wrote\n  help: compute the case again, or leave this folder out",
+            path.string()));
+    }
+    return json;
+}
+
 }  // namespace
 
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& document)
@@ -44,17 +56,13 @@ void write_json(const std::filesystem::path& path, const nlohmann::ordered_json&
 std::optional<nlohmann::ordered_json> read_json(const std::filesystem::path& path)
 {
     const auto text = read_file(path, largest_result);
-    if (!text) {
-        return std::nullopt;
-    }
-    auto json = depth_of(*text) > deepest ? nlohmann::ordered_json(nlohmann::ordered_json::value_t::discarded)
-                                          : nlohmann::ordered_json::parse(*text, nullptr, false);
-    if (json.is_discarded()) {
-        throw InputError(fmt::format(
-            "'{}' is not the JSON that deadpoint wrote\n  help: compute the case again, or leave this folder out",
-            path.string()));
-    }
-    return json;
+    return text ? std::optional(parsed(*text, path)) : std::nullopt;
+}
+
+std::optional<nlohmann::ordered_json> read_json(const ResultFiles& files, const std::string& name)
+{
+    const auto text = files.read(name);
+    return text ? std::optional(parsed(*text, files.folder() / name)) : std::nullopt;
 }
 
 }  // namespace deadpoint::report

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/report/result_files.hpp"
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,10 +13,14 @@ namespace deadpoint::report {
 /// @throws IoError if the file cannot be written
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& document);
 
-/// Reads a JSON document of a result folder, which may have been changed since. Internal to report/ as well.
+/// Reads a JSON document that deadpoint wrote. Internal to report/ as well.
 /// @return nothing if there is no such file
 /// @throws IoError if it cannot be read
 /// @throws InputError if it is not JSON, too large, or nested deeper than what is written here
 std::optional<nlohmann::ordered_json> read_json(const std::filesystem::path& path);
+
+/// The same from a folder of results, and just as it was written there.
+/// @throws as ResultFiles::read() besides
+std::optional<nlohmann::ordered_json> read_json(const ResultFiles& files, const std::string& name);
 
 }  // namespace deadpoint::report

@@ -1,7 +1,6 @@
 #include "deadpoint/report/page.hpp"
 
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/core/read_file.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/report/json_file.hpp"
 #include "deadpoint/report/page_parts.hpp"
@@ -24,21 +23,22 @@ constexpr std::size_t most_angles = 361;
 
 Json source_json(const ReportSource& source)
 {
+    const ResultFiles files(source.folder);
     Json json{{"name", source.name}};
     for (const auto& [file, key] : {std::pair{"summary.json", "summary"},
                                     {"loads.json", "loads"},
                                     {"view.json", "view"},
                                     {"motion.json", "motion"}})
-        if (auto value = read_json(source.folder / file))
+        if (auto value = read_json(files, file))
             json[key] = std::move(*value);
     for (const auto& [file, key, rows] : {std::tuple{"history.csv", "history", most_times},
                                           {"contributions.csv", "contributions", most_times},
                                           {"gaps.csv", "gaps", most_times},
                                           {"joints.csv", "joints", most_angles},
                                           {"bearings.csv", "bearings", most_angles}})
-        if (const auto text = read_file(source.folder / file, largest_result))
+        if (const auto text = files.read(file))
             json[key] = thinned_csv(*text, rows);
-    if (const auto text = read_file(source.folder / "case.toml", largest_result))
+    if (const auto text = files.read("case.toml"))
         json["case_file"] = *text;
     if (!json.contains("summary") && !json.contains("loads"))
         throw InputError(fmt::format("'{}' holds no results\n  help: give a folder that 'deadpoint run' or "

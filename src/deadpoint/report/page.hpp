@@ -20,7 +20,7 @@ struct ReportSource {
 std::vector<ReportSource> report_sources(std::span<const std::filesystem::path> folders);
 
 /// Writes the page; complete or absent. Long tables are thinned: the page needs no more rows than a screen has pixels.
-/// @throws InputError if a folder holds no results or one of its files cannot be understood
+/// @throws InputError if a folder holds no results, or one of its files was changed or cannot be understood
 /// @throws IoError    if a file cannot be read or the page cannot be written
 void write_report(const std::filesystem::path& file, std::span<const ReportSource> sources);
 

@@ -3,6 +3,7 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/page_parts.hpp"
+#include "deadpoint/report/result_files.hpp"
 
 #include <fmt/format.h>
 
@@ -60,6 +61,7 @@ void write_page(const fs::path& file, const PageContent& content, std::span<cons
             out << script;
         out << "</script>\n</body>\n</html>\n";
     });
+    record_file(file);
 }
 
 }  // namespace deadpoint::report

@@ -1,6 +1,5 @@
 #include "deadpoint/report/page_tables.hpp"
 
-#include "deadpoint/core/csv_table.hpp"
 #include "deadpoint/report/page_shell.hpp"
 #include "deadpoint/report/table.hpp"
 
@@ -119,7 +118,7 @@ std::string run_tables(const Json& run)
            cite(facts.value("version", "-"), fmt::format("case \"{}\", hash {}", machine.value("name", ""), hash));
 }
 
-std::string sweep_tables(const Json& sweep, const std::filesystem::path& table)
+std::string sweep_tables(const Json& sweep, const CsvTable& points)
 {
     const auto study = sweep.value("study", Json::object());
     const auto version = sweep.value("version", "-");
@@ -130,7 +129,6 @@ std::string sweep_tables(const Json& sweep, const std::filesystem::path& table)
         if (set.contains("window") && set.at("window").is_object())
             windows.push_back({set.value("name", ""), set.at("window").value("text", "")});
     text += html_table("Best windows", {"set", "window"}, windows);
-    const auto points = read_csv(table);
     std::vector<std::string> titles;
     for (const auto& column : points.columns)
         titles.push_back(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <filesystem>
+#include "deadpoint/core/csv_table.hpp"
+
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -11,7 +12,7 @@ namespace deadpoint::report {
 std::string run_tables(const nlohmann::ordered_json& run);
 
 /// @param sweep  sweep.json
-/// @param table  sweep.csv
-std::string sweep_tables(const nlohmann::ordered_json& sweep, const std::filesystem::path& table);
+/// @param points  sweep.csv
+std::string sweep_tables(const nlohmann::ordered_json& sweep, const CsvTable& points);
 
 }  // namespace deadpoint::report

@@ -17,14 +17,27 @@ using Json = nlohmann::ordered_json;
 constexpr double micrometre = 1e-6;
 constexpr double zero_celsius = 273.15;
 
-Json needed_json(const fs::path& path)
+template <class Content>
+Content needed(std::optional<Content> content, const fs::path& path)
 {
-    auto json = read_json(path);
-    if (!json) {
+    if (!content) {
         throw IoError(
             fmt::format("there is no '{}'\n  help: name a folder that 'deadpoint run' has written", path.string()));
     }
-    return *std::move(json);
+    return *std::move(content);
+}
+
+/// Rows go forward in time. The checksum says that they are as written; this, that they can be interpolated.
+void require_course(const CsvTable& table, const std::vector<double>& time)
+{
+    if (time.empty()) {
+        throw InputError(fmt::format("{}: there are no rows\n  help: compute the case again", table.file));
+    }
+    const auto back = std::ranges::adjacent_find(time, [](double now, double next) { return !(now < next); });
+    if (back != time.end()) {
+        throw InputError(fmt::format("{}:{}: the time does not increase\n  help: compute the case again", table.file,
+                                     table.lines[static_cast<std::size_t>(back - time.begin()) + 1]));
+    }
 }
 
 /// Every number below a value, by the names and indices that lead to it with points between.
@@ -75,13 +88,10 @@ void read_summary(const Json& json, study::RunRecord& run)
     }
 }
 
-void read_history(const fs::path& path, study::RunRecord& run)
+void read_history(const CsvTable& table, study::RunRecord& run)
 {
-    const auto table = read_csv(path);
     run.time = table.numbers(table.column("time"));
-    if (run.time.empty()) {
-        throw InputError(fmt::format("{}: there are no rows\n  help: compute the case again", path.string()));
-    }
+    require_course(table, run.time);
     for (const auto& probe : run.probes) {
         auto rises = table.numbers(table.column(probe));
         for (double& rise : rises) {
@@ -115,25 +125,22 @@ void read_history(const fs::path& path, study::RunRecord& run)
 
 study::RunRecord read_result(const fs::path& folder)
 {
-    std::error_code error;
-    if (!fs::is_directory(folder, error)) {
-        throw IoError(fmt::format("there is no folder '{}'\n  help: name a folder that 'deadpoint run' has written",
-                                  folder.string()));
-    }
+    const ResultFiles files(folder);
     study::RunRecord run;
     run.folder = folder.string();
     const fs::path summary = folder / "summary.json";
     try {
-        read_summary(needed_json(summary), run);
+        read_summary(needed(read_json(files, "summary.json"), summary), run);
     } catch (const Json::exception& reason) {
         throw InputError(
             fmt::format("{}: {}\n  help: it is from another version of the program; compute the case again",
                         summary.string(), reason.what()));
     }
-    read_history(folder / "history.csv", run);
-    if (const fs::path loads = folder / "loads.json"; fs::exists(loads, error)) {
+    const fs::path history = folder / "history.csv";
+    read_history(parse_csv(needed(files.read("history.csv"), history), history.string()), run);
+    if (const auto loads = read_json(files, "loads.json")) {
         run.has_loads = true;
-        flatten(needed_json(loads), "", run.loads);
+        flatten(*loads, "", run.loads);
     }
     return run;
 }

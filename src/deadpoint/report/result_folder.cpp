@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/write_file.hpp"
+#include "deadpoint/report/result_files.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -103,6 +104,9 @@ ResultFolder::~ResultFolder()
 void ResultFolder::commit()
 {
     keep_ = true;  // from here on results are complete; never lose them
+    if (!fs::exists(partial_ / manifest_name)) {
+        write_manifest(partial_);
+    }
     refuse_existing(target_, if_exists_);
     sync_folder(partial_);
     std::error_code error;

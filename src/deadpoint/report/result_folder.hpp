@@ -24,7 +24,8 @@ public:
     /// Where to write.
     [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
     [[nodiscard]] const std::filesystem::path& target() const { return target_; }
-    /// Renames the partial folder to the target. What stood there is removed only after that has succeeded.
+    /// Lists the files (result_files.hpp) unless that was done, and renames the partial folder to the target. What
+    /// stood there is removed only after that has succeeded.
     /// @throws IoError if the target appeared in the meantime or renaming fails; the results then stay in path()
     void commit();
     /// Leaves the partial folder on disk if commit() is not reached.

@@ -3,6 +3,7 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/report/csv.hpp"
 #include "deadpoint/report/json_file.hpp"
+#include "deadpoint/report/result_files.hpp"
 #include "deadpoint/report/sweep_charts.hpp"
 
 #include <algorithm>
@@ -373,6 +374,7 @@ void write_sweep_files(const std::filesystem::path& folder, const SweepResult& r
     write_csv(folder / "sweep.csv", comments, TableWriter(result, figures, windows).run());
     write_json(folder / "sweep.json", sweep_json(result, figures, windows, warnings));
     write_sweep_charts(folder, result, comments);
+    write_manifest(folder);
 }
 
 }  // namespace deadpoint::report

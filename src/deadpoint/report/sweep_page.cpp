@@ -42,9 +42,8 @@ std::vector<double> changed(std::vector<double> values, double offset, double fa
     return values;
 }
 
-Json course_json(const fs::path& history, const Json& summary, std::size_t rows)
+Json course_json(const CsvTable& table, const Json& summary, std::size_t rows)
 {
-    const auto table = read_csv(history);
     Json json{{"hours", thinned(changed(table.numbers(table.column("time")), 0, 1.0 / 3600), rows)}};
     const auto has = [&](const std::string& name) {
         return std::ranges::any_of(table.columns, [&](const auto& column) { return column.name == name; });
@@ -65,31 +64,48 @@ fs::path point_folder(const fs::path& study, const std::string& name)
     return study / "points" / fs::path(name).filename();
 }
 
-Json point_json(const fs::path& folder, std::size_t rows)
+// The results of a point must be those that the study's table was made from.
+void require_same_case(const Json& point, const Json& summary, const fs::path& folder)
+{
+    const auto hash = summary.value("case", Json::object()).value("hash", "");
+    if (hash != point.at("case_hash").get<std::string>())
+        throw InputError(
+            fmt::format("'{}' holds another case (hash {}) than the study had there (hash {})\n  help: run "
+                        "the study again",
+                        folder.string(), hash, point.at("case_hash").get<std::string>()));
+}
+
+Json point_json(const ResultFiles& files, const Json& summary, std::size_t rows)
 {
     Json json = Json::object();
-    const auto found = read_json(folder / "summary.json");
-    if (!found)
-        return json;
-    const auto& summary = *found;
-    if (fs::exists(folder / "history.csv"))
-        json["course"] = course_json(folder / "history.csv", summary, rows);
+    if (const auto history = files.read("history.csv"))
+        json["course"] = course_json(parse_csv(*history, (files.folder() / "history.csv").string()), summary, rows);
     if (summary.contains("gaps"))
         json["gaps"] = summary.at("gaps");
     return json;
 }
 
-// What is the same of all points, from the first that is there.
-void add_common(Json& data, const fs::path& folder)
+// What is the same of all points, from the first that has results.
+void add_common(Json& data, const Json& summary)
 {
     if (data.contains("machine"))
         return;
-    const auto found = read_json(folder / "summary.json");
-    if (!found)
-        return;
-    const auto& summary = *found;
     data["machine"] = summary.value("case", Json::object()).value("name", "");
     data["left_out"] = summary.value("left_out", Json::array());
+}
+
+// Course and gaps of a point; nothing of one that has no results.
+Json read_point(const Json& point, const fs::path& folder, std::size_t rows, Json& data)
+{
+    if (!point.contains("case_hash"))
+        return Json::object();
+    const ResultFiles files(folder);
+    const auto summary = read_json(files, "summary.json");
+    if (!summary)
+        throw IoError(fmt::format("there is no '{}'\n  help: run the study again", (folder / "summary.json").string()));
+    require_same_case(point, *summary, folder);
+    add_common(data, *summary);
+    return point_json(files, *summary, rows);
 }
 
 }  // namespace
@@ -99,10 +115,14 @@ bool is_study(const fs::path& folder) { return fs::exists(folder / "sweep.json")
 void write_sweep_report(const fs::path& file, const fs::path& folder)
 {
     const auto source = folder / "sweep.json";
-    const auto found = read_json(source);
-    if (!found)
+    if (!is_study(folder))
         throw InputError(
             fmt::format("'{}' holds no study\n  help: give a folder that 'deadpoint sweep' wrote", folder.string()));
+    const ResultFiles files(folder);
+    const auto found = read_json(files, "sweep.json");
+    const auto table = files.read("sweep.csv");
+    if (!found || !table)
+        throw IoError(fmt::format("there is no '{}'\n  help: run the study again", (folder / "sweep.csv").string()));
     PageContent content;
     auto& data = content.data;
     const auto& sweep = *found;
@@ -116,15 +136,14 @@ void write_sweep_report(const fs::path& file, const fs::path& folder)
         Json courses = Json::object();
         for (const auto& point : points) {
             const auto name = point.at("name").get<std::string>();
-            courses[name] = point_json(point_folder(folder, name), rows);
-            add_common(data, point_folder(folder, name));
+            courses[name] = read_point(point, point_folder(folder, name), rows, data);
         }
         data["points"] = std::move(courses);
         content.title = sweep.at("study").at("name").get<std::string>();
         content.without_scripts = "<p>This page draws its charts and maps with scripts, which are switched off here; "
                                   "they are missing below. The "
                                   "charts stand as SVG files in the folder of the study.</p>\n" +
-                                  sweep_tables(sweep, folder / "sweep.csv");
+                                  sweep_tables(sweep, parse_csv(*table, (folder / "sweep.csv").string()));
     } catch (const Json::exception& reason) {
         throw InputError(fmt::format("{}: {}\n  help: it is from another version of the program; run the study again",
                                      source.string(), reason.what()));
