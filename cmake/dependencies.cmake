@@ -20,6 +20,12 @@ add_library(muparser INTERFACE)
 target_link_libraries(muparser INTERFACE ${MUPARSER_LIBRARY})
 target_include_directories(muparser SYSTEM INTERFACE ${MUPARSER_INCLUDE})
 
+find_library(SECCOMP_LIBRARY seccomp REQUIRED)
+find_path(SECCOMP_INCLUDE seccomp.h REQUIRED)
+add_library(seccomp INTERFACE)
+target_link_libraries(seccomp INTERFACE ${SECCOMP_LIBRARY})
+target_include_directories(seccomp SYSTEM INTERFACE ${SECCOMP_INCLUDE})
+
 find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
 add_library(tomlplusplus INTERFACE)
 target_include_directories(tomlplusplus SYSTEM INTERFACE ${TOMLPLUSPLUS_INCLUDE})

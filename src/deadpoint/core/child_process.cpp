@@ -1,7 +1,9 @@
 #include "deadpoint/core/child_process.hpp"
 
+#include "deadpoint/core/confine.hpp"
 #include "deadpoint/core/error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -12,8 +14,10 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
+#include <memory>
 #include <new>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -63,7 +67,8 @@ void set_limit(int resource, std::uint64_t value)
     setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-[[noreturn]] void be_the_child(int to, const ChildLimits& limits, const std::function<std::string()>& work)
+[[noreturn]] void be_the_child(int to, const ChildLimits& limits, const std::function<std::string()>& work,
+                               Refusal* refusal)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     set_limit(RLIMIT_AS, mapped_memory() + limits.memory);
@@ -75,6 +80,7 @@ void set_limit(int resource, std::uint64_t value)
         _exit(1);
     }
     try {
+        confine({limits.file, limits.name, to, refusal});
         hand_over(to, handed_over, work());
     } catch (const Error& error) {
         hand_over(to, static_cast<char>(error.kind()), error.what());
@@ -88,10 +94,20 @@ void set_limit(int resource, std::uint64_t value)
     _exit(0);
 }
 
+/// Of memory that a child shares.
+Refusal* shared_refusal(const std::string& what)
+{
+    void* place = mmap(nullptr, sizeof(Refusal), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (place == MAP_FAILED) {
+        throw IoError(fmt::format("{}: no process can be started: {}", what, std::strerror(errno)));
+    }
+    return new (place) Refusal;
+}
+
 class Child {
 public:
     Child(const std::string& what, const ChildLimits& limits, const std::function<std::string()>& work)
-        : what_(what), limits_(limits)
+        : what_(what), limits_(limits), refusal_(shared_refusal(what), [](Refusal* r) { munmap(r, sizeof(Refusal)); })
     {
         std::array<int, 2> ends{};
         if (pipe(ends.data()) != 0) {
@@ -108,7 +124,7 @@ public:
         }
         if (process_ == 0) {
             close(ends[0]);
-            be_the_child(ends[1], limits, work);
+            be_the_child(ends[1], limits, work, refusal_.get());
         }
         close(ends[1]);
         from_ = ends[0];
@@ -125,10 +141,11 @@ public:
     }
 
     /// Everything that it hands over.
-    std::string read_all()
+    std::string read_all(const std::function<void(double)>& waiting)
     {
+        const auto start = Clock::now();
         const auto end =
-            Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits_.seconds));
+            start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits_.seconds));
         std::string bytes;
         std::array<char, 65536> buffer{};
         for (;;) {
@@ -140,6 +157,9 @@ public:
                     fmt::format("{} took longer than {:.3g} s and was stopped\n  help: simplify the file, or "
                                 "mesh it with another program and give the mesh",
                                 what_, limits_.seconds));
+            }
+            if (ready == 0 && waiting) {
+                waiting(std::chrono::duration<double>(Clock::now() - start).count());
             }
             if (ready <= 0) {
                 continue;
@@ -155,6 +175,8 @@ public:
         }
     }
 
+    [[nodiscard]] const Refusal& refusal() const { return *refusal_; }
+
     int wait_for_end()
     {
         int status = 0;
@@ -167,9 +189,35 @@ public:
 private:
     std::string what_;
     ChildLimits limits_;
+    std::unique_ptr<Refusal, void (*)(Refusal*)> refusal_;
     pid_t process_ = -1;
     int from_ = -1;
 };
+
+/// Text that may come from a foreign file, without what steers a terminal.
+std::string printable(std::string text)
+{
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return (c < ' ' && c != '\n') || c == 127; }, '?');
+    return text;
+}
+
+/// A refused call is noted by a signal's handler; to start a program or a thread the C library holds all signals back.
+constexpr const char* unnoted = "to start a program or a thread";
+
+/// Of a child that was ended for what it asked.
+[[noreturn]] void throw_refused(const std::string& what, const Refusal& refusal)
+{
+    if (refusal.path[0] != '\0') {
+        const std::string path = printable({refusal.path, strnlen(refusal.path, sizeof refusal.path)});
+        throw InputError(fmt::format("{} was stopped: it wants to open another file, '{}'\n  help: put all into one "
+                                     "file; do not use it if it is not yours and should need no other",
+                                     what, path));
+    }
+    throw InputError(fmt::format("{} was stopped: no reader needs what it asks the system for ({})\n  help: the file "
+                                 "may be made to attack; do not use it, or check it with the program that wrote it",
+                                 what, refusal.call == Refusal::none ? unnoted : name_of_call(refusal.call)));
+}
 
 [[noreturn]] void throw_as(char kind, const std::string& what, const std::string& message, const ChildLimits& limits)
 {
@@ -185,7 +233,7 @@ private:
     case out_of_memory:
         throw InputError(
             fmt::format("{} needs more than {:.1f} GB of memory\n  help: make its cells larger, or simplify "
-                        "the file",
+                        "the file; check the counts in it where it is a mesh",
                         what, 1e-9 * static_cast<double>(limits.memory)));
     default:
         throw InputError(
@@ -195,11 +243,15 @@ private:
 
 }  // namespace
 
-std::string run_in_child(const std::string& what, const ChildLimits& limits, const std::function<std::string()>& work)
+std::string run_in_child(const std::string& what, const ChildLimits& limits, const std::function<std::string()>& work,
+                         const std::function<void(double)>& waiting)
 {
     Child child(what, limits, work);
-    std::string bytes = child.read_all();
+    std::string bytes = child.read_all(waiting);
     const int status = child.wait_for_end();
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGSYS) {
+        throw_refused(what, child.refusal());
+    }
     if (WIFSIGNALED(status)) {
         throw InputError(fmt::format("{} failed: the reader crashed (signal {}, {})\n  help: check the file with the "
                                      "program that wrote it, or give the part in another format",
@@ -213,7 +265,7 @@ std::string run_in_child(const std::string& what, const ChildLimits& limits, con
     const char kind = bytes.front();
     bytes.erase(0, 1);
     if (kind != handed_over) {
-        throw_as(kind, what, bytes, limits);
+        throw_as(kind, what, printable(bytes), limits);
     }
     return bytes;
 }
