@@ -1,6 +1,7 @@
 /// Requirement: whatever goes wrong, the program says what, where and what to do, ends with the code of that kind of
 /// error, and leaves no file that reads as whole.
 #include "command.hpp"
+#include "plate_case.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,26 +17,6 @@ std::uintmax_t size_of(const fs::path& folder)
         size += entry.is_regular_file() ? entry.file_size() : 0;
     return size;
 }
-
-/// A case of one plate read from a file.
-std::string plate_case(const ScratchFolder& folder, const std::string& key, const std::string& file)
-{
-    return folder
-        .file("case.toml",
-              fmt::format("format = 1\n[machine]\nname = \"plate\"\n[materials.steel]\nlibrary = \"C45\"\n"
-                          "[bodies.frame]\nground = true\n[parts.plate]\nbody = \"frame\"\nmaterial = \"steel\"\n"
-                          "{} = \"{}\"\n[[operation]]\nduration = \"1 min\"\nspeed = \"0 rpm\"\n",
-                          key, file))
-        .string();
-}
-
-double plate_mass(const std::string& plan)
-{
-    const auto at = plan.find("  frame      1 ");
-    return at == std::string::npos ? 0 : std::stod(plan.substr(at + 15));
-}
-
-std::string test_data(const std::string& name) { return content(fs::path(DEADPOINT_TEST_DATA) / name); }
 
 }  // namespace
 

@@ -216,7 +216,7 @@ void describe(Visitor& v, Part& p)
     v.quantity({"size", "wanted cell size; else that of [numerics]"}, p.size, D::length, positive);
     v.list({"shapes", "primitives, joined and cut in the order given"}, p.shapes);
     v.path({"step", "STEP file, relative to the file that names it"}, p.step);
-    v.path({"mesh", "Gmsh mesh file, relative to the file that names it"}, p.mesh);
+    v.path({"mesh", "Gmsh mesh file (MSH 2 or 4), relative to the file that names it"}, p.mesh);
     v.quantity({"unit", "length of one unit of the STEP or mesh file"}, p.unit, D::length, positive);
     v.vector({"position", "moves the STEP or mesh file's origin there"}, p.position, D::length);
     v.flag({"tetrahedra", "mesh with tetrahedra even where hexahedra would do"}, p.tetrahedra);

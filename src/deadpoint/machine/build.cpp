@@ -2,9 +2,9 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/machine/assembly.hpp"
+#include "deadpoint/machine/cell_limit.hpp"
 #include "deadpoint/machine/contacts.hpp"
 #include "deadpoint/machine/extrude.hpp"
-#include "deadpoint/machine/foreign_mesh.hpp"
 #include "deadpoint/machine/gmsh_session.hpp"
 #include "deadpoint/machine/interfaces.hpp"
 #include "deadpoint/machine/layers.hpp"
@@ -26,9 +26,6 @@ namespace {
 
 /// Good enough not to try another axis.
 constexpr double good_quality = 0.3;
-
-/// Of a part, by its volume: more than any memory here holds.
-constexpr double most_cells = 2e8;
 
 struct Worst {
     double quality = 1;
@@ -174,8 +171,8 @@ double section_area(const Prism& prism)
     return area;
 }
 
-/// A slip such as "8 um" for "8 mm" must not fill the memory.
-void check_cell_count(const std::string& part, const std::vector<Prism>& prisms, double size)
+/// [m3], without what is cut away.
+double volume_of(const std::vector<Prism>& prisms)
 {
     double volume = 0;
     for (const Prism& shape : prisms) {
@@ -184,33 +181,39 @@ void check_cell_count(const std::string& part, const std::vector<Prism>& prisms,
             volume += shape.box ? edges[0] * edges[1] * edges[2] : section_area(shape) * (shape.to - shape.from);
         }
     }
-    const double cells = volume / (size * size * size);
-    if (cells > most_cells) {
-        throw InputError(
-            fmt::format("part '{}': cells of {:.3g} mm would be {:.1e} of them, but a part may have at most "
-                        "{:.0e}; make its size larger",
-                        part, 1e3 * size, cells, most_cells));
+    return volume;
+}
+
+/// Refuses what no memory holds, and says before the work what will take long.
+void check_cell_count(const std::string& part, const std::vector<Prism>& prisms, double size, Observer& observer)
+{
+    const double volume = volume_of(prisms);
+    require_few_cells(part, volume, size);
+    if (const double cells = about_cells(volume, size); cells > many_cells) {
+        observer.warn(fmt::format("part '{}': cells of {:.3g} mm will be about {:.1e} of them, which takes minutes to "
+                                  "mesh and hours to compute; check its size",
+                                  part, 1e3 * size, cells));
     }
 }
 
 PartMesh mesh_part(const MachineDescription& description, const PartDescription& part, std::vector<Prism>& prisms,
-                   Observer& observer)
+                   Observer& observer, const Waiting& waiting)
 {
     const double size = (part.size > 0 ? part.size : description.size) * description.size_scale;
     const bool half = description.half_model;
     if (const auto* step = std::get_if<StepSource>(&part.source)) {
-        PartMesh mesh = mesh_foreign_file(part.name, step->path, [&] { return mesh_step(part, *step, size, half); });
+        PartMesh mesh = mesh_step(part, *step, size, half, waiting);
         check_quality(part, mesh);
         return mesh;
     }
     if (const auto* file = std::get_if<MeshSource>(&part.source)) {
-        return mesh_foreign_file(part.name, file->path, [&] { return read_mesh(part, *file, half); });
+        return read_mesh(part, *file, half, waiting);
     }
     prisms = prisms_of(part.name, std::get<std::vector<Shape>>(part.source));
     if (half && beyond_symmetry(prisms)) {
         return {};
     }
-    check_cell_count(part.name, prisms, size);
+    check_cell_count(part.name, prisms, size, observer);
     PartMesh mesh = mesh_shapes(part, prisms, size, half, observer);
     if (mesh.cells.empty()) {
         throw InputError(fmt::format("part '{}' has no material left after its cuts; correct its shapes", part.name));
@@ -236,9 +239,13 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
     std::vector<std::vector<Prism>> shapes;
     for (std::size_t i = 0; i < description.parts.size(); ++i) {
         const PartDescription& part = description.parts[i];
-        observer.progress(static_cast<double>(i) / static_cast<double>(description.parts.size()), part.name);
+        const double done = static_cast<double>(i) / static_cast<double>(description.parts.size());
+        observer.progress(done, part.name);
+        const Waiting waiting = [&](double seconds) {
+            observer.progress(done, fmt::format("{}, for {:.0f} s", part.name, seconds));
+        };
         std::vector<Prism> prisms;
-        PartMesh mesh = mesh_part(description, part, prisms, observer);
+        PartMesh mesh = mesh_part(description, part, prisms, observer, waiting);
         if (mesh.cells.empty()) {
             assembly.machine.dropped_parts.push_back(part.name);
             continue;

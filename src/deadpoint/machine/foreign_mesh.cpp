@@ -1,9 +1,13 @@
 #include "deadpoint/machine/foreign_mesh.hpp"
 
 #include "deadpoint/core/child_process.hpp"
+#include "deadpoint/core/error.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
+#include <gmsh.h>
+#include <string_view>
 #include <type_traits>
 
 namespace deadpoint::machine {
@@ -84,11 +88,34 @@ PartMesh unpacked(const std::string& bytes)
 
 }  // namespace
 
-PartMesh mesh_foreign_file(const std::string& part, const std::string& path, const std::function<PartMesh()>& make)
+PartMesh mesh_foreign_file(const ForeignFile& file, const std::function<PartMesh()>& make, const Waiting& waiting)
 {
-    const ChildLimits limits{half_of_memory(), longest};
-    return unpacked(
-        run_in_child(fmt::format("part '{}': reading '{}'", part, path), limits, [&] { return packed(make()); }));
+    const ChildLimits limits{half_of_memory(), longest, file.path, file.name};
+    return unpacked(run_in_child(
+        fmt::format("part '{}': reading '{}'", file.part, file.path), limits, [&] { return packed(make()); }, waiting));
+}
+
+GmshComplaints::GmshComplaints() { gmsh::logger::start(); }
+
+GmshComplaints::~GmshComplaints() { gmsh::logger::stop(); }
+
+void GmshComplaints::require_none(const ForeignFile& file) const
+{
+    constexpr std::string_view mark = "Error: ";
+    std::vector<std::string> lines;
+    gmsh::logger::get(lines);
+    const auto error = std::ranges::find_if(lines, [&](const auto& line) { return line.starts_with(mark); });
+    if (error == lines.end()) {
+        return;
+    }
+    // An error that only names the file says no more than that.
+    const bool says_more = error->find(file.name) == std::string::npos;
+    const std::string reason =
+        says_more ? error->substr(mark.size()) : "what stands in it breaks off or is out of order";
+    throw InputError(
+        fmt::format("part '{}': '{}' cannot be read: {}\n  help: check the file with the program that wrote "
+                    "it, and write it again",
+                    file.part, file.path, reason));
 }
 
 }  // namespace deadpoint::machine

@@ -209,13 +209,14 @@ PartMesh collect_mesh(CellKind kind, double unit, SurfaceNames names, const std:
 
 void require_readable(const std::string& part, const std::string& path)
 {
-    if (!std::filesystem::exists(path)) {
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown)) {
         throw IoError(
             fmt::format("part '{}': there is no file '{}'; check the path, which is relative to the file that names it",
                         part, path));
     }
     // Opening a pipe would wait for someone to write into it.
-    if (!std::filesystem::is_regular_file(path) || !std::ifstream(path)) {
+    if (!std::filesystem::is_regular_file(path, unknown) || !std::ifstream(path)) {
         throw IoError(fmt::format(
             "part '{}': the file '{}' cannot be read; check that it is a file, and its permissions", part, path));
     }

@@ -2,8 +2,11 @@
 
 #include "deadpoint/core/error.hpp"
 
+#include <cstdlib>
 #include <fmt/format.h>
 #include <gmsh.h>
+#include <new>
+#include <optional>
 
 namespace deadpoint::machine {
 
@@ -17,11 +20,41 @@ namespace {
                     part, step, message));
 }
 
+/// Hides the home folder: Gmsh would write settings of its windows there, and remove a file that it takes for its own.
+class NoHome {
+public:
+    NoHome()
+    {
+        if (const char* home = std::getenv("HOME")) {
+            home_ = home;
+        }
+        setenv("HOME", "/dev/null", 1);
+    }
+    ~NoHome()
+    {
+        if (home_) {
+            setenv("HOME", home_->c_str(), 1);
+        } else {
+            unsetenv("HOME");
+        }
+    }
+    NoHome(const NoHome&) = delete;
+    NoHome& operator=(const NoHome&) = delete;
+    NoHome(NoHome&&) = delete;
+    NoHome& operator=(NoHome&&) = delete;
+
+private:
+    std::optional<std::string> home_;
+};
+
 }  // namespace
 
 GmshSession::GmshSession()
 {
-    gmsh::initialize(0, nullptr, false);
+    {
+        const NoHome no_home;
+        gmsh::initialize(0, nullptr, false);
+    }
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
     gmsh::option::setNumber("General.AbortOnError", 0);
@@ -63,6 +96,8 @@ void guard_gmsh(const std::string& part, const char* step, const std::function<v
     try {
         work();
     } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
         fail(part, step, error.what());

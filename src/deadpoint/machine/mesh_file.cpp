@@ -1,6 +1,8 @@
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/machine/foreign_mesh.hpp"
 #include "deadpoint/machine/gmsh_mesh.hpp"
 #include "deadpoint/machine/gmsh_session.hpp"
+#include "deadpoint/machine/mesh_sections.hpp"
 #include "deadpoint/machine/solids.hpp"
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <fstream>
 #include <gmsh.h>
 #include <iterator>
+#include <sstream>
 
 namespace deadpoint::machine {
 
@@ -75,54 +78,109 @@ void keep_half(const PartDescription& part, PartMesh& mesh)
     });
 }
 
+[[noreturn]] void refuse_format(const ForeignFile& file, const std::string& reason)
+{
+    throw InputError(fmt::format("part '{}': '{}' is no Gmsh mesh file (MSH 2 or 4): {}\n  help: convert it with "
+                                 "'gmsh <file> -save -format msh41 -o <mesh>.msh'",
+                                 file.part, file.path, reason));
+}
+
+/// What the first lines of a mesh say.
+struct MeshFormat {
+    double version = 0;
+    int binary = -1;
+};
+
+/// Gmsh takes what does not begin as a mesh for a script, which may run commands.
+MeshFormat require_mesh_format(const ForeignFile& file, std::istream& stream)
+{
+    std::string line;
+    std::getline(stream, line);
+    if (line != "$MeshFormat" && line != "$MeshFormat\r") {
+        refuse_format(file, "its first line is not '$MeshFormat'");
+    }
+    std::getline(stream, line);
+    std::istringstream words(line);
+    MeshFormat format;
+    int size = 0;
+    words >> format.version >> format.binary >> size;
+    const bool known = (format.version >= 2 && format.version < 3) || (format.version >= 4 && format.version < 4.2);
+    if (!words || !known || (format.binary != 0 && format.binary != 1) || size != 8) {
+        refuse_format(file, "its second line names no version that can be read");
+    }
+    return format;
+}
+
 /// A file of Gmsh's own format consists of sections, each with its end; Gmsh reads one that is cut short without a
 /// word.
-void require_whole(const std::string& part, const std::string& path)
+void require_whole(const ForeignFile& file, std::istream& stream)
 {
-    std::ifstream file(path, std::ios::binary);
-    std::string start(11, '\0');
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (start != "$MeshFormat") {
-        return;
-    }
     constexpr std::streamoff tail = 64;
-    file.seekg(0, std::ios::end);
-    file.seekg(std::max<std::streamoff>(file.tellg() - tail, 0));
-    const std::string end{std::istreambuf_iterator<char>(file), {}};
+    stream.clear();
+    stream.seekg(0, std::ios::end);
+    stream.seekg(std::max<std::streamoff>(stream.tellg() - tail, 0));
+    const std::string end{std::istreambuf_iterator<char>(stream), {}};
     const auto last = end.rfind('$');
     if (last == std::string::npos || end.compare(last, 4, "$End") != 0) {
         throw InputError(fmt::format(
-            "part '{}': '{}' is cut short: its last section has no end; write or copy it again", part, path));
+            "part '{}': '{}' is cut short: its last section has no end; write or copy it again", file.part, file.path));
     }
+}
+
+void check_file(const ForeignFile& file)
+{
+    require_readable(file.part, file.path);
+    std::ifstream stream(file.path, std::ios::binary);
+    const MeshFormat format = require_mesh_format(file, stream);
+    require_whole(file, stream);
+    stream.clear();
+    stream.seekg(0);
+    if (const auto wrong = format.binary == 0 ? wrong_count(stream, format.version) : ""; !wrong.empty()) {
+        throw InputError(fmt::format("part '{}': '{}', {}; write the mesh again", file.part, file.path, wrong));
+    }
+}
+
+void read_with_gmsh(const ForeignFile& file)
+{
+    reset_gmsh();
+    const GmshComplaints complaints;
+    try {
+        gmsh::merge(file.name);
+    } catch (...) {
+        complaints.require_none(file);
+        throw;
+    }
+    complaints.require_none(file);
 }
 
 }  // namespace
 
-PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool half)
+PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool half, const Waiting& waiting)
 {
-    require_readable(part.name, source.path);
-    require_whole(part.name, source.path);
-    PartMesh mesh;
-    guard_gmsh(part.name, "reading its mesh file", [&] {
-        reset_gmsh();
-        gmsh::merge(source.path);
-        const auto adjust = [&](PartMesh& raw) {
-            for (Vec3& node : raw.nodes) {
-                node = node + part.translation;
-                if (!std::isfinite(norm(node))) {
-                    throw InputError(
-                        fmt::format("part '{}': '{}' holds a node whose place is no finite number; mesh it "
-                                    "again",
-                                    part.name, source.path));
-                }
+    const ForeignFile file{part.name, source.path, "part.msh"};
+    check_file(file);
+    const auto adjust = [&](PartMesh& raw) {
+        for (Vec3& node : raw.nodes) {
+            node = node + part.translation;
+            if (!std::isfinite(norm(node))) {
+                throw InputError(fmt::format("part '{}': '{}' holds a node whose place is no finite number; mesh it "
+                                             "again",
+                                             part.name, source.path));
             }
-            if (half) {
-                keep_half(part, raw);
-            }
-        };
-        mesh = collect_mesh(cell_kind_in_file(part, source), source.unit, SurfaceNames::from_groups, adjust);
-    });
-    return mesh;
+        }
+        if (half) {
+            keep_half(part, raw);
+        }
+    };
+    const auto make = [&] {
+        PartMesh mesh;
+        guard_gmsh(part.name, "reading its mesh file", [&] {
+            read_with_gmsh(file);
+            mesh = collect_mesh(cell_kind_in_file(part, source), source.unit, SurfaceNames::from_groups, adjust);
+        });
+        return mesh;
+    };
+    return mesh_foreign_file(file, make, waiting);
 }
 
 }  // namespace deadpoint::machine

@@ -1,9 +1,11 @@
 #include "deadpoint/machine/solids.hpp"
 
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/core/read_file.hpp"
+#include "deadpoint/machine/cell_limit.hpp"
+#include "deadpoint/machine/foreign_mesh.hpp"
 #include "deadpoint/machine/gmsh_mesh.hpp"
 #include "deadpoint/machine/gmsh_session.hpp"
+#include "deadpoint/machine/step_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -173,21 +175,45 @@ PartMesh generate(double size)
     return mesh;
 }
 
-/// The text of a STEP file, which must begin as one.
-std::string read_step_text(const std::string& part, const std::string& path)
+/// The solids of a STEP file in Gmsh's model, in millimetres.
+Tags import_solids(const ForeignFile& file)
 {
-    constexpr std::uintmax_t largest = 1U << 30U;
-    require_readable(part, path);
-    std::string text = read_file(path, largest).value_or("");
-    if (text.substr(0, 200).find("ISO-10303-21") == std::string::npos) {
-        throw InputError(
-            fmt::format("part '{}': '{}' is no STEP file (ISO 10303-21); export the part as STEP", part, path));
+    Tags solids;
+    const GmshComplaints complaints;
+    try {
+        occ::importShapes(file.name, solids, true, "step");
+    } catch (...) {
+        complaints.require_none(file);
+        throw;
     }
-    if (text.find("END-ISO-10303-21") == std::string::npos) {
-        throw InputError(
-            fmt::format("part '{}': '{}' is cut short: its end is missing; export or copy it again", part, path));
+    complaints.require_none(file);
+    std::erase_if(solids, [](const auto& shape) { return shape.first != 3; });
+    if (solids.empty()) {
+        throw InputError(fmt::format("part '{}': '{}' holds no solid; export a closed solid", file.part, file.path));
     }
-    return text;
+    return solids;
+}
+
+void place_solids(const Tags& solids, double scale, const Vec3& by)
+{
+    if (scale != 1) {
+        occ::dilate(solids, 0, 0, 0, scale, scale, scale);
+    }
+    if (norm(by) > 0) {
+        occ::translate(solids, to_gmsh(by[0]), to_gmsh(by[1]), to_gmsh(by[2]));
+    }
+}
+
+/// [m3], of solids in Gmsh's model.
+double volume_of(const Tags& solids)
+{
+    double sum = 0;
+    for (const auto& [dimension, tag] : solids) {
+        double own = 0;
+        occ::getMass(dimension, tag, own);
+        sum += own;
+    }
+    return sum * gmsh_unit * gmsh_unit * gmsh_unit;
 }
 
 }  // namespace
@@ -203,34 +229,28 @@ PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& pris
     return mesh;
 }
 
-PartMesh mesh_step(const PartDescription& part, const StepSource& source, double size, bool half)
+PartMesh mesh_step(const PartDescription& part, const StepSource& source, double size, bool half,
+                   const Waiting& waiting)
 {
-    const std::string text = read_step_text(part.name, source.path);
-    PartMesh mesh;
-    guard_gmsh(part.name, "reading and meshing its STEP file", [&] {
-        reset_gmsh();
-        Tags solids;
-        occ::importShapes(source.path, solids);
-        std::erase_if(solids, [](const auto& shape) { return shape.first != 3; });
-        if (solids.empty()) {
-            throw InputError(
-                fmt::format("part '{}': '{}' holds no solid; export a closed solid", part.name, source.path));
-        }
-        if (text.find("LENGTH_UNIT") == std::string::npos) {  // read as millimetres
-            const double scale = source.unit / gmsh_unit;
-            occ::dilate(solids, 0, 0, 0, scale, scale, scale);
-        }
-        const Vec3& by = part.translation;
-        if (norm(by) > 0) {
-            occ::translate(solids, to_gmsh(by[0]), to_gmsh(by[1]), to_gmsh(by[2]));
-        }
-        if (half) {
-            cut_half(solids);
-        }
-        occ::synchronize();
-        mesh = generate(size);
-    });
-    return mesh;
+    const ForeignFile file{part.name, source.path, "part.step"};
+    // A file without a unit is read as millimetres.
+    const double scale = check_step_file(part.name, source.path).has_unit ? 1 : source.unit / gmsh_unit;
+    const auto make = [&] {
+        PartMesh mesh;
+        guard_gmsh(part.name, "reading and meshing its STEP file", [&] {
+            reset_gmsh();
+            Tags solids = import_solids(file);
+            place_solids(solids, scale, part.translation);
+            if (half) {
+                solids = cut_half(solids);
+            }
+            require_few_cells(part.name, volume_of(solids), size);
+            occ::synchronize();
+            mesh = generate(size);
+        });
+        return mesh;
+    };
+    return mesh_foreign_file(file, make, waiting);
 }
 
 }  // namespace deadpoint::machine
