@@ -2,6 +2,7 @@
 
 #include "deadpoint/report/table.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -71,7 +72,7 @@ std::string Console::styled(const char* style, std::string_view text) const
 void Console::clear_line() const
 {
     if (terminal_ && !stage_.empty() && !options_.quiet && !options_.silent) {
-        fmt::print(stderr, "\r\033[K");
+        print_err("\r\033[K");
     }
 }
 
@@ -87,8 +88,7 @@ void Console::stage(std::string_view name)
     if (terminal_) {
         show(0, "");
     } else {
-        fmt::print(stderr, "{}\n", stage_);
-        std::fflush(stderr);
+        print_err("{}\n", stage_);
     }
 }
 
@@ -110,8 +110,7 @@ void Console::show(double fraction, std::string_view detail)
 {
     const std::string left = time_left(fraction, seconds_since(stage_start_));
     if (!terminal_) {
-        fmt::print(stderr, "  {:3.0f} %  {}{}{}\n", 100 * fraction, detail, left.empty() ? "" : ", ", left);
-        std::fflush(stderr);
+        print_err("  {:3.0f} %  {}{}{}\n", 100 * fraction, detail, left.empty() ? "" : ", ", left);
         return;
     }
     std::string line = fmt::format("  {:<12} {} {:3.0f} %  {}{}{}", stage_, bar(fraction), 100 * fraction, detail,
@@ -119,8 +118,7 @@ void Console::show(double fraction, std::string_view detail)
     while (display_width(line) >= terminal_width()) {
         line.pop_back();
     }
-    fmt::print(stderr, "\r\033[K{}", line);
-    std::fflush(stderr);
+    print_err("\r\033[K{}", line);
 }
 
 void Console::finish()
@@ -131,8 +129,7 @@ void Console::finish()
     if (terminal_ && !options_.quiet && !options_.silent) {
         const double elapsed = seconds_since(stage_start_);
         const std::string time = elapsed < 10 ? fmt::format("{:.1f} s", elapsed) : duration_text(elapsed);
-        fmt::print(stderr, "\r\033[K  {:<12} {}\n", stage_, styled(grey, time));
-        std::fflush(stderr);
+        print_err("\r\033[K  {:<12} {}\n", stage_, styled(grey, time));
     }
     stage_.clear();
 }
@@ -154,8 +151,15 @@ void Console::warn(std::string_view text)
     warnings_.emplace_back(text);
     if (!options_.silent) {
         clear_line();
-        fmt::print(stderr, "{} {}\n", styled(yellow, "warning:"), text);
-        std::fflush(stderr);
+        print_err("{} {}\n", styled(yellow, "warning:"), text);
+    }
+}
+
+void Console::note(std::string_view text) const
+{
+    if (!options_.silent) {
+        clear_line();
+        print_err("note: {}\n", text);
     }
 }
 

@@ -29,6 +29,8 @@ public:
     void info(std::string_view text) override;
     void warn(std::string_view text) override;
     [[nodiscard]] bool cancelled() const override;
+    /// What a user should know and results do not depend on: it enters no file.
+    void note(std::string_view text) const;
 
     /// Ends the running stage and its line; to be called before anything else is printed.
     void finish();

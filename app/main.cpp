@@ -2,6 +2,8 @@
 #include "deadpoint/core/suggest.hpp"
 #include "deadpoint/core/version.hpp"
 #include "errors.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -37,9 +39,9 @@ const std::vector<std::string> subcommands{"init", "check", "mesh",    "loads", 
 int refuse_subcommand(const std::string& word)
 {
     const auto meant = deadpoint::closest_name(word, subcommands);
-    fmt::print(stderr, "error: there is no subcommand '{}'\n  help: {}\n", word,
-               meant.empty() ? "give one of init, check, mesh, loads, heat, run, sweep, compare, report and view"
-                             : fmt::format("did you mean '{}'?", meant));
+    print_err("error: there is no subcommand '{}'\n  help: {}\n", word,
+              meant.empty() ? "give one of init, check, mesh, loads, heat, run, sweep, compare, report and view"
+                            : fmt::format("did you mean '{}'?", meant));
     return static_cast<int>(deadpoint::ErrorKind::input);
 }
 
@@ -73,9 +75,8 @@ int run(int argc, char** argv)
     return exit_code;
 }
 
-}  // namespace
-
-int main(int argc, char** argv)
+/// Runs the command. @return its exit code; whatever it throws is shown
+int run_and_explain(int argc, char** argv)
 {
     try {
         return run(argc, argv);
@@ -83,10 +84,31 @@ int main(int argc, char** argv)
         print_error(error);
         return error.exit_code();
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "error: out of memory\n  help: make the mesh coarser, for example with --size 1.5\n");
+        print_err("error: out of memory\n  help: make the mesh coarser, for example with --size 1.5\n");
     } catch (const std::exception& error) {
-        fmt::print(stderr, "error: {}\n  help: this is a fault of the program; please report it with the case file\n",
-                   error.what());
+        print_err("error: {}\n  help: this is a fault of the program; please report it with the case file\n",
+                  error.what());
     }
     return other_error;
+}
+
+/// The exit code after all text was given to standard output: an error of its own where that lost some.
+int after_output(int exit_code)
+{
+    try {
+        require_whole_output();
+        return exit_code;
+    } catch (const deadpoint::IoError& error) {
+        print_error(error);
+        return exit_code != 0 ? exit_code : error.exit_code();
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    open_missing_streams();
+    outlast_failing_writes();
+    return after_output(run_and_explain(argc, argv));
 }
