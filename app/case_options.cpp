@@ -1,6 +1,5 @@
 #include "case_options.hpp"
 
-#include "deadpoint/casefile/read.hpp"
 #include "deadpoint/casefile/write.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/study/prepare.hpp"
@@ -37,13 +36,26 @@ void add_case_options(CLI::App& command, CaseOptions& options)
     add_console_options(command, options.console);
 }
 
-casefile::Case read_case(const CaseOptions& options, Console& console)
+casefile::ReadResult read_case(const CaseOptions& options, Console& console)
 {
     auto result = casefile::read_case(options.path, options.overrides, options.files);
     for (const auto& warning : result.warnings) {
         console.warn(warning);
     }
-    return std::move(result.value);
+    return result;
+}
+
+std::vector<std::filesystem::path> input_files(const casefile::ReadResult& read)
+{
+    auto files = read.files;
+    for (const auto& [name, part] : read.value.parts) {
+        for (const auto& file : {part.step, part.mesh}) {
+            if (!file.empty()) {
+                files.emplace_back(file);
+            }
+        }
+    }
+    return files;
 }
 
 Machine mesh_case(const casefile::Case& description, const CaseOptions& options, Console& console)

@@ -3,9 +3,11 @@
 #include "console.hpp"
 #include "deadpoint/casefile/case.hpp"
 #include "deadpoint/casefile/file_access.hpp"
+#include "deadpoint/casefile/read.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,10 @@ void add_file_access(CLI::App& command, deadpoint::casefile::FileAccess& files);
 void add_case_options(CLI::App& command, CaseOptions& options);
 
 /// Reads the case; its warnings go to the console.
-deadpoint::casefile::Case read_case(const CaseOptions& options, Console& console);
+deadpoint::casefile::ReadResult read_case(const CaseOptions& options, Console& console);
+
+/// All files that a case is made of: its own, those it includes, STEP and mesh files.
+std::vector<std::filesystem::path> input_files(const deadpoint::casefile::ReadResult& read);
 
 /// Meshes the machine of a case, the stage "mesh" on the console.
 deadpoint::Machine mesh_case(const deadpoint::casefile::Case& description, const CaseOptions& options,

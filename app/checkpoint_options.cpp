@@ -6,6 +6,7 @@
 #include "deadpoint/core/quantity.hpp"
 #include "deadpoint/fem/checkpoint.hpp"
 #include "deadpoint/report/read_result.hpp"
+#include "output.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -82,12 +83,12 @@ void plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, 
         fem::CheckpointHead head;
         fem::open_checkpoint(file, casefile::case_hash(input), head);
         if (first) {
-            fmt::print("going on from {}, t = {:.2f} h\n", file, head.time / 3600);
+            print_out("going on from {}, t = {:.2f} h\n", file, head.time / 3600);
         }
     } else if (options.resume && first) {
-        fmt::print("there is no {}: starting at the beginning\n", file);
+        print_out("there is no {}: starting at the beginning\n", file);
     }
-    std::fflush(stdout);
+    flush_out();
     if (wanted.resume || std::isfinite(interval)) {
         wanted.checkpoint_file = file;
     }

@@ -2,8 +2,8 @@
 #include "commands.hpp"
 #include "deadpoint/report/loads_files.hpp"
 #include "deadpoint/report/plan_text.hpp"
+#include "output.hpp"
 
-#include <fmt/format.h>
 #include <memory>
 
 namespace {
@@ -11,24 +11,24 @@ namespace {
 void summarise(const CaseOptions& options, const Console& console)
 {
     const auto count = console.warnings().size();
-    fmt::print("{}: no errors, {} warning{}\n", options.path, count, count == 1 ? "" : "s");
+    print_out("{}: no errors, {} warning{}\n", options.path, count, count == 1 ? "" : "s");
 }
 
 void check(const CaseOptions& options)
 {
     Console console(options.console);
-    const auto description = read_case(options, console);
+    const auto description = read_case(options, console).value;
     if (description.parts.empty()) {
-        fmt::print("{}\n", deadpoint::report::linkage_plan_text(description));
-        std::fflush(stdout);
+        print_out("{}\n", deadpoint::report::linkage_plan_text(description));
+        flush_out();
         if (const int segment = deadpoint::study::first_running_segment(description); segment >= 0) {
             deadpoint::study::compute_loads(description, nullptr, segment);  // does the linkage move?
         }
         return summarise(options, console);
     }
     const auto machine = mesh_case(description, options, console);
-    fmt::print("{}\n", deadpoint::report::plan_text(description, machine));
-    std::fflush(stdout);
+    print_out("{}\n", deadpoint::report::plan_text(description, machine));
+    flush_out();
     for (const auto& warning : deadpoint::report::plan_warnings(description, machine)) {
         console.warn(warning);
     }

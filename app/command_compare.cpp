@@ -5,6 +5,7 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/compare_files.hpp"
 #include "deadpoint/report/read_result.hpp"
+#include "output.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ struct CompareOptions {
     std::string output;
     std::string point;
     std::string baseline;
+    bool force = false;
     Console::Options console;
 };
 
@@ -58,9 +60,28 @@ fs::path output_stem(const CompareOptions& options)
     return stem;
 }
 
+/// Whether files of these names may be lost: those in the folder of results are renewed, others are the user's.
+/// @throws IoError if they are there and must not
+IfThere replaced_files(const CompareOptions& options, const fs::path& stem)
+{
+    if (options.output.empty() || options.force) {
+        return IfThere::replace;
+    }
+    for (const char* extension : {".json", ".md"}) {
+        auto file = stem;
+        if (fs::exists(file += extension)) {
+            throw IoError(
+                fmt::format("'{}' exists\n  help: choose another name, or add --force to replace it", file.string()));
+        }
+    }
+    return IfThere::refuse;
+}
+
 void compare(const CompareOptions& options)
 {
     Console console(options.console);
+    const auto stem = output_stem(options);
+    const auto if_there = replaced_files(options, stem);
     const auto run = report::read_result(options.folder);
     const auto contents = study::contents(run);
     const auto reference = casefile::read_reference(options.reference, options.point, &contents);
@@ -80,10 +101,9 @@ void compare(const CompareOptions& options)
         console.warn(warning);
     }
     console.finish();
-    const auto stem = output_stem(options);
-    report::write_compare_files(stem, run, comparison);
-    fmt::print("{}\ncomparison is in {}.md and {}.json\n", report::compare_text(run, comparison), stem.string(),
-               stem.string());
+    report::write_compare_files(stem, run, comparison, if_there);
+    print_out("{}\ncomparison is in {}.md and {}.json\n", report::compare_text(run, comparison), stem.string(),
+              stem.string());
 }
 
 }  // namespace
@@ -106,6 +126,7 @@ void add_compare(CLI::App& app, int& exit_code)
         ->add_option("-o,--output", options->output,
                      "write FILE.json and FILE.md instead of DIR/compare.json and DIR/compare.md")
         ->type_name("FILE");
+    command->add_flag("--force", options->force, "replace the files that --output names if they exist");
     command->add_flag("-q,--quiet", options->console.quiet, "show warnings and results only");
     command->callback([options, &exit_code] {
         compare(*options);

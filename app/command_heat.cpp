@@ -2,10 +2,10 @@
 #include "deadpoint/report/heat_files.hpp"
 #include "deadpoint/study/heat_tables.hpp"
 #include "deadpoint/study/loads.hpp"
+#include "output.hpp"
 #include "result_options.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <memory>
 #include <optional>
 
@@ -30,9 +30,10 @@ std::optional<study::LoadsResult> loads_of(const casefile::Case& input, const Ma
 void compute(const SegmentOptions& options)
 {
     Console console(options.console);
-    const auto input = read_case(options, console);
+    const auto read = read_case(options, console);
+    const auto& input = read.value;
     const int segment = options.segment >= 0 ? options.segment : std::max(0, study::first_running_segment(input));
-    const auto folder = start_folder(options);
+    const auto folder = start_folder(options, read, console);
     std::optional<Machine> machine;
     if (!input.parts.empty()) {
         machine = mesh_case(input, options, console);
@@ -44,8 +45,8 @@ void compute(const SegmentOptions& options)
         console.warn(warning);
     }
     report::write_heat_files(folder->path(), input, tables, console.warnings());
-    folder->commit();
-    fmt::print("{}\nheat tables are in {}\n", report::heat_text(input, tables), folder->target().string());
+    commit(*folder, console);
+    print_out("{}\nheat tables are in {}\n", report::heat_text(input, tables), folder->target().string());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "deadpoint/casefile/shipped.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/write_file.hpp"
+#include "output.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -14,10 +15,6 @@ namespace {
 void write_starter(const fs::path& folder)
 {
     const fs::path file = folder / "case.toml";
-    if (fs::exists(file)) {
-        throw deadpoint::IoError(
-            fmt::format("'{}' exists already and is not overwritten\n  help: name another folder", file.string()));
-    }
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
@@ -25,9 +22,9 @@ void write_starter(const fs::path& folder)
             fmt::format("cannot create the folder '{}': {}\n  help: name a folder you may write to", folder.string(),
                         error.message()));
     }
-    deadpoint::write_file(file, deadpoint::casefile::starter_case());
-    fmt::print("wrote {}\n  look at it:  deadpoint check {}\n  compute it:  deadpoint run {} -o {}\n", file.string(),
-               file.string(), file.string(), (folder / "results").string());
+    deadpoint::write_file(file, deadpoint::casefile::starter_case(), deadpoint::IfThere::refuse);
+    print_out("wrote {}\n  look at it:  deadpoint check {}\n  compute it:  deadpoint run {} -o {}\n", file.string(),
+              file.string(), file.string(), (folder / "results").string());
 }
 
 }  // namespace

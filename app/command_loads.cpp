@@ -2,9 +2,9 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/loads_files.hpp"
 #include "deadpoint/study/loads.hpp"
+#include "output.hpp"
 #include "result_options.hpp"
 
-#include <fmt/format.h>
 #include <memory>
 #include <optional>
 
@@ -27,9 +27,10 @@ int segment_of(const SegmentOptions& options, const casefile::Case& input)
 void compute(const SegmentOptions& options)
 {
     Console console(options.console);
-    const auto input = read_case(options, console);
+    const auto read = read_case(options, console);
+    const auto& input = read.value;
     const int segment = segment_of(options, input);
-    const auto folder = start_folder(options);
+    const auto folder = start_folder(options, read, console);
     std::optional<Machine> machine;
     if (study::loads_need_machine(input)) {
         machine = mesh_case(input, options, console);
@@ -41,8 +42,8 @@ void compute(const SegmentOptions& options)
         console.warn(warning);
     }
     report::write_loads_files(folder->path(), input, loads, console.warnings());
-    folder->commit();
-    fmt::print("{}\nloads are in {}\n", report::loads_text(input, loads), folder->target().string());
+    commit(*folder, console);
+    print_out("{}\nloads are in {}\n", report::loads_text(input, loads), folder->target().string());
 }
 
 }  // namespace

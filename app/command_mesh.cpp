@@ -2,9 +2,9 @@
 #include "deadpoint/report/calculix_mesh.hpp"
 #include "deadpoint/report/mesh_files.hpp"
 #include "deadpoint/report/plan_text.hpp"
+#include "output.hpp"
 #include "result_options.hpp"
 
-#include <fmt/format.h>
 #include <memory>
 
 namespace {
@@ -12,8 +12,9 @@ namespace {
 void write_mesh(const ResultOptions& options, bool calculix)
 {
     Console console(options.console);
-    const auto description = read_case(options, console);
-    const auto folder = start_folder(options);
+    const auto read = read_case(options, console);
+    const auto& description = read.value;
+    const auto folder = start_folder(options, read, console);
     const auto machine = mesh_case(description, options, console);
     for (const auto& warning : deadpoint::report::plan_warnings(description, machine)) {
         console.warn(warning);
@@ -23,9 +24,9 @@ void write_mesh(const ResultOptions& options, bool calculix)
         deadpoint::report::write_calculix_mesh(folder->path() / "mesh.inp", machine,
                                                file_comments(description, console));
     }
-    folder->commit();
-    fmt::print("{} cells, {} exterior faces; open {} and {} in ParaView\n", machine.cells.size(), machine.faces.size(),
-               (folder->target() / "mesh.vtu").string(), (folder->target() / "surfaces.vtu").string());
+    commit(*folder, console);
+    print_out("{} cells, {} exterior faces; open {} and {} in ParaView\n", machine.cells.size(), machine.faces.size(),
+              (folder->target() / "mesh.vtu").string(), (folder->target() / "surfaces.vtu").string());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/sweep_page.hpp"
+#include "output.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -110,15 +111,15 @@ void take_pictures(const fs::path& page, const fs::path& folder)
                           "apt-get install chromium), or open the page and use 'Save as picture'");
         }
     }
-    fmt::print("pictures of the machine are in {}\n", folder.string());
+    print_out("pictures of the machine are in {}\n", folder.string());
 }
 
 /// The page of a study or of results.
-void write_page_of(const std::vector<fs::path>& folders, const fs::path& file)
+void write_page_of(const std::vector<fs::path>& folders, const fs::path& file, IfThere if_there)
 {
     const auto study = std::ranges::find_if(folders, report::is_study);
     if (study == folders.end()) {
-        report::write_report(file, report::report_sources(folders));
+        report::write_report(file, report::report_sources(folders), if_there);
         return;
     }
     if (folders.size() > 1) {
@@ -127,7 +128,7 @@ void write_page_of(const std::vector<fs::path>& folders, const fs::path& file)
                         "its points, '{}'",
                         study->string(), (*study / "points" / "NAME").string()));
     }
-    report::write_sweep_report(file, *study);
+    report::write_sweep_report(file, *study, if_there);
 }
 
 void make_report(const ReportOptions& options)
@@ -137,8 +138,9 @@ void make_report(const ReportOptions& options)
             "a study has no view of the machine to take pictures of\n  help: take them from one of its points");
     }
     const auto file = page_file(options);
-    write_page_of(options.folders, file);
-    fmt::print("the report is {}\n", file.string());
+    const bool replaces = options.force || options.file.empty();
+    write_page_of(options.folders, file, replaces ? IfThere::replace : IfThere::refuse);
+    print_out("the report is {}\n", file.string());
     if (!options.pictures.empty()) {
         take_pictures(file, options.pictures);
     }
@@ -161,7 +163,7 @@ void open_report(const fs::path& folder)
 {
     const auto page = folder / "report.html";
     if (!is_current(page, folder)) {
-        write_page_of({folder}, page);
+        write_page_of({folder}, page, IfThere::replace);
     }
     const auto shown = fs::absolute(page).lexically_normal().string();
     std::vector<std::string> openers{"xdg-open", "open", "wslview"};
@@ -170,11 +172,11 @@ void open_report(const fs::path& folder)
     }
     for (const auto& opener : openers) {
         if (run_program({opener, shown}, false)) {
-            fmt::print("opened {}\n", shown);
+            print_out("opened {}\n", shown);
             return;
         }
     }
-    fmt::print("found no browser to open; the page is {}\n", shown);
+    print_out("found no browser to open; the page is {}\n", shown);
 }
 
 }  // namespace

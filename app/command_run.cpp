@@ -7,12 +7,14 @@
 #include "deadpoint/study/prepare.hpp"
 #include "deadpoint/study/refine.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 #include "ranks.hpp"
 #include "result_options.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 using namespace deadpoint;
 using report::ResultFolder;
@@ -75,15 +77,14 @@ study::RefinedRun compute(casefile::Case input, const RunOptions& options, const
     return {std::move(input), std::move(machine), std::move(result)};
 }
 
-/// The checkpoint of a run that is over is of no use, nor what a kill has left of one.
+/// The checkpoint of a run that is over is of no use.
 void say_or_remove(const std::filesystem::path& checkpoint, bool interrupted)
 {
     if (!interrupted) {
         std::error_code ignored;
         std::filesystem::remove(checkpoint, ignored);
-        std::filesystem::remove(checkpoint.string() + ".part", ignored);
     } else if (std::filesystem::exists(checkpoint)) {
-        fmt::print("the same command with --resume goes on from there\n");
+        print_out("the same command with --resume goes on from there\n");
     }
 }
 
@@ -93,13 +94,19 @@ int run_case(RunOptions options, const OnRanks& ranks)
     if (!options.accuracy.empty()) {
         options.overrides.push_back("numerics.accuracy=\"" + options.accuracy + "\"");
     }
-    const auto input = read_case(options, console);
+    const auto read = read_case(options, console);
+    const auto& input = read.value;
+    std::optional<report::FolderClaim> claim;  // before anything beside the folder is believed
+    on_first_rank(ranks.first, [&] { claim.emplace(claim_folder(options.folder, console)); });
     study::RunOptions wanted;
     plan_checkpoints(options.checkpoints, options.folder, options.force, input, ranks.first, wanted);
     std::unique_ptr<ResultFolder> folder;
-    using enum ResultFolder::IfExists;
     const bool replaces = options.force || (wanted.resume && holds_interrupted(options.folder, input));
-    const auto path = start_folder(options.folder, replaces ? replace : refuse, ranks.first, folder);
+    const auto start = [&] {
+        using enum ResultFolder::IfExists;
+        return std::make_unique<ResultFolder>(*std::move(claim), replaces ? replace : refuse, input_files(read));
+    };
+    const auto path = start_folder(ranks.first, start, folder);
 
     const auto state_in = [](const std::string& place) { return place.empty() ? place : place + "/state.bin"; };
     wanted.start_from = state_in(options.from);
@@ -118,13 +125,13 @@ int run_case(RunOptions options, const OnRanks& ranks)
         report::write_run_files(folder->path(), run.input, run.machine, result, console.warnings());
         report::write_manifest(folder->path());
         const bool has_page = add_page(*folder, console);
-        folder->commit();
+        commit(*folder, console);
         const auto where = folder->target().string();
-        fmt::print("{}\nresults{} are in {}\n", report::run_text(run.input, result),
-                   result.thermal.interrupted ? " up to the interruption" : "", where);
-        say_or_remove(checkpoint_of(where), result.thermal.interrupted);
+        print_out("{}\nresults{} are in {}\n", report::run_text(run.input, result),
+                  result.thermal.interrupted ? " up to the interruption" : "", where);
+        say_or_remove(checkpoint_of(options.folder), result.thermal.interrupted);
         if (has_page)
-            fmt::print("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
+            print_out("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
     }
     return result.thermal.interrupted ? interrupted_exit_code : 0;
 }

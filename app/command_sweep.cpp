@@ -7,13 +7,16 @@
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/report/plan_text.hpp"
 #include "deadpoint/report/read_result.hpp"
+#include "deadpoint/report/result_files.hpp"
 #include "deadpoint/report/run_files.hpp"
 #include "deadpoint/report/sweep_files.hpp"
 #include "deadpoint/report/sweep_page.hpp"
 #include "deadpoint/report/table.hpp"
 #include "deadpoint/study/sweep.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 #include "ranks.hpp"
+#include "result_options.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -84,38 +87,75 @@ std::optional<study::RunRecord> finished(const fs::path& folder, const casefile:
                                                                             : std::nullopt;
 }
 
-void require_usable(const SweepOptions& options)
+/// Makes the folder of a study, or sees that it is one. @throws IoError
+void make_or_reuse(const fs::path& folder)
 {
-    const fs::path folder = options.folder;
     if (!fs::exists(folder) || (fs::is_directory(folder) && fs::is_empty(folder))) {
-        return;
-    }
-    if (!fs::is_directory(folder / "points")) {
+        fs::create_directories(folder / "points");
+        report::write_manifest(folder);
+    } else if (!fs::is_directory(folder / "points") || !report::is_whole(folder)) {
         throw IoError(
             fmt::format("'{}' exists already and holds no study\n  help: name a new folder, or that of a study "
                         "to go on with",
-                        options.folder));
+                        folder.string()));
     }
 }
 
-study::PointAction action_of(const SweepOptions& options, const OnRanks& ranks)
+/// @param inputs  files of the user that no point replaces
+study::PointAction action_of(const SweepOptions& options, const std::vector<fs::path>& inputs, const OnRanks& ranks)
 {
-    return [&options, &ranks](const study::SweepPoint& point, const casefile::Case& input, const Machine& machine,
-                              study::SharedModel& model) {
+    return [&options, &inputs, &ranks](const study::SweepPoint& point, const casefile::Case& input,
+                                       const Machine& machine, study::SharedModel& model) {
         PointObserver observer(ranks.console);
         for (const auto& warning : report::plan_warnings(input, machine)) {
             observer.warn(warning);
         }
         std::unique_ptr<ResultFolder> folder;
-        const auto path = start_folder(folder_of(options, point), ResultFolder::IfExists::replace, ranks.first, folder);
+        const auto start = [&] {
+            return std::make_unique<ResultFolder>(claim_folder(folder_of(options, point), ranks.console),
+                                                  ResultFolder::IfExists::replace, inputs);
+        };
+        const auto path = start_folder(ranks.first, start, folder);
         study::RunOptions wanted;
         wanted.field_folder = options.fields ? path : std::string{};
         const auto result = model.run(input, wanted, observer);
         if (!result.thermal.interrupted && folder) {
             report::write_run_files(folder->path(), input, machine, result, observer.warnings);
-            folder->commit();
+            commit(*folder, ranks.console);
         }
     };
+}
+
+/// Reads the points that are there already. @return the indices of the others
+std::vector<std::size_t> find_pending(const SweepOptions& options, const std::vector<casefile::Case>& cases,
+                                      report::SweepResult& result)
+{
+    result.records.resize(result.points.size());
+    std::vector<std::size_t> pending;
+    for (std::size_t p = 0; p < result.points.size(); ++p) {
+        result.records[p] = finished(folder_of(options, result.points[p]), cases[p]);
+        if (!result.records[p]) {
+            pending.push_back(p);
+        }
+    }
+    return pending;
+}
+
+/// Tells the points that were there already and reads those that are done. @return whether one failed
+bool collect(const SweepOptions& options, const std::vector<std::optional<study::RunRecord>>& kept,
+             report::SweepResult& result)
+{
+    using State = study::PointOutcome::State;
+    bool failed = false;
+    for (std::size_t p = 0; p < result.points.size(); ++p) {
+        if (kept[p]) {
+            result.outcomes[p].state = State::kept;
+        } else if (result.outcomes[p].state == State::done) {
+            result.records[p] = report::read_result(folder_of(options, result.points[p]));
+        }
+        failed = failed || result.outcomes[p].state == State::failed;
+    }
+    return failed;
 }
 
 int sweep(const SweepOptions& options, const OnRanks& ranks)
@@ -127,21 +167,18 @@ int sweep(const SweepOptions& options, const OnRanks& ranks)
     result.points = study::sweep_points(study, study::base_values(study));
     const auto cases = read_cases(result.points, options, study.base);
     if (ranks.first) {
-        fmt::print("{}", report::sweep_plan_text(study, result.points));
-        require_usable(options);
+        print_out("{}", report::sweep_plan_text(study, result.points));
     }
-    result.records.resize(result.points.size());
-    std::vector<std::size_t> pending;
-    for (std::size_t p = 0; p < result.points.size(); ++p) {
-        result.records[p] = finished(folder_of(options, result.points[p]), cases[p]);
-        if (!result.records[p]) {
-            pending.push_back(p);
-        }
-    }
+    std::optional<report::FolderClaim> claim;
+    on_first_rank(ranks.first, [&] {
+        claim.emplace(claim_folder(options.folder, console));
+        make_or_reuse(options.folder);
+    });
+    const auto pending = find_pending(options, cases, result);
     if (pending.size() < result.points.size() && ranks.first) {
-        fmt::print("{} of {} points are there already\n", result.points.size() - pending.size(), result.points.size());
+        print_out("{} of {} points are there already\n", result.points.size() - pending.size(), result.points.size());
     }
-    std::fflush(stdout);
+    flush_out();
 
     ranks.agree = false;
     study::SweepOptions how;
@@ -149,32 +186,24 @@ int sweep(const SweepOptions& options, const OnRanks& ranks)
     how.on_prepared = [&](const Machine& machine, std::size_t points, int workers) {
         if (ranks.first) {
             const double seconds = seconds_per_cell * static_cast<double>(machine.cells.size() * points) / workers;
-            fmt::print("{} points of {} cells, {} at a time: about {}\n", points, machine.cells.size(), workers,
-                       report::duration_text(seconds));
-            std::fflush(stdout);
+            print_out("{} points of {} cells, {} at a time: about {}\n", points, machine.cells.size(), workers,
+                      report::duration_text(seconds));
+            flush_out();
         }
     };
     const auto kept = result.records;
-    result.outcomes = study::run_points(result.points, cases, pending, how, action_of(options, ranks), console);
+    const std::vector<fs::path> inputs{options.study, study.base};
+    result.outcomes = study::run_points(result.points, cases, pending, how, action_of(options, inputs, ranks), console);
     console.finish();
     if (!ranks.first) {
         return console.cancelled() ? interrupted_exit_code : 0;
     }
-    bool failed = false;
-    for (std::size_t p = 0; p < result.points.size(); ++p) {
-        if (kept[p]) {
-            result.outcomes[p].state = study::PointOutcome::State::kept;
-        } else if (result.outcomes[p].state == study::PointOutcome::State::done) {
-            result.records[p] = report::read_result(folder_of(options, result.points[p]));
-        }
-        failed = failed || result.outcomes[p].state == study::PointOutcome::State::failed;
-    }
-    fs::create_directories(options.folder);
+    const bool failed = collect(options, kept, result);
     report::write_sweep_files(options.folder, result, console.warnings());
     const auto page = fs::path(options.folder) / "report.html";
     report::write_sweep_report(page, options.folder);
-    fmt::print("{}\nresults{} are in {}\nthe page is {}\n", report::sweep_text(result),
-               console.cancelled() ? " so far (the same command goes on)" : "", options.folder, page.string());
+    print_out("{}\nresults{} are in {}\nthe page is {}\n", report::sweep_text(result),
+              console.cancelled() ? " so far (the same command goes on)" : "", options.folder, page.string());
     if (console.cancelled()) {
         return interrupted_exit_code;
     }

@@ -4,6 +4,7 @@
 #include "deadpoint/fem/session.hpp"
 #include "errors.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 
 using namespace deadpoint;
 using report::ResultFolder;
@@ -19,7 +20,9 @@ int on_ranks(Console::Options options, const std::function<int(const OnRanks&)>&
     Console console(options);
     bool agree = true;
     try {
-        return work({console, first, agree});
+        const int exit_code = work({console, first, agree});
+        flush_out();
+        return exit_code;
     } catch (const Error& error) {
         if (session.size() == 1 || (agree && first)) {
             throw;
@@ -33,13 +36,12 @@ int on_ranks(Console::Options options, const std::function<int(const OnRanks&)>&
     }
 }
 
-std::string start_folder(const std::filesystem::path& target, ResultFolder::IfExists if_exists, bool first,
-                         std::unique_ptr<ResultFolder>& folder)
+void on_first_rank(bool first, const std::function<void()>& work)
 {
     std::string error;
     if (first) {
         try {
-            folder = std::make_unique<ResultFolder>(target, if_exists);
+            work();
         } catch (const IoError& reason) {
             error = reason.what();
         }
@@ -48,5 +50,11 @@ std::string start_folder(const std::filesystem::path& target, ResultFolder::IfEx
     if (!error.empty()) {
         throw IoError(error);
     }
+}
+
+std::string start_folder(bool first, const std::function<std::unique_ptr<ResultFolder>()>& start,
+                         std::unique_ptr<ResultFolder>& folder)
+{
+    on_first_rank(first, [&] { folder = start(); });
     return fem::from_first_rank(folder ? folder->path().string() : std::string{});
 }

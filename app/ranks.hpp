@@ -20,6 +20,9 @@ struct OnRanks {
 /// one that a single rank may have met ends them all, since the others would wait for it for ever.
 int on_ranks(Console::Options options, const std::function<int(const OnRanks&)>& work);
 
+/// Work that only the first rank does, with files. Its IoError becomes that of all ranks.
+void on_first_rank(bool first, const std::function<void()>& work);
+
 /// Starts a result folder on the first rank. All ranks get its path, or the same error.
-std::string start_folder(const std::filesystem::path& target, deadpoint::report::ResultFolder::IfExists if_exists,
-                         bool first, std::unique_ptr<deadpoint::report::ResultFolder>& folder);
+std::string start_folder(bool first, const std::function<std::unique_ptr<deadpoint::report::ResultFolder>()>& start,
+                         std::unique_ptr<deadpoint::report::ResultFolder>& folder);

@@ -1,6 +1,8 @@
 #include "result_options.hpp"
 
-using deadpoint::report::ResultFolder;
+using namespace deadpoint;
+using report::FolderClaim;
+using report::ResultFolder;
 
 void add_result_options(CLI::App& command, ResultOptions& options)
 {
@@ -8,7 +10,8 @@ void add_result_options(CLI::App& command, ResultOptions& options)
     command.add_option("-o,--output", options.folder, "the folder to write into; it must not exist")
         ->required()
         ->type_name("DIR");
-    command.add_flag("--force", options.force, "replace the folder if it exists, once the results are complete");
+    command.add_flag("--force", options.force,
+                     "replace a folder that deadpoint wrote, once the new results are complete");
 }
 
 void add_segment_options(CLI::App& command, SegmentOptions& options)
@@ -21,8 +24,27 @@ void add_segment_options(CLI::App& command, SegmentOptions& options)
         ->check(CLI::Range(0, 9999));
 }
 
-std::unique_ptr<ResultFolder> start_folder(const ResultOptions& options)
+FolderClaim claim_folder(const std::filesystem::path& target, Console& console)
+{
+    FolderClaim claim(target);
+    for (const auto& note : claim.take_notes()) {
+        console.note(note);
+    }
+    return claim;
+}
+
+std::unique_ptr<ResultFolder> start_folder(const ResultOptions& options, const casefile::ReadResult& read,
+                                           Console& console)
 {
     using enum ResultFolder::IfExists;
-    return std::make_unique<ResultFolder>(options.folder, options.force ? replace : refuse);
+    return std::make_unique<ResultFolder>(claim_folder(options.folder, console), options.force ? replace : refuse,
+                                          input_files(read));
+}
+
+void commit(ResultFolder& folder, Console& console)
+{
+    folder.commit();
+    for (const auto& note : folder.take_notes()) {
+        console.note(note);
+    }
 }

@@ -22,5 +22,12 @@ void add_result_options(CLI::App& command, ResultOptions& options);
 /// Adds --segment to these.
 void add_segment_options(CLI::App& command, SegmentOptions& options);
 
-/// Starts the folder that the options name. @throws IoError as ResultFolder
-std::unique_ptr<deadpoint::report::ResultFolder> start_folder(const ResultOptions& options);
+/// Claims a folder and says on the console what was found there. @throws IoError as FolderClaim
+deadpoint::report::FolderClaim claim_folder(const std::filesystem::path& target, Console& console);
+
+/// Starts the folder that the options name, for results of the case that was read. @throws IoError as ResultFolder
+std::unique_ptr<deadpoint::report::ResultFolder>
+start_folder(const ResultOptions& options, const deadpoint::casefile::ReadResult& read, Console& console);
+
+/// Gives finished results their name. @throws IoError as ResultFolder::commit()
+void commit(deadpoint::report::ResultFolder& folder, Console& console);

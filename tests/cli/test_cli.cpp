@@ -178,9 +178,12 @@ TEST_CASE("mesh writes a new folder, refuses an old one and replaces it on reque
     CHECK(has(refused.err, "--force"));
     CHECK(fs::exists(target + "/mine.txt"));
     CHECK_FALSE(fs::exists(target + "/mesh.inp"));
+    const auto holds_more = deadpoint("mesh " + two_blocks + " --force -o " + target);
+    CHECK(holds_more.code == 5);
+    CHECK(has(holds_more.err, "mine.txt', which deadpoint did not write"));
+    fs::remove(target + "/mine.txt");
     CHECK(deadpoint("mesh " + two_blocks + " --force --calculix -o " + target).code == 0);
     CHECK(has(content(target + "/mesh.inp"), "*ELEMENT, TYPE=C3D8, ELSET=PART_"));
-    CHECK_FALSE(fs::exists(target + "/mine.txt"));
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
 }
 
@@ -480,6 +483,12 @@ TEST_CASE("compare holds a run against a reference file, and writes its tables b
     CHECK(has(content(folder / "fast.md"), "# starter press against test bench at fast"));
     CHECK(has(content(folder / "fast.md"), "rms: baseline"));
     CHECK(fs::exists(folder / "fast.json"));
+    const auto again = "compare -q " + results + " " + measured + " -o " + (folder / "fast.json");
+    const auto refused = deadpoint(again);
+    CHECK(refused.code == 5);
+    CHECK(has(refused.err, "fast.json' exists"));
+    CHECK(has(content(folder / "fast.md"), "rms: baseline"));
+    CHECK(deadpoint(again + " --force").code == 0);
 
     std::ofstream(folder / "late.toml") << head
                                         << "[[rises]]\ntime = \"4 h\"\nvalues = { slide = \"1 K\", tool = \"1 K\" }\n";

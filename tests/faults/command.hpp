@@ -34,6 +34,13 @@ inline std::string short_disk(long long room, bool kills)
                        kills ? " DEADPOINT_DISK_KILLS=1" : "");
 }
 
+/// What stands before the program so that a call on a file below a folder fails (failing_calls.cpp).
+inline std::string failing(const fs::path& below, const std::string& fault, const fs::path& counts = {})
+{
+    return fmt::format("env LD_PRELOAD={} DEADPOINT_FAULT_BELOW={} DEADPOINT_FAULT='{}' DEADPOINT_FAULT_COUNTS={}",
+                       DEADPOINT_FAILING_CALLS, below.string(), fault, counts.string());
+}
+
 /// How many kills a test of them makes.
 inline int kills()
 {

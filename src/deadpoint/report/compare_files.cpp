@@ -344,14 +344,15 @@ std::string compare_page(const study::RunRecord& run, const Comparison& c)
     return text;
 }
 
-void write_compare_files(const std::filesystem::path& stem, const study::RunRecord& run, const Comparison& c)
+void write_compare_files(const std::filesystem::path& stem, const study::RunRecord& run, const Comparison& c,
+                         IfThere if_there)
 {
     const auto with = [&](const char* extension) {
         std::filesystem::path path = stem;
         return path += extension;
     };
-    write_json(with(".json"), compare_json(run, c));
-    write_file(with(".md"), compare_page(run, c));
+    write_json(with(".json"), compare_json(run, c), if_there);
+    write_file(with(".md"), compare_page(run, c), if_there);
     record_file(with(".json"));
     record_file(with(".md"));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/core/write_file.hpp"
 #include "deadpoint/study/compare.hpp"
 
 #include <filesystem>
@@ -17,6 +18,6 @@ std::string compare_page(const study::RunRecord& run, const study::Comparison& c
 /// Writes `stem`.json and `stem`.md; the first also holds every point of every curve.
 /// @throws IoError if a file cannot be written
 void write_compare_files(const std::filesystem::path& stem, const study::RunRecord& run,
-                         const study::Comparison& comparison);
+                         const study::Comparison& comparison, IfThere if_there = IfThere::replace);
 
 }  // namespace deadpoint::report

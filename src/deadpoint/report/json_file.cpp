@@ -47,10 +47,10 @@ nlohmann::ordered_json parsed(const std::string& text, const std::filesystem::pa
 
 }  // namespace
 
-void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& document)
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& document, IfThere if_there)
 {
     // A name taken from a file need not be valid UTF-8; replace what is not, rather than lose the whole summary.
-    write_file(path, document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+    write_file(path, document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n', if_there);
 }
 
 std::optional<nlohmann::ordered_json> read_json(const std::filesystem::path& path)

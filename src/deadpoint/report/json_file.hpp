@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/result_files.hpp"
 
 #include <filesystem>
@@ -11,7 +12,8 @@ namespace deadpoint::report {
 /// Writes a JSON document, indented and with its keys in the order in which they were set; complete or absent.
 /// Numbers that are not finite become null. Internal to report/, since it shows the JSON library.
 /// @throws IoError if the file cannot be written
-void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& document);
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& document,
+                IfThere if_there = IfThere::replace);
 
 /// Reads a JSON document that deadpoint wrote. Internal to report/ as well.
 /// @return nothing if there is no such file

@@ -112,7 +112,7 @@ std::vector<ReportSource> report_sources(std::span<const fs::path> folders)
     return sources;
 }
 
-void write_report(const fs::path& file, std::span<const ReportSource> sources)
+void write_report(const fs::path& file, std::span<const ReportSource> sources, IfThere if_there)
 {
     Json data{{"version", version}, {"runs", Json::array()}};
     for (const auto& source : sources)
@@ -127,7 +127,7 @@ void write_report(const fs::path& file, std::span<const ReportSource> sources)
     const std::array scripts{page_data_script(),  page_charts_script(),   page_view_script(),
                              page_stage_script(), page_linkage_script(),  page_flow_script(),
                              page_gaps_script(),  page_sections_script(), page_main_script()};
-    write_page(file, {title, std::move(data), std::move(tables)}, scripts);
+    write_page(file, {title, std::move(data), std::move(tables)}, scripts, if_there);
 }
 
 }  // namespace deadpoint::report

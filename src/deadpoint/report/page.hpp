@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/core/write_file.hpp"
+
 #include <filesystem>
 #include <span>
 #include <string>
@@ -22,7 +24,8 @@ std::vector<ReportSource> report_sources(std::span<const std::filesystem::path> 
 /// Writes the page; complete or absent. Long tables are thinned: the page needs no more rows than a screen has pixels.
 /// @throws InputError if a folder holds no results, or one of its files was changed or cannot be understood
 /// @throws IoError    if a file cannot be read or the page cannot be written
-void write_report(const std::filesystem::path& file, std::span<const ReportSource> sources);
+void write_report(const std::filesystem::path& file, std::span<const ReportSource> sources,
+                  IfThere if_there = IfThere::replace);
 
 /// A CSV text (comments, header, rows) with at most so many rows, evenly chosen; the last row stays.
 std::string thinned_csv(std::string_view text, std::size_t most_rows);

@@ -41,10 +41,11 @@ std::string escaped(std::string_view text)
     return result;
 }
 
-void write_page(const fs::path& file, const PageContent& content, std::span<const std::string_view> scripts)
+void write_page(const fs::path& file, const PageContent& content, std::span<const std::string_view> scripts,
+                IfThere if_there)
 {
     const auto title = escaped(content.title);
-    write_file(file, [&](std::ostream& out) {
+    const auto fill = [&](std::ostream& out) {
         out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
             << "<meta http-equiv=\"Content-Security-Policy\" content=\"" << policy << "\">\n"
             << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -60,7 +61,8 @@ void write_page(const fs::path& file, const PageContent& content, std::span<cons
         for (const auto script : scripts)
             out << script;
         out << "</script>\n</body>\n</html>\n";
-    });
+    };
+    write_file(file, fill, Durability::usual, if_there);
     record_file(file);
 }
 

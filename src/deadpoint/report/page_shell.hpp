@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/core/write_file.hpp"
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -21,6 +23,6 @@ struct PageContent {
 /// Writes the page, with the scripts after the libraries in this order; complete or absent.
 /// @throws IoError if it cannot be written
 void write_page(const std::filesystem::path& file, const PageContent& content,
-                std::span<const std::string_view> scripts);
+                std::span<const std::string_view> scripts, IfThere if_there);
 
 }  // namespace deadpoint::report

@@ -112,7 +112,7 @@ Json read_point(const Json& point, const fs::path& folder, std::size_t rows, Jso
 
 bool is_study(const fs::path& folder) { return fs::exists(folder / "sweep.json"); }
 
-void write_sweep_report(const fs::path& file, const fs::path& folder)
+void write_sweep_report(const fs::path& file, const fs::path& folder, IfThere if_there)
 {
     const auto source = folder / "sweep.json";
     if (!is_study(folder))
@@ -149,7 +149,7 @@ void write_sweep_report(const fs::path& file, const fs::path& folder)
                                      source.string(), reason.what()));
     }
     const std::array scripts{page_data_script(), page_charts_script(), page_sweep_script()};
-    write_page(file, content, scripts);
+    write_page(file, content, scripts, if_there);
 }
 
 }  // namespace deadpoint::report
