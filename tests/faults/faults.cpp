@@ -196,3 +196,14 @@ TEST_CASE("numbers that are none in a table are refused with line and remedy")
     CHECK(has(outcome.text, "case.toml:"));
     CHECK(has(outcome.text, "lubricants.bad.viscosity"));
 }
+
+TEST_CASE("a limit of memory too low for any case is exit code 2, in words and at once")
+{
+    const ScratchFolder folder;
+    const auto line = fmt::format("run {} -o {}", two_blocks, (folder.path / "result").string());
+    const auto outcome = run("ulimit -v 700000; timeout 60", line);
+    CHECK(outcome.code == 2);
+    CHECK(has(outcome.text, "error: the memory that this program may address is limited to 0.72 GB"));
+    CHECK(has(outcome.text, "ulimit -v unlimited"));
+    CHECK(fs::is_empty(folder.path));
+}

@@ -8,6 +8,7 @@ namespace deadpoint::fem {
 /// Works without mpirun too (one rank).
 class Session {
 public:
+    /// @throws InputError if the limit of memory leaves no room for the smallest case
     Session(int& argc, char**& argv);
     ~Session();
     Session(const Session&) = delete;
