@@ -98,7 +98,8 @@ void Console::progress(double fraction, std::string_view detail)
         return;
     }
     const double pause = seconds_since(last_shown_);
-    const bool due = terminal_ ? pause > 0.1 : pause > 2 && fraction >= last_fraction_ + 0.1;
+    // A log gets a line each tenth of the way, and each minute where that takes long.
+    const bool due = terminal_ ? pause > 0.1 : pause > 60 || (pause > 2 && fraction >= last_fraction_ + 0.1);
     if (due) {
         last_shown_ = Clock::now();
         last_fraction_ = fraction;

@@ -134,7 +134,7 @@ PartMesh mesh_shapes(const PartDescription& part, const std::vector<Prism>& pris
         }
         observer.info(fmt::format("part '{}' gets tetrahedra: {}", part.name, attempt.reason));
     }
-    PartMesh mesh = mesh_tetrahedra(part.name, prisms, size, half);
+    PartMesh mesh = mesh_tetrahedra(part.name, prisms, size, half, observer);
     check_quality(part, mesh);
     return mesh;
 }
@@ -184,18 +184,6 @@ double volume_of(const std::vector<Prism>& prisms)
     return volume;
 }
 
-/// Refuses what no memory holds, and says before the work what will take long.
-void check_cell_count(const std::string& part, const std::vector<Prism>& prisms, double size, Observer& observer)
-{
-    const double volume = volume_of(prisms);
-    require_few_cells(part, volume, size);
-    if (const double cells = about_cells(volume, size); cells > many_cells) {
-        observer.warn(fmt::format("part '{}': cells of {:.3g} mm will be about {:.1e} of them, which takes minutes to "
-                                  "mesh and hours to compute; check its size",
-                                  part, 1e3 * size, cells));
-    }
-}
-
 PartMesh mesh_part(const MachineDescription& description, const PartDescription& part, std::vector<Prism>& prisms,
                    Observer& observer, const Waiting& waiting)
 {
@@ -213,7 +201,7 @@ PartMesh mesh_part(const MachineDescription& description, const PartDescription&
     if (half && beyond_symmetry(prisms)) {
         return {};
     }
-    check_cell_count(part.name, prisms, size, observer);
+    check_cell_count(part.name, about_hexahedra(volume_of(prisms), size), size, observer);
     PartMesh mesh = mesh_shapes(part, prisms, size, half, observer);
     if (mesh.cells.empty()) {
         throw InputError(fmt::format("part '{}' has no material left after its cuts; correct its shapes", part.name));

@@ -1,19 +1,20 @@
 #pragma once
 
+#include "deadpoint/core/observer.hpp"
+
 #include <string>
 
 namespace deadpoint::machine {
 
-/// Of a part: more than any memory here holds.
-inline constexpr double most_cells = 2e8;
-/// Of a part: from here on meshing takes minutes, and a run hours.
-inline constexpr double many_cells = 3e6;
+/// About how many cells of `size` [m] fill a `volume` [m3]: cubes, or regular tetrahedra with this edge.
+constexpr double about_hexahedra(double volume, double size) { return volume / (size * size * size); }
+constexpr double about_tetrahedra(double volume, double size) { return 8.485 * about_hexahedra(volume, size); }
 
-/// About how many cells of `size` [m] a part of `volume` [m3] has: at least so many.
-constexpr double about_cells(double volume, double size) { return volume / (size * size * size); }
-
-/// A slip such as "8 um" for "8 mm" must not fill the memory.
-/// @throws InputError if it would be more than most_cells
-void require_few_cells(const std::string& part, double volume, double size);
+/// A slip such as "8 um" for "8 mm" must not fill the memory: refuses what this machine cannot even mesh, and says
+/// before the work what will take long.
+/// @param cells  about so many
+/// @param size   [m], as the part has it
+/// @throws InputError if the mesh would be larger than the memory
+void check_cell_count(const std::string& part, double cells, double size, Observer& observer);
 
 }  // namespace deadpoint::machine

@@ -156,14 +156,27 @@ void build_solid(const std::vector<Prism>& prisms, bool half)
     occ::synchronize();
 }
 
+/// [m3], of solids in Gmsh's model.
+double volume_of(const Tags& solids)
+{
+    double sum = 0;
+    for (const auto& [dimension, tag] : solids) {
+        double own = 0;
+        occ::getMass(dimension, tag, own);
+        sum += own;
+    }
+    return sum * gmsh_unit * gmsh_unit * gmsh_unit;
+}
+
 /// Meshes the solids in Gmsh's model; lengths in the model are millimetres.
-PartMesh generate(double size)
+PartMesh generate(const std::string& part, double size, Observer& observer)
 {
     Tags volumes;
     gmsh::model::getEntities(volumes, 3);
     if (volumes.empty()) {
         return {};
     }
+    check_cell_count(part, about_tetrahedra(volume_of(volumes), size), size, observer);
     gmsh::option::setNumber("Mesh.MeshSizeMax", to_gmsh(size));
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", segments_per_circle);
     gmsh::model::mesh::generate(3);
@@ -204,27 +217,16 @@ void place_solids(const Tags& solids, double scale, const Vec3& by)
     }
 }
 
-/// [m3], of solids in Gmsh's model.
-double volume_of(const Tags& solids)
-{
-    double sum = 0;
-    for (const auto& [dimension, tag] : solids) {
-        double own = 0;
-        occ::getMass(dimension, tag, own);
-        sum += own;
-    }
-    return sum * gmsh_unit * gmsh_unit * gmsh_unit;
-}
-
 }  // namespace
 
-PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half)
+PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half,
+                         Observer& observer)
 {
     PartMesh mesh;
     guard_gmsh(name, "meshing with tetrahedra", [&] {
         reset_gmsh();
         build_solid(prisms, half);
-        mesh = generate(size);
+        mesh = generate(name, size, observer);
     });
     return mesh;
 }
@@ -239,14 +241,14 @@ PartMesh mesh_step(const PartDescription& part, const StepSource& source, double
         PartMesh mesh;
         guard_gmsh(part.name, "reading and meshing its STEP file", [&] {
             reset_gmsh();
-            Tags solids = import_solids(file);
+            const Tags solids = import_solids(file);
             place_solids(solids, scale, part.translation);
             if (half) {
-                solids = cut_half(solids);
+                cut_half(solids);
             }
-            require_few_cells(part.name, volume_of(solids), size);
             occ::synchronize();
-            mesh = generate(size);
+            Observer nobody;  // words do not leave the process, only errors and the mesh do
+            mesh = generate(part.name, size, nobody);
         });
         return mesh;
     };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/core/observer.hpp"
 #include "deadpoint/machine/foreign_mesh.hpp"
 #include "deadpoint/machine/part_mesh.hpp"
 #include "deadpoint/machine/shapes.hpp"
@@ -10,7 +11,8 @@
 namespace deadpoint::machine {
 
 /// Tetrahedra of about `size` in the shapes of a part. @param half keep x <= 0 only
-PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half);
+PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half,
+                         Observer& observer);
 
 /// Tetrahedra in the solids of a STEP file; faces named in the file become groups. The file is read in a process that
 /// can do nothing else (foreign_mesh.hpp).
