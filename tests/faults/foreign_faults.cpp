@@ -331,6 +331,22 @@ TEST_CASE("STEP files that are cut, refer to others or are made of nonsense are 
          {"script.step", start + commands + end, "holds no solid"}});
 }
 
+TEST_CASE("a STEP file that refers to another is refused, whether the other is there or not")
+{
+    const auto refers = test_data("box_in_another_file.step");  // Open CASCADE follows it
+    const std::string stopped = "was stopped: it wants to open another file, '";
+    const Target target;
+    target.folder.file("ext_box.stp", test_data("plate_with_hole.step"));
+    for (const auto* other : {"ext_box.stp", "missing.stp", "/etc/passwd", "../../../etc/passwd", "home/.gmshrc"}) {
+        CAPTURE(other);
+        target.folder.file("plate.step", all_replaced(refers, "ext_box.stp", other));
+        const auto outcome = target.check("step", "plate.step");
+        CAPTURE(outcome.text);
+        CHECK(outcome.code == 2);
+        CHECK(has(outcome.text, stopped));
+    }
+}
+
 TEST_CASE("what is no file, or not of the case, is refused at once")
 {
     const Target target;

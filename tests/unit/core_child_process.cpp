@@ -142,7 +142,11 @@ TEST_CASE("A child process reads its one file, under its name, and no other")
                       secret));
     // That a file is there stays unsaid; the system's own look as if missing.
     CHECK(run_in_child("work", limits, [&] { return std::to_string(std::filesystem::exists(secret)); }) == "0");
-    CHECK(run_in_child("work", limits, [] { return content("/etc/passwd") + content("/proc/self/maps"); }).empty());
+    CHECK(run_in_child("work", limits, [] { return content("/proc/self/maps") + content("XSTEP.us"); }).empty());
+    CHECK(message_of<InputError>(limits, [] { return content("/etc/passwd"); }).find("'/etc/passwd'") !=
+          std::string::npos);
+    CHECK(
+        run_in_child("work", limits, [] { return std::string(std::getenv("HOME") == nullptr ? "" : "HOME"); }).empty());
     // What was open stays outside.
     const int open_here = open(secret.c_str(), O_RDONLY);
     REQUIRE(open_here >= 0);

@@ -79,6 +79,7 @@ void set_limit(int resource, std::uint64_t value)
     if (std::freopen("/dev/null", "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr) {
         _exit(1);
     }
+    clearenv();  // it may name further files, which a library would look for
     try {
         confine({limits.file, limits.name, to, refusal});
         hand_over(to, handed_over, work());

@@ -57,12 +57,17 @@ bool is_the_file(std::string_view path)
     return path.substr(slash == std::string_view::npos ? 0 : slash + 1) == name_of_file.data();
 }
 
-/// What libraries look for by themselves, whatever they read: facts of the system, and the settings (*.us) that Open
-/// CASCADE seeks in the working folder.
+/// What libraries look for by themselves, whatever they read: facts of the system, time zones and character sets, and
+/// the settings that Open CASCADE seeks in the working folder ("XSTEP.us").
 bool is_settings(std::string_view path)
 {
-    return path.starts_with("/proc/") || path.starts_with("/sys/") || path.starts_with("/usr/") ||
-           path.starts_with("/etc/") || path.ends_with(".us");
+    constexpr std::array<std::string_view, 5> system{"/proc/", "/sys/", "/etc/localtime", "/usr/share/zoneinfo/",
+                                                     "/usr/lib/"};
+    if (std::ranges::any_of(system, [&](std::string_view place) { return path.starts_with(place); })) {
+        return true;
+    }
+    return path.ends_with(".us") &&
+           std::ranges::all_of(path.substr(0, path.size() - 3), [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
 /// Ends the process by SIGSYS: a second refused call does, since the signal is held back while its handler runs.
