@@ -3,6 +3,7 @@
 #include "deadpoint/report/page.hpp"
 #include "deadpoint/report/sweep_page.hpp"
 #include "output.hpp"
+#include "result_options.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -117,6 +118,8 @@ void take_pictures(const fs::path& page, const fs::path& folder)
 /// The page of a study or of results.
 void write_page_of(const std::vector<fs::path>& folders, const fs::path& file, IfThere if_there)
 {
+    Console console({});
+    const auto claim = claim_folder_of(file, console);  // so that what is read is what is added to
     const auto study = std::ranges::find_if(folders, report::is_study);
     if (study == folders.end()) {
         report::write_report(file, report::report_sources(folders), if_there);

@@ -1,5 +1,7 @@
 #include "result_options.hpp"
 
+#include <unistd.h>
+
 using namespace deadpoint;
 using report::FolderClaim;
 using report::ResultFolder;
@@ -31,6 +33,19 @@ FolderClaim claim_folder(const std::filesystem::path& target, Console& console)
         console.note(note);
     }
     return claim;
+}
+
+std::optional<FolderClaim> claim_folder_of(const std::filesystem::path& file, Console& console)
+{
+    const auto folder = report::folder_above(file);
+    if (!report::is_whole(folder)) {
+        return std::nullopt;
+    }
+    const auto whole = std::filesystem::canonical(folder);
+    if (access(whole.parent_path().c_str(), W_OK) != 0) {
+        return std::nullopt;
+    }
+    return claim_folder(whole, console);
 }
 
 std::unique_ptr<ResultFolder> start_folder(const ResultOptions& options, const casefile::ReadResult& read,

@@ -4,6 +4,7 @@
 #include "deadpoint/report/result_folder.hpp"
 
 #include <memory>
+#include <optional>
 
 /// What all subcommands that write a folder of results have in common.
 struct ResultOptions : CaseOptions {
@@ -24,6 +25,10 @@ void add_segment_options(CLI::App& command, SegmentOptions& options);
 
 /// Claims a folder and says on the console what was found there. @throws IoError as FolderClaim
 deadpoint::report::FolderClaim claim_folder(const std::filesystem::path& target, Console& console);
+
+/// Claims the folder of results that a file is about to be added to; nothing for a file elsewhere, or where no run
+/// could replace the folder. @throws IoError as FolderClaim
+std::optional<deadpoint::report::FolderClaim> claim_folder_of(const std::filesystem::path& file, Console& console);
 
 /// Starts the folder that the options name, for results of the case that was read. @throws IoError as ResultFolder
 std::unique_ptr<deadpoint::report::ResultFolder>

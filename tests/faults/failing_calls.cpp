@@ -1,8 +1,8 @@
 /// Preloaded into the program under test: one of its calls on files below DEADPOINT_FAULT_BELOW fails.
 ///
-/// DEADPOINT_FAULT is "<call>:<number>:<what>": call is read, write, fsync, rename or renameat2; number counts from 1,
-/// 0 means all of them; what is an errno as a number, "kill", or a line of shell that runs before the call goes on.
-/// DEADPOINT_FAULT_COUNTS names a file that gets the number of calls of each kind.
+/// DEADPOINT_FAULT is "<call>:<number>:<what>", or several with ; between: call is read, write, fsync, rename or
+/// renameat2; number counts from 1, 0 means all of them; what is an errno as a number, "kill", or a line of shell that
+/// runs before the call goes on. DEADPOINT_FAULT_COUNTS names a file that gets the number of calls of each kind.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>
+#include <sstream>
 #include <string>
 #include <sys/stat.h>
 #include <sys/uio.h>
@@ -42,19 +43,12 @@ bool is_below(int file)
            is_below(path.data());
 }
 
-/// Counts a call. @return whether it fails, with errno
-bool fails(std::size_t call)
+/// Does what a fault says if it is about this call. @return whether the call fails, with errno
+bool happens(const std::string& fault, const std::string& call, int count)
 {
-    const char* fault = std::getenv("DEADPOINT_FAULT");
-    if (getpid() != program)
-        return false;
-    const int count = ++counts[call];
-    if (fault == nullptr)
-        return false;
-    const std::string text = fault, name = text.substr(0, text.find(':'));
-    const auto rest = text.substr(name.size() + 1);
+    const auto name = fault.substr(0, fault.find(':')), rest = fault.substr(name.size() + 1);
     const int wanted = std::stoi(rest);
-    if (name != names[call] || (wanted != 0 && wanted != count))
+    if (name != call || (wanted != 0 && wanted != count))
         return false;
     const auto what = rest.substr(rest.find(':') + 1);
     if (what == "kill")
@@ -66,6 +60,20 @@ bool fails(std::size_t call)
     }
     errno = std::stoi(what);
     return true;
+}
+
+/// Counts a call. @return whether it fails, with errno
+bool fails(std::size_t call)
+{
+    const char* faults = std::getenv("DEADPOINT_FAULT");
+    if (getpid() != program)
+        return false;
+    const int count = ++counts[call];
+    std::istringstream all(faults != nullptr ? faults : "");
+    for (std::string fault; std::getline(all, fault, ';');)
+        if (happens(fault, names[call], count))
+            return true;
+    return false;
 }
 
 __attribute__((destructor)) void write_counts()

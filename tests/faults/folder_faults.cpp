@@ -219,6 +219,28 @@ TEST_CASE("a study is not computed by two at once, nor does it take a folder tha
     CHECK(names_in(folder.path).size() == 2);
 }
 
+TEST_CASE("nothing is added to a result while a run replaces it")
+{
+    const ScratchFolder folder;
+    const auto target = folder.path / "result";
+    REQUIRE(run("", run_into(target)).code == 0);
+    const auto reference =
+        folder.file("measured.toml", "format = 1\nname = \"bench\"\nsource = \"made up\"\n[[rises]]\ntime = \"5 min\"\n"
+                                     "values = { top = \"1 K\" }\n");
+    const auto held = fmt::format("flock {}.lock", target.string());  // as the run would
+    for (const auto& line : {fmt::format("report {}", target.string()),
+                             fmt::format("compare {} {}", target.string(), reference.string())}) {
+        CAPTURE(line);
+        const auto refused = run(held, line);
+        CHECK(refused.code == 5);
+        CHECK(has(refused.text, "is being written"));
+        CHECK(is_whole(target));
+        CHECK(run("", line).code == 0);
+        CHECK(is_whole(target));
+    }
+    CHECK(fs::exists(target / "compare.json"));
+}
+
 TEST_CASE("where the file system neither swaps names nor keeps taken ones, nothing is lost either")
 {
     const ScratchFolder folder;
@@ -231,10 +253,30 @@ TEST_CASE("where the file system neither swaps names nor keeps taken ones, nothi
     CHECK(start_temperature(target) == "40");
     CHECK(names_in(folder.path).size() == 1);
     const auto taken = run(
-        failing(folder.path, fmt::format("renameat2:1:mkdir {0}; touch {0}/mine", (folder.path / "other").string())),
+        failing(folder.path, fmt::format("renameat2:1:mkdir {0} && touch {0}/mine", (folder.path / "other").string())),
         run_into(folder.path / "other"));
     CHECK(taken.code == 5);
     CHECK(names_in(folder.path / "other") == std::vector<std::string>{"mine"});
+}
+
+TEST_CASE("killed between the two renames of such a file system, a result gets its name back")
+{
+    const ScratchFolder folder, spare;
+    const auto target = folder.path / "result", counts = spare.path / "counts";
+    REQUIRE(run("", run_into(target)).code == 0);
+    REQUIRE(run(failing(folder.path, "renameat2:0:22", counts), run_into(target, "--force")).code == 0);
+    const auto last = fmt::format("renameat2:0:22;rename:{}:kill", count_of(counts, "rename"));
+    CHECK(run(failing(folder.path, last), run_into(target, warm)).code == 137);
+    CHECK_FALSE(fs::exists(target));
+    const auto next = run("", run_into(target));
+    CHECK(next.code == 5);
+    CHECK(has(next.text, "note: '" + target.string() + "' has its results back"));
+    CHECK(has(next.text, "note: whole results of a run that was ended before they got their name are in '"));
+    CHECK(is_whole(target));
+    CHECK(start_temperature(target) == "20");
+    const auto names = names_in(folder.path);
+    REQUIRE(names.size() == 2);
+    CHECK(start_temperature(folder.path / (names[0] == "result" ? names[1] : names[0])) == "40");
 }
 
 TEST_CASE("--force replaces neither the case's folder nor a folder with files of the user")

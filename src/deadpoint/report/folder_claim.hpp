@@ -24,7 +24,7 @@ public:
     /// removes what is not whole and what was replaced, gives a result its name back that lost it in between, and keeps
     /// what is whole.
     /// @throws IoError if another process holds the claim (which, on which host, since when), if the name is none for a
-    ///         folder, or if nothing can be written there
+    ///         folder, or if nothing can be read or written there
     explicit FolderClaim(const std::filesystem::path& target);
 
     [[nodiscard]] const std::filesystem::path& target() const { return target_; }
@@ -47,7 +47,7 @@ std::string partial_prefix(const std::filesystem::path& target);
 std::string replaced_prefix(const std::filesystem::path& target);
 std::string kept_prefix(const std::filesystem::path& target);
 
-/// Whether a folder has a list of its files, so that it is whole.
+/// Whether a folder has a list of its files, so that it is whole. @throws IoError if the list cannot be read
 bool is_whole(const std::filesystem::path& folder);
 
 /// Marks a new folder as one that deadpoint writes, until write_manifest() says that it is whole. @throws IoError
