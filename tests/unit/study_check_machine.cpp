@@ -21,6 +21,9 @@ Machine three_cubes()
         for (std::uint32_t i = 0; i < 8; ++i)
             cell.nodes[i] = first + i;
         machine.cells.push_back(cell);
+        Face face;
+        face.cell = face.part = p;
+        machine.faces.push_back(face);
         MeshPart part;
         part.name = std::string(1, static_cast<char>('a' + p));
         part.body = "frame";
@@ -31,6 +34,7 @@ Machine three_cubes()
     Contact bond;
     bond.part_a = 0;
     bond.part_b = 1;
+    bond.points = {{0, 1, {}, {}, {}, 1}};
     machine.bonds.push_back(bond);
     return machine;
 }
@@ -70,4 +74,28 @@ TEST_CASE("a body whose parts are not all bonded is named with its pieces")
                               "itself: a, b | c; let its parts touch, or make them bodies of their own");
     machine.parts[2].body = "slide";
     CHECK(study::loose_bodies(machine).empty());
+}
+
+TEST_CASE("a body of one part that is in two pieces is named too, unless another part holds both")
+{
+    Machine machine = three_cubes();
+    machine.parts[1].body = machine.parts[2].body = "slide";
+    machine.parts[0].pieces = 2;
+    machine.piece_of_cell = {0, 0, 0};
+    const auto warnings = study::loose_bodies(machine);
+    REQUIRE(warnings.size() == 2);
+    CHECK(
+        warnings.front().find("body 'frame' falls into 2 pieces that no bond holds together, each of which expands by "
+                              "itself: a (piece 1 of 2) | a (piece 2 of 2)") == 0);
+
+    Machine held = three_cubes();  // a and b are bonded; piece 2 of a is bonded to c, and c to b
+    held.parts[0].pieces = 2;
+    held.cells.push_back(held.cells.front());
+    held.piece_of_cell = {0, 0, 0, 1};
+    Face face;
+    face.cell = 3;
+    held.faces.push_back(face);
+    held.bonds.push_back(held.bonds.front());
+    held.bonds.back().points = {{3, 2, {}, {}, {}, 1}, {1, 2, {}, {}, {}, 1}};
+    CHECK(study::loose_bodies(held).empty());
 }

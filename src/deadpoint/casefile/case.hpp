@@ -155,6 +155,7 @@ struct Chain {
 
 struct Numerics {
     double size = 0.03;
+    double seam_tolerance = 1e-5;  ///< between shapes of one part [m]
     double deformation_size = 0;   ///< cell sizes of the deformation's mesh relative to the heat's; 0: automatic
     int deformation_order = 0;     ///< of the deformation's elements; 0: that of the heat's
     double time_tolerance = 0.02;  ///< of a step, at probes and joints [K]

@@ -430,6 +430,8 @@ void describe(Visitor& v, Numerics& n)
 {
     v.about("Mesh, time stepping and solvers.");
     v.quantity({"size", "wanted cell size of parts that state none"}, n.size, D::length, positive);
+    v.quantity({"seam_tolerance", "shapes of one part that are this far apart, or this deep in each other, are joined"},
+               n.seam_tolerance, D::length, positive);
     v.number(
         {"deformation_size",
          "cell sizes of a mesh for the deformation relative to that of the heat; 1 for the same mesh, 0 for the same "

@@ -133,6 +133,7 @@ struct MachineDescription {
     std::vector<InterfaceDescription> interfaces;
     double size = 0.03;                 ///< wanted cell size where a part gives none [m]
     double size_scale = 1;              ///< scales every size
+    double seam_tolerance = 1e-5;       ///< surfaces of shapes of one part that are this close are made one [m]
     bool second_order = false;          ///< some elements are: contacts get the integration points that these need
     bool half_model = false;            ///< keep x <= 0 only; the cut faces become the symmetry plane
     std::vector<std::string> unbonded;  ///< pairs "a|b" (patterns) of one body that touch without being bonded
@@ -183,6 +184,7 @@ struct MeshPart {
     bool cut = false;          ///< cut by the symmetry plane
     double exterior_area = 0;  ///< [m2], without the symmetry plane
     double exposed_area = 0;   ///< [m2], without symmetry plane, contacts and bonds
+    std::uint32_t pieces = 1;  ///< that no face of two cells joins
     double min_quality = 0;    ///< smallest scaled Jacobian (hexahedra) or scaled inradius ratio (tetrahedra), 0..1
     double mean_quality = 0;
 };
@@ -247,6 +249,7 @@ struct Overlap {
 struct Machine {
     std::vector<Vec3> nodes;
     std::vector<Cell> cells;
+    std::vector<std::uint32_t> piece_of_cell;  ///< within its part, from 0; none where every part is one piece
     std::vector<Face> faces;
     std::vector<FaceGeometry> geometries;
     std::vector<MeshPart> parts;

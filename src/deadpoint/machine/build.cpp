@@ -6,10 +6,12 @@
 #include "deadpoint/machine/contacts.hpp"
 #include "deadpoint/machine/extrude.hpp"
 #include "deadpoint/machine/gmsh_session.hpp"
+#include "deadpoint/machine/inspect.hpp"
 #include "deadpoint/machine/interfaces.hpp"
 #include "deadpoint/machine/layers.hpp"
 #include "deadpoint/machine/overlaps.hpp"
 #include "deadpoint/machine/polygon.hpp"
+#include "deadpoint/machine/seams.hpp"
 #include "deadpoint/machine/select.hpp"
 #include "deadpoint/machine/solids.hpp"
 
@@ -69,6 +71,9 @@ void check(const MachineDescription& description)
     }
     if (!(description.size > 0) || !(description.size_scale > 0)) {
         problems.emplace_back("the cell size and its scale must be positive");
+    }
+    if (!(description.seam_tolerance > 0)) {
+        problems.emplace_back("the seam tolerance must be positive");
     }
     if (!problems.empty()) {
         throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
@@ -184,6 +189,19 @@ double volume_of(const std::vector<Prism>& prisms)
     return volume;
 }
 
+std::vector<Prism> joined_prisms(const MachineDescription& description, const PartDescription& part, Observer& observer)
+{
+    Healed joined = healed(part.name, prisms_of(part.name, std::get<std::vector<Shape>>(part.source)),
+                           description.seam_tolerance, description.half_model);
+    constexpr double worth_a_word = 1e-9;
+    if (joined.moved > worth_a_word) {
+        observer.info(fmt::format("part '{}': surfaces of its shapes that nearly meet are made one; the largest move "
+                                  "is {:.3g} um, near {}",
+                                  part.name, 1e6 * joined.moved, place(joined.where)));
+    }
+    return std::move(joined.prisms);
+}
+
 PartMesh mesh_part(const MachineDescription& description, const PartDescription& part, std::vector<Prism>& prisms,
                    Observer& observer, const Waiting& waiting)
 {
@@ -197,7 +215,7 @@ PartMesh mesh_part(const MachineDescription& description, const PartDescription&
     if (const auto* file = std::get_if<MeshSource>(&part.source)) {
         return read_mesh(part, *file, half, waiting);
     }
-    prisms = prisms_of(part.name, std::get<std::vector<Shape>>(part.source));
+    prisms = joined_prisms(description, part, observer);
     if (half && beyond_symmetry(prisms)) {
         return {};
     }
@@ -352,6 +370,7 @@ Machine build_machine(const MachineDescription& description, Observer& observer)
     assembly.second_order = description.second_order;
     assembly.machine.half_model = description.half_model;
     const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, observer);
+    inspect(assembly, description.seam_tolerance, observer);
     connect(description, assembly);
     select_surfaces(description, assembly);
     assembly.machine.overlaps = find_overlaps(assembly, shapes);

@@ -14,6 +14,9 @@ namespace deadpoint::machine {
 /// are those of the inscribed polygons, areas of contacts are those of the true surfaces. Equal descriptions give
 /// bitwise equal machines.
 ///
+/// Surfaces of shapes of one part that are within the seam tolerance of each other are made one first (see healed()).
+/// Every finished part, imported ones too, is looked at for cracks, cells in each other and flat cells (see inspect()).
+///
 /// Contacts are found on surfaces of equal geometry (planes, cylinders) by clipping the facets of both sides against
 /// each other in the parameters of the surface, so that areas are exact on non-matching meshes too. Freeform surfaces
 /// of imported parts make no contact. Bonds join touching parts of one body, unless the pair is listed as unbonded or
@@ -26,7 +29,8 @@ namespace deadpoint::machine {
 ///
 /// @param description  what to build; see exchange/machine.hpp
 /// @param observer     gets progress, one line per part that could not be meshed with hexahedra, and warnings
-/// @throws InputError  for wrong shapes, unusable files, bad cells, selectors that match nothing, interfaces between
+/// @throws InputError  for wrong shapes, unusable files, bad or cracked meshes, selectors that match nothing,
+/// interfaces between
 ///                     more than two parts, interfaces that are not `partial` and less than 98 % covered, and
 ///                     interfaces whose surface does not lie along their travel (all of them at once)
 /// @throws IoError     if a file cannot be read

@@ -7,76 +7,6 @@ namespace deadpoint::machine {
 
 namespace {
 
-/// Coordinates closer than this count as one [m].
-constexpr double merge_tolerance = 1e-7;
-
-/// Makes nearly equal numbers equal: to the smallest of them, or to zero.
-class Merger {
-public:
-    void add(double value) { values_.push_back(value); }
-    void build()
-    {
-        std::sort(values_.begin(), values_.end());
-        std::vector<double> heads;
-        for (const double value : values_) {
-            if (heads.empty() || value - heads.back() > merge_tolerance) {
-                heads.push_back(value);
-            }
-        }
-        values_ = std::move(heads);
-    }
-    [[nodiscard]] double operator()(double value) const
-    {
-        const auto above = std::upper_bound(values_.begin(), values_.end(), value);
-        const double merged = above == values_.begin() ? value : *std::prev(above);
-        return std::abs(merged) < merge_tolerance ? 0.0 : merged;
-    }
-
-private:
-    std::vector<double> values_;
-};
-
-/// Calls `on_axis`, `on_first`, `on_second` and `on_radius` for the numbers of a prism.
-template <typename PrismType, typename Along, typename First, typename Second, typename Radius>
-void visit_numbers(PrismType& prism, Along on_axis, First on_first, Second on_second, Radius on_radius)
-{
-    on_axis(prism.from);
-    on_axis(prism.to);
-    const auto point = [&](auto& p) {
-        on_first(p[0]);
-        on_second(p[1]);
-    };
-    if (prism.section.circle) {
-        point(prism.section.circle->centre);
-        on_radius(prism.section.circle->radius);
-        on_radius(prism.section.bore_radius);
-    }
-    for (auto& p : prism.section.points) {
-        point(p);
-    }
-    for (auto& hole : prism.section.holes) {
-        for (auto& p : hole) {
-            point(p);
-        }
-    }
-}
-
-void merge_numbers(std::vector<Prism>& prisms)
-{
-    std::array<Merger, 4> mergers;
-    const auto gather = [&](std::size_t k) { return [&mergers, k](const double& value) { mergers[k].add(value); }; };
-    const auto apply = [&](std::size_t k) { return [&mergers, k](double& value) { value = mergers[k](value); }; };
-    for (const Prism& prism : prisms) {
-        visit_numbers(prism, gather(0), gather(1), gather(2), gather(3));
-    }
-    for (Merger& merger : mergers) {
-        merger.build();
-    }
-    for (Prism& prism : prisms) {
-        visit_numbers(prism, apply(0), apply(1), apply(2), apply(3));
-    }
-}
-
 std::vector<double> unique_sorted(std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
@@ -121,7 +51,6 @@ LayeredPart layered_along(const std::vector<Prism>& prisms, Axis axis, bool half
     for (const Prism& prism : prisms) {
         part.prisms.push_back(along(prism, axis));
     }
-    merge_numbers(part.prisms);
     const bool cut_lengthwise = half && axis == Axis::x;
     for (const Prism& prism : part.prisms) {
         part.positions.push_back(prism.from);

@@ -10,7 +10,7 @@ namespace deadpoint::machine {
 
 struct LayeredPart {
     Axis axis = Axis::z;
-    std::vector<Prism> prisms;      ///< all along `axis`, nearly equal coordinates made equal
+    std::vector<Prism> prisms;      ///< all along `axis`; see healed()
     std::vector<double> positions;  ///< ends of all prisms along the axis, ascending
     bool half_plane = false;        ///< keep only the half of the plane where its first coordinate is negative
 };

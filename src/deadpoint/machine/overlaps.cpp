@@ -1,5 +1,7 @@
 #include "deadpoint/machine/overlaps.hpp"
 
+#include "deadpoint/machine/cell_finder.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,22 +50,9 @@ double depth_below(const FaceGeometry& geometry, const Vec3& point)
 /// Tells how deep points lie inside a part that is known by its cells only.
 class CellDepth {
 public:
-    CellDepth(const Assembly& assembly, std::uint32_t part) : machine_(assembly.machine), box_(assembly.bounds[part])
+    CellDepth(const Assembly& assembly, std::uint32_t part)
+        : machine_(assembly.machine), finder_(assembly, part), faces_(finder_.bins().size())
     {
-        const MeshPart& own = machine_.parts[part];
-        const double cells = std::cbrt(static_cast<double>(own.cell_count));
-        for (std::size_t i = 0; i < 3; ++i) {
-            counts_[i] = static_cast<int>(std::clamp(std::ceil(cells), 1.0, 100.0));
-        }
-        cells_.resize(static_cast<std::size_t>(counts_[0]) * counts_[1] * counts_[2]);
-        faces_.resize(cells_.size());
-        for (std::uint32_t c = own.first_cell; c < own.first_cell + own.cell_count; ++c) {
-            BoxShape around = empty_box();
-            for (int k = 0; k < node_count(machine_.cells[c].kind); ++k) {
-                include(around, machine_.nodes[machine_.cells[c].nodes[k]]);
-            }
-            visit(around, [&](std::size_t bin) { cells_[bin].push_back(c); });
-        }
         for (std::uint32_t f = 0; f < machine_.faces.size(); ++f) {
             const Face& face = machine_.faces[f];
             if (face.part != part) {
@@ -73,25 +62,23 @@ public:
             for (int k = 0; k < face.node_count; ++k) {
                 include(around, machine_.nodes[face.nodes[k]]);
             }
-            const double margin = margin_of(around);
+            const double margin = norm(around.max - around.min);
             for (std::size_t i = 0; i < 3; ++i) {
                 around.min[i] -= margin;
                 around.max[i] += margin;
             }
-            visit(around, [&](std::size_t bin) { faces_[bin].push_back(f); });
+            finder_.bins().visit(around, [&](std::size_t bin) { faces_[bin].push_back(f); });
         }
     }
 
     [[nodiscard]] double operator()(const Vec3& point) const
     {
-        const std::size_t bin = bin_of(point);
-        const auto holds = [&](std::uint32_t cell) { return inside(machine_.cells[cell], point); };
-        if (std::none_of(cells_[bin].begin(), cells_[bin].end(), holds)) {
+        if (!finder_.holds(point)) {
             return -infinity;
         }
         double result = infinity;
         double reach = 0;
-        for (const std::uint32_t f : faces_[bin]) {
+        for (const std::uint32_t f : faces_[finder_.bins().at(point)]) {
             const Face& face = machine_.faces[f];
             if (face.symmetry) {
                 continue;
@@ -109,55 +96,8 @@ public:
     }
 
 private:
-    static BoxShape empty_box() { return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}; }
-    static void include(BoxShape& box, const Vec3& point)
-    {
-        for (std::size_t i = 0; i < 3; ++i) {
-            box.min[i] = std::min(box.min[i], point[i]);
-            box.max[i] = std::max(box.max[i], point[i]);
-        }
-    }
-    static double margin_of(const BoxShape& box) { return norm(box.max - box.min); }
-    [[nodiscard]] int place(double value, std::size_t i) const
-    {
-        const double width = box_.max[i] - box_.min[i];
-        return static_cast<int>(
-            std::clamp(std::floor((value - box_.min[i]) / width * counts_[i]), 0.0, counts_[i] - 1.0));
-    }
-    [[nodiscard]] std::size_t bin(int i, int j, int k) const
-    {
-        return (static_cast<std::size_t>(k) * counts_[1] + j) * counts_[0] + i;
-    }
-    [[nodiscard]] std::size_t bin_of(const Vec3& p) const
-    {
-        return bin(place(p[0], 0), place(p[1], 1), place(p[2], 2));
-    }
-    template <typename Visitor>
-    void visit(const BoxShape& box, Visitor visitor) const
-    {
-        for (int k = place(box.min[2], 2); k <= place(box.max[2], 2); ++k) {
-            for (int j = place(box.min[1], 1); j <= place(box.max[1], 1); ++j) {
-                for (int i = place(box.min[0], 0); i <= place(box.max[0], 0); ++i) {
-                    visitor(bin(i, j, k));
-                }
-            }
-        }
-    }
-    /// Behind every face of a convex cell.
-    [[nodiscard]] bool inside(const Cell& cell, const Vec3& point) const
-    {
-        for (const Face& face : exterior_faces({cell})) {
-            if (dot(point - centre(face, machine_.nodes), area_vector(face, machine_.nodes)) > 0) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     const Machine& machine_;
-    BoxShape box_;
-    std::array<int, 3> counts_{1, 1, 1};
-    std::vector<std::vector<std::uint32_t>> cells_;
+    CellFinder finder_;
     std::vector<std::vector<std::uint32_t>> faces_;
 };
 

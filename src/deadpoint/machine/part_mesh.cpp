@@ -25,32 +25,26 @@ struct KeyedFace {
     Face face;
 };
 
+Face face_through(const Cell& cell, const int* corners, int count)
+{
+    Face face;
+    face.node_count = static_cast<std::uint8_t>(count);
+    for (int i = 0; i < 4; ++i) {
+        face.nodes[i] = cell.nodes[corners[std::min(i, count - 1)]];
+    }
+    return face;
+}
+
 std::vector<KeyedFace> all_faces(const std::vector<Cell>& cells)
 {
     std::vector<KeyedFace> faces;
     faces.reserve(cells.size() * 6);
     for (std::size_t c = 0; c < cells.size(); ++c) {
-        const auto emit = [&](const auto& corners) {
-            KeyedFace keyed;
+        for (int i = 0; i < face_count(cells[c].kind); ++i) {
+            KeyedFace keyed{{}, machine::face_of(cells[c], i)};
             keyed.face.cell = static_cast<std::uint32_t>(c);
-            keyed.face.node_count = static_cast<std::uint8_t>(corners.size());
-            for (std::size_t i = 0; i < corners.size(); ++i) {
-                keyed.face.nodes[i] = cells[c].nodes[corners[i]];
-            }
-            if (corners.size() == 3) {
-                keyed.face.nodes[3] = keyed.face.nodes[2];
-            }
             keyed.key = face_key(keyed.face);
             faces.push_back(keyed);
-        };
-        if (cells[c].kind == CellKind::hexahedron) {
-            for (const auto& corners : hexahedron_faces) {
-                emit(corners);
-            }
-        } else {
-            for (const auto& corners : tetrahedron_faces) {
-                emit(corners);
-            }
         }
     }
     return faces;
@@ -118,6 +112,12 @@ double tetrahedron_quality(const Cell& cell, const std::vector<Vec3>& nodes)
 }
 
 }  // namespace
+
+Face face_of(const Cell& cell, int number)
+{
+    return cell.kind == CellKind::hexahedron ? face_through(cell, hexahedron_faces[number].data(), 4)
+                                             : face_through(cell, tetrahedron_faces[number].data(), 3);
+}
 
 FaceKey face_key(const Face& face)
 {
@@ -206,6 +206,17 @@ Vec3 centre(const Cell& cell, const std::vector<Vec3>& nodes)
         sum = sum + nodes[cell.nodes[i]];
     }
     return (1.0 / count) * sum;
+}
+
+bool inside(const Cell& cell, const std::vector<Vec3>& nodes, const Vec3& point)
+{
+    for (int i = 0; i < face_count(cell.kind); ++i) {
+        const Face face = face_of(cell, i);
+        if (dot(point - centre(face, nodes), area_vector(face, nodes)) > 0) {
+            return false;
+        }
+    }
+    return true;
 }
 
 double quality(const Cell& cell, const std::vector<Vec3>& nodes)

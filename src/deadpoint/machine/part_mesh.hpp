@@ -28,6 +28,12 @@ struct PartMesh {
 /// Number of nodes of a cell.
 constexpr int node_count(CellKind kind) { return kind == CellKind::hexahedron ? 8 : 4; }
 
+/// Number of faces of a cell.
+constexpr int face_count(CellKind kind) { return kind == CellKind::hexahedron ? 6 : 4; }
+
+/// A face of a cell by its number, counter-clockwise seen from outside; `cell` and `geometry` stay 0.
+Face face_of(const Cell& cell, int number);
+
 /// The nodes of a face in ascending order: equal for the two sides of a face.
 using FaceKey = std::array<std::uint32_t, 4>;
 FaceKey face_key(const Face& face);
@@ -43,6 +49,9 @@ Vec3 area_vector(const Face& face, const std::vector<Vec3>& nodes);
 double area(const Face& face, const std::vector<Vec3>& nodes);
 Vec3 centre(const Face& face, const std::vector<Vec3>& nodes);
 Vec3 centre(const Cell& cell, const std::vector<Vec3>& nodes);
+
+/// Whether a point lies behind every face of a cell, of which warped faces count as the plane through their middle.
+bool inside(const Cell& cell, const std::vector<Vec3>& nodes, const Vec3& point);
 
 /// Smallest scaled Jacobian over the corners of a hexahedron, or three times inradius over circumradius of a
 /// tetrahedron; 1 is best, 0 or less is degenerate.

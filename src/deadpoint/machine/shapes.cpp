@@ -163,6 +163,7 @@ std::vector<Prism> prisms_of(const std::string& part, const std::vector<Shape>& 
         std::visit(Expand{part, i, prisms}, shapes[i].form);
         for (std::size_t k = first; k < prisms.size(); ++k) {
             prisms[k].operation = shapes[i].operation;
+            prisms[k].shape = i;
         }
     }
     const auto adds = [](const Prism& prism) { return prism.operation == Shape::Operation::add; };

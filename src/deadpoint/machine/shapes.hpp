@@ -31,6 +31,7 @@ struct Prism {
     Section section;
     double from = 0;
     double to = 0;
+    std::size_t shape = 0;  ///< which of the part's shapes it comes from, counted from 0
 };
 
 /// Indices of the two coordinates across an axis, in the order of the alphabet.

@@ -59,11 +59,11 @@ std::string bodies_section(const Case& description, const Machine& machine)
 
 std::string parts_section(const Machine& machine)
 {
-    TextTable table({"part", "body", "cells", "kind", "exposed [m2]", "quality min", "mean"});
+    TextTable table({"part", "body", "pieces", "cells", "kind", "exposed [m2]", "quality min", "mean"});
     table.align_left(1);
-    table.align_left(3);
+    table.align_left(4);
     for (const auto& part : machine.parts) {
-        table.add_row({part.name, part.body, grouped(part.cell_count),
+        table.add_row({part.name, part.body, std::to_string(part.pieces), grouped(part.cell_count),
                        std::string(part.kind == CellKind::hexahedron ? "hex" : "tet") + (part.cut ? ", cut" : ""),
                        significant(part.exposed_area), fmt::format("{:.2f}", part.min_quality),
                        fmt::format("{:.2f}", part.mean_quality)});

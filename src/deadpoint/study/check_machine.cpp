@@ -47,6 +47,20 @@ Miss nearest_cell(const Machine& machine, const MeshPart& part, const Vec3& poin
     return nearest;
 }
 
+/// Where the pieces of each part begin among those of all parts, and behind the last.
+std::vector<std::size_t> ends_of_parts(const Machine& machine)
+{
+    std::vector<std::size_t> ends{0};
+    for (const MeshPart& part : machine.parts)
+        ends.push_back(ends.back() + part.pieces);
+    return ends;
+}
+
+std::string piece_name(const MeshPart& part, std::size_t piece)
+{
+    return part.pieces == 1 ? part.name : fmt::format("{} (piece {} of {})", part.name, piece + 1, part.pieces);
+}
+
 }  // namespace
 
 void require_probes_on_parts(const casefile::Case& input, const Machine& machine)
@@ -72,16 +86,27 @@ void require_probes_on_parts(const casefile::Case& input, const Machine& machine
 
 std::vector<std::string> loose_bodies(const Machine& machine)
 {
-    std::vector<std::size_t> piece(machine.parts.size());
-    std::iota(piece.begin(), piece.end(), 0);
+    const auto ends = ends_of_parts(machine);
+    std::vector<std::size_t> group(ends.back());
+    std::iota(group.begin(), group.end(), 0);
+    const auto piece = [&](std::uint32_t f) {
+        const Face& face = machine.faces[f];
+        return ends[face.part] + (machine.piece_of_cell.empty() ? 0 : machine.piece_of_cell[face.cell]);
+    };
     for (const auto& bond : machine.bonds)
-        std::replace(piece.begin(), piece.end(), std::size_t{piece[bond.part_b]}, std::size_t{piece[bond.part_a]});
+        for (const auto& point : bond.points)
+            if (group[piece(point.face_a)] != group[piece(point.face_b)])
+                std::replace(group.begin(), group.end(), std::size_t{group[piece(point.face_b)]},
+                             std::size_t{group[piece(point.face_a)]});
 
-    std::map<std::string, std::map<std::size_t, std::vector<std::string>>> pieces;
-    for (std::size_t p = 0; p < piece.size(); ++p)
-        pieces[machine.parts[p].body][piece[p]].push_back(machine.parts[p].name);
+    std::map<std::string, std::map<std::size_t, std::vector<std::string>>> bodies;
+    for (std::size_t p = 0; p < machine.parts.size(); ++p)
+        for (std::size_t i = ends[p]; i < ends[p + 1]; ++i) {
+            auto& names = bodies[machine.parts[p].body][group[i]];
+            names.push_back(piece_name(machine.parts[p], i - ends[p]));
+        }
     std::vector<std::string> warnings;
-    for (const auto& [body, groups] : pieces) {
+    for (const auto& [body, groups] : bodies) {
         if (groups.size() < 2)
             continue;
         std::vector<std::string> texts;

@@ -12,7 +12,7 @@ namespace deadpoint::study {
 /// @throws InputError if probes lie more than half a cell diameter off their parts; all of them are named
 void require_probes_on_parts(const casefile::Case& input, const Machine& machine);
 
-/// Bodies that fall into pieces which no bond holds together: each piece would expand by itself.
+/// Bodies that fall into pieces which no bond holds together: each piece would expand by itself. A part may be several.
 std::vector<std::string> loose_bodies(const Machine& machine);
 
 }  // namespace deadpoint::study

@@ -426,11 +426,13 @@ std::string shared_part(const casefile::Case& input)
     shared.reference.reset();
     const auto order = shared.numerics.order;
     const auto size = shared.numerics.size;
+    const auto seam_tolerance = shared.numerics.seam_tolerance;
     const auto deformation_size = shared.numerics.deformation_size;
     const auto deformation_order = shared.numerics.deformation_order;
     shared.numerics = {};
     shared.numerics.order = order;
     shared.numerics.size = size;
+    shared.numerics.seam_tolerance = seam_tolerance;
     shared.numerics.deformation_size = deformation_size;
     shared.numerics.deformation_order = deformation_order;
     return casefile::write_case(shared);

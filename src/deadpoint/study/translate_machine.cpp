@@ -123,6 +123,7 @@ MachineDescription describe_machine(const casefile::Case& input, double size_sca
     MachineDescription result;
     result.size = input.numerics.size;
     result.size_scale = size_scale;
+    result.seam_tolerance = input.numerics.seam_tolerance;
     result.second_order = input.numerics.order == 2 ||
                           std::ranges::any_of(input.parts, [](const auto& part) { return part.second.order == 2; });
     result.half_model = input.machine.half_model;
