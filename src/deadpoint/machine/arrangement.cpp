@@ -1,5 +1,6 @@
 #include "deadpoint/machine/arrangement.hpp"
 
+#include "deadpoint/machine/frame.hpp"
 #include "deadpoint/machine/gmsh_session.hpp"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <gmsh.h>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 
 namespace deadpoint::machine {
 
@@ -36,7 +38,7 @@ int add_disk(const Vec2& centre, double radius)
     return occ::addDisk(to_gmsh(centre[0]), to_gmsh(centre[1]), 0, to_gmsh(radius), to_gmsh(radius));
 }
 
-/// Every outline once, as a face.
+/// Every outline once, as a face, in an order that no order of the shapes changes.
 Tags draw_outlines(const LayeredPart& part)
 {
     std::vector<Circle> circles;
@@ -48,8 +50,9 @@ Tags draw_outlines(const LayeredPart& part)
         }
     };
     const auto polygon = [&](const std::vector<Vec2>& points) {
-        if (std::find(polygons.begin(), polygons.end(), points) == polygons.end()) {
-            polygons.push_back(points);
+        const std::vector<Vec2> ring = in_standard_order(points);
+        if (std::find(polygons.begin(), polygons.end(), ring) == polygons.end()) {
+            polygons.push_back(ring);
         }
     };
     double reach = 1;
@@ -71,6 +74,10 @@ Tags draw_outlines(const LayeredPart& part)
     if (part.half_plane) {
         polygon({{-reach, -reach}, {0, -reach}, {0, reach}, {-reach, reach}});
     }
+    std::sort(circles.begin(), circles.end(), [](const Circle& a, const Circle& b) {
+        return std::tie(a.centre, a.radius) < std::tie(b.centre, b.radius);
+    });
+    std::sort(polygons.begin(), polygons.end());
     Tags faces;
     for (const Circle& c : circles) {
         faces.emplace_back(2, add_disk(c.centre, c.radius));

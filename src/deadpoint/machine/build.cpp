@@ -5,6 +5,7 @@
 #include "deadpoint/machine/cell_limit.hpp"
 #include "deadpoint/machine/contacts.hpp"
 #include "deadpoint/machine/extrude.hpp"
+#include "deadpoint/machine/frame.hpp"
 #include "deadpoint/machine/gmsh_session.hpp"
 #include "deadpoint/machine/inspect.hpp"
 #include "deadpoint/machine/interfaces.hpp"
@@ -87,7 +88,8 @@ struct HexahedronAttempt {
     std::string reason;
 };
 
-HexahedronAttempt try_hexahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half)
+HexahedronAttempt try_hexahedra(const std::string& name, const std::vector<Prism>& prisms, const Frame& frame,
+                                double size, bool half)
 {
     HexahedronAttempt best;
     best.reason = "its shapes have no axis in common";
@@ -103,7 +105,7 @@ HexahedronAttempt try_hexahedra(const std::string& name, const std::vector<Prism
                 best = {true, std::move(mesh), {}};
             } else if (!best.done) {
                 best.reason = fmt::format("hexahedra would have a scaled Jacobian of {:.3f} at {}", worst.quality,
-                                          place(worst.where));
+                                          place(to_machine(frame, worst.where)));
             }
         } catch (const InputError& error) {
             if (!best.done) {
@@ -129,17 +131,23 @@ void check_quality(const PartDescription& part, const PartMesh& mesh)
                                  part.name, place(worst.where), worst.quality, least_quality));
 }
 
-PartMesh mesh_shapes(const PartDescription& part, const std::vector<Prism>& prisms, double size, bool half,
-                     Observer& observer)
+/// Meshes the shapes in a frame of their own. @param towards  see frame_of()
+PartMesh mesh_shapes(const PartDescription& part, const std::vector<Prism>& prisms, const Vec3& towards, double size,
+                     bool half, Observer& observer)
 {
+    const Frame frame = frame_of(prisms, towards, half);
+    std::vector<Prism> seen;
+    for (const Prism& prism : prisms) {
+        seen.push_back(to_local(frame, prism));
+    }
     if (!part.tetrahedra) {
-        HexahedronAttempt attempt = try_hexahedra(part.name, prisms, size, half);
+        HexahedronAttempt attempt = try_hexahedra(part.name, seen, frame, size, half);
         if (attempt.done) {
-            return std::move(attempt.mesh);
+            return to_machine(frame, std::move(attempt.mesh));
         }
         observer.info(fmt::format("part '{}' gets tetrahedra: {}", part.name, attempt.reason));
     }
-    PartMesh mesh = mesh_tetrahedra(part.name, prisms, size, half, observer);
+    PartMesh mesh = to_machine(frame, mesh_tetrahedra(part.name, seen, size, half, observer));
     check_quality(part, mesh);
     return mesh;
 }
@@ -191,8 +199,12 @@ double volume_of(const std::vector<Prism>& prisms)
 
 std::vector<Prism> joined_prisms(const MachineDescription& description, const PartDescription& part, Observer& observer)
 {
-    Healed joined = healed(part.name, prisms_of(part.name, std::get<std::vector<Shape>>(part.source)),
-                           description.seam_tolerance, description.half_model);
+    const auto* shapes = std::get_if<std::vector<Shape>>(&part.source);
+    if (shapes == nullptr) {
+        return {};
+    }
+    Healed joined =
+        healed(part.name, prisms_of(part.name, *shapes), description.seam_tolerance, description.half_model);
     constexpr double worth_a_word = 1e-9;
     if (joined.moved > worth_a_word) {
         observer.info(fmt::format("part '{}': surfaces of its shapes that nearly meet are made one; the largest move "
@@ -202,10 +214,12 @@ std::vector<Prism> joined_prisms(const MachineDescription& description, const Pa
     return std::move(joined.prisms);
 }
 
-PartMesh mesh_part(const MachineDescription& description, const PartDescription& part, std::vector<Prism>& prisms,
-                   Observer& observer, const Waiting& waiting)
+/// @param prisms   of the part; none where it is imported
+/// @param machine  the box around all shapes
+PartMesh mesh_part(const MachineDescription& description, const PartDescription& part, const std::vector<Prism>& prisms,
+                   const BoxShape& machine, Observer& observer, const Waiting& waiting)
 {
-    const double size = (part.size > 0 ? part.size : description.size) * description.size_scale;
+    const double size = in_frame((part.size > 0 ? part.size : description.size) * description.size_scale);
     const bool half = description.half_model;
     if (const auto* step = std::get_if<StepSource>(&part.source)) {
         PartMesh mesh = mesh_step(part, *step, size, half, waiting);
@@ -215,12 +229,12 @@ PartMesh mesh_part(const MachineDescription& description, const PartDescription&
     if (const auto* file = std::get_if<MeshSource>(&part.source)) {
         return read_mesh(part, *file, half, waiting);
     }
-    prisms = joined_prisms(description, part, observer);
     if (half && beyond_symmetry(prisms)) {
         return {};
     }
     check_cell_count(part.name, about_hexahedra(volume_of(prisms), size), size, observer);
-    PartMesh mesh = mesh_shapes(part, prisms, size, half, observer);
+    const Vec3 towards = middle(machine) - middle(bounds_of(prisms));
+    PartMesh mesh = mesh_shapes(part, prisms, towards, size, half, observer);
     if (mesh.cells.empty()) {
         throw InputError(fmt::format("part '{}' has no material left after its cuts; correct its shapes", part.name));
     }
@@ -242,6 +256,12 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
                                            Observer& observer)
 {
     const GmshSession session;
+    std::vector<std::vector<Prism>> drawn;
+    std::vector<Prism> all;
+    for (const PartDescription& part : description.parts) {
+        drawn.push_back(joined_prisms(description, part, observer));
+        all.insert(all.end(), drawn.back().begin(), drawn.back().end());
+    }
     std::vector<std::vector<Prism>> shapes;
     for (std::size_t i = 0; i < description.parts.size(); ++i) {
         const PartDescription& part = description.parts[i];
@@ -250,8 +270,7 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
         const Waiting waiting = [&](double seconds) {
             observer.progress(done, fmt::format("{}, for {:.0f} s", part.name, seconds));
         };
-        std::vector<Prism> prisms;
-        PartMesh mesh = mesh_part(description, part, prisms, observer, waiting);
+        PartMesh mesh = mesh_part(description, part, drawn[i], bounds_of(all), observer, waiting);
         if (mesh.cells.empty()) {
             assembly.machine.dropped_parts.push_back(part.name);
             continue;
@@ -260,7 +279,7 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
         if (std::holds_alternative<MeshSource>(part.source)) {
             check_imported(assembly.machine.parts.back(), observer);
         }
-        shapes.push_back(std::move(prisms));
+        shapes.push_back(std::move(drawn[i]));
     }
     observer.progress(1, "parts meshed");
     if (assembly.machine.parts.empty()) {

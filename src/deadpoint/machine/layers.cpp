@@ -29,7 +29,11 @@ std::vector<double> subdivided(const std::vector<double>& ends, double size)
 
 }  // namespace
 
-int steps(double length, double size) { return std::max(1, static_cast<int>(std::ceil(length / size - 0.25))); }
+int steps(double length, double size)
+{
+    constexpr double rounding = 1e-6;  // lengths that are stated as two and a quarter sizes are two, in any unit
+    return std::max(1, static_cast<int>(std::ceil(length / size - 0.25 - rounding)));
+}
 
 std::vector<Axis> common_axes(const std::vector<Prism>& prisms)
 {

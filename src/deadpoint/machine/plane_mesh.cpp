@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 #include <unordered_map>
 
 /// The plane arrangement of outlines, meshed with quadrilaterals.
@@ -284,6 +285,21 @@ double worst_corner(const PlaneMesh& mesh)
     return worst;
 }
 
+/// Gmsh may fail to keep a curve between two faces and fold quadrilaterals over each other: then two of them are on the
+/// same side of an edge.
+bool folded(const PlaneMesh& mesh)
+{
+    std::set<std::array<std::uint32_t, 2>> edges;
+    for (const auto& quad : mesh.quads) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (!edges.insert({quad[i], quad[(i + 1) % 4]}).second) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 PlaneMesh mesh_plane(const std::string& name, const LayeredPart& part, double size)
@@ -293,6 +309,9 @@ PlaneMesh mesh_plane(const std::string& name, const LayeredPart& part, double si
     std::string failure;
     const auto attempt = [&](Recombination way, double factor) {
         PlaneMesh mesh = generate(part, {factor * size, least_segments / factor}, way);
+        if (folded(mesh)) {
+            throw std::runtime_error("its quadrilaterals lie in each other");
+        }
         smooth(mesh);
         const double corner = worst_corner(mesh);
         if (corner > best_corner) {
