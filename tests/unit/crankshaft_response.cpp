@@ -112,6 +112,68 @@ TEST_CASE("static: weight, distributed along the sections, as in the reference")
     }
 }
 
+TEST_CASE("static: a housing that sinks under its own weight takes load off the middle of three bearings")
+{
+    Shaft shaft = shafts::pinned_beam(4);
+    const double k = 2e8, support = 1e8, housing = 300, g = 9.81;
+    for (Bearing& end : shaft.bearings)
+        end.stiffness = shafts::isotropic(k);
+    Bearing middle = shafts::bearing("middle", 0.5, k);
+    middle.housing_mass = housing;
+    middle.support_stiffness = shafts::isotropic(support);
+    shaft.bearings.insert(shaft.bearings.begin() + 1, middle);
+    const ShaftSystem system = assemble(shaft);
+    const std::vector<Vec2> forces =
+        bearing_forces(system, static_displacement(system, weight_pattern(system, {0, -g})));
+    // Force method: the beam on its ends sags by 5 w L^4 / 384 EI + w L^2 / 8 ks A G under its weight w, and by
+    // F (L^3 / 48 EI + L / 4 ks A G) less with the middle's F; ends and middle give way like springs.
+    const double area = std::numbers::pi / 4 * 0.01, w = 7850 * area * g;
+    const double EI = 210e9 * std::numbers::pi / 64 * 1e-4, shear = 0.9 * area * 210e9 / 2.6;
+    const double sag = 5 * w / (384 * EI) + w / (8 * shear) + 0.5 * w / k - housing * g / support;
+    const double give = 1 / (48 * EI) + 1 / (4 * shear) + 0.5 / k + 1 / k + 1 / support;
+    const double carried = sag / give;
+    CHECK(forces[1][1] == doctest::Approx(-carried).epsilon(1e-7));
+    CHECK(forces[0][1] == doctest::Approx(-0.5 * (w - carried)).epsilon(1e-7));
+    CHECK(forces[2][1] == doctest::Approx(forces[0][1]).epsilon(1e-9));
+}
+
+TEST_CASE("static: on two bearings housings change nothing for the shaft")
+{
+    Shaft shaft = shafts::pinned_beam(4);
+    for (Bearing& end : shaft.bearings)
+        end.stiffness = shafts::isotropic(2e8);
+    const auto forces = [](const Shaft& of) {
+        const ShaftSystem system = assemble(of);
+        return bearing_forces(system, static_displacement(system, weight_pattern(system, {0, -9.81})));
+    };
+    const auto before = forces(shaft);
+    shaft.bearings[0].housing_mass = 300;
+    shaft.bearings[0].support_stiffness = shafts::isotropic(1e8);
+    const auto after = forces(shaft);
+    for (std::size_t b = 0; b < 2; ++b)
+        CHECK(after[b][1] == doctest::Approx(before[b][1]).epsilon(1e-8));
+}
+
+TEST_CASE("static: without a shear factor a beam only bends; each section has its own")
+{
+    const double EI = 210e9 * std::numbers::pi / 64 * 1e-4, area = std::numbers::pi / 4 * 0.01, G = 210e9 / 2.6;
+    const auto sag = [](double first_half, double second_half) {
+        Shaft shaft = shafts::pinned_beam(4);
+        for (Bearing& bearing : shaft.bearings)
+            bearing.stiffness = shafts::isotropic(1e16);
+        for (std::size_t i = 0; i < 4; ++i)
+            shaft.sections[i].shear_factor = i < 2 ? first_half : second_half;
+        const ShaftSystem system = assemble(shaft);
+        const std::vector<double> load = column(force_pattern(system, 0.5), 1);
+        return static_displacement(system, load)[static_cast<std::size_t>(first_unknown(2) + 1)];
+    };
+    // Half of the force shears each half over L / 2, and the mean of both ends of that is the middle's share.
+    CHECK(sag(0, 0) == doctest::Approx(1 / (48 * EI)).epsilon(1e-7));
+    CHECK(sag(0.9, 0) == doctest::Approx(1 / (48 * EI) + 1 / (8 * 0.9 * area * G)).epsilon(1e-7));
+    CHECK(sag(0.9, 0.5) ==
+          doctest::Approx(1 / (48 * EI) + 1 / (8 * 0.9 * area * G) + 1 / (8 * 0.5 * area * G)).epsilon(1e-7));
+}
+
 TEST_CASE("static: load in the middle of a pinned beam bends and shears it")
 {
     Shaft shaft = shafts::pinned_beam(4);

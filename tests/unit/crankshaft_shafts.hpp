@@ -94,9 +94,9 @@ inline Shaft friswell(double stiffness_x, double stiffness_y)
     Shaft shaft;
     shaft.youngs_modulus = 211e9;
     shaft.poissons_ratio = 211.0 / (2 * 81.2) - 1;
-    shaft.shear_factor = 6 * (1 + shaft.poissons_ratio) / (7 + 6 * shaft.poissons_ratio);  // Cowper
+    const double cowper = 6 * (1 + shaft.poissons_ratio) / (7 + 6 * shaft.poissons_ratio);
     for (int i = 0; i < 6; ++i)
-        shaft.sections.push_back({0.25, 0.05, 0, 7810});
+        shaft.sections.push_back({0.25, 0.05, 0, 7810, cowper});
     const auto disk = [](double position, double outer) {
         const double inner = 0.05;
         const double width = 0.07;

@@ -378,3 +378,27 @@ TEST_CASE("a crank pin that is not on the shaft is named by its keys")
     input.crankshaft->pin_width = 6;
     CHECK(has(error_of(input), "crankshaft.pin_position, pin_width: the crank pin"));
 }
+
+TEST_CASE("a case says how many critical speeds it wants, and shear factors for the shaft or its sections")
+{
+    const auto path = data / "balanced-crank.toml";
+    const auto critical = [&](const std::vector<std::string>& overrides) {
+        return loads_of(read(path, overrides)).crankshaft->critical_speeds;
+    };
+    const auto four = critical({});
+    CHECK(four.size() == 4);
+    const auto seven = critical({"crankshaft.critical_speeds=7"});
+    REQUIRE(seven.size() == 7);
+    for (std::size_t i = 0; i < 4; ++i)
+        CHECK(seven[i].speed == Approx(four[i].speed).epsilon(1e-12));
+    CHECK(seven[6].speed > seven[3].speed);
+
+    // Without shear deformation a shaft is stiffer; a factor of its only section counts like that of the shaft.
+    const auto bending = critical({"crankshaft.shear_factor=0"});
+    CHECK(bending[0].speed > 1.005 * four[0].speed);
+    auto by_section = read(path);
+    by_section.crankshaft->sections[0].shear_factor = 0;
+    CHECK(loads_of(by_section).crankshaft->critical_speeds[0].speed == bending[0].speed);
+    by_section.crankshaft->sections[0].shear_factor = 0.5;
+    CHECK(loads_of(by_section).crankshaft->critical_speeds[0].speed < four[0].speed);
+}

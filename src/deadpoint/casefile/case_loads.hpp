@@ -32,6 +32,7 @@ struct Crankshaft {
         double bore = 0;
         std::optional<double> density;
     };
+        std::optional<double> shear_factor;  ///< else that of the crankshaft
     struct Disk {
         double position = 0;
         double mass = 0;
@@ -71,9 +72,10 @@ struct Crankshaft {
     std::optional<Belt> belt;
     bool throw_unbalance = true;
     double modal_damping = 0.02;
-    double shear_factor = 0.9;
+    double shear_factor = 0.9;  ///< 0: no shear deformation
     double axial_load = 0;
 };
+    int critical_speeds = 4;  ///< how many are looked for
 
 struct ProcessForce {
     std::string kind;                 ///< empty: "elastic" with a flexible crankshaft, else "rectangular"

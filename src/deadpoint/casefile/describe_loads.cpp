@@ -48,13 +48,16 @@ void describe(Visitor& v, Crankshaft& c)
            c.throw_unbalance);
     v.number({"modal_damping", "damping ratio of every mode, besides the bearings' damping"}, c.modal_damping,
              {0, 1, false});
-    v.number({"shear_factor", "Timoshenko's shear coefficient of the section"}, c.shear_factor, {0, 1, false});
+    v.number({"shear_factor", "Timoshenko's shear coefficient of its sections; 0: no shear deformation"},
+             c.shear_factor, fraction);
     v.quantity({"axial_load", "tension in the shaft"}, c.axial_load, D::force, any_value);
     v.expect(c.bearings.size() >= 2, "bearings", "a shaft needs two bearings or more", "add the missing bearings");
 }
 
 void describe(Visitor& v, Crankshaft::Section& s)
 {
+    v.integer({"critical_speeds", "how many critical speeds are looked for, from the lowest on"}, c.critical_speeds,
+              {1, 100, false});
     v.quantity({"length", "along z", required}, s.length, D::length, positive);
     v.quantity({"diameter", "of this section", required}, s.diameter, D::length, positive);
     v.quantity({"bore", "diameter of the hole along it; 0 for none"}, s.bore, D::length, non_negative);
@@ -65,6 +68,9 @@ void describe(Visitor& v, Crankshaft::Section& s)
 }
 
 void describe(Visitor& v, Crankshaft::Disk& d)
+    v.quantity(
+        {"shear_factor", "in place of that of the crankshaft: about 0.9 for a solid section, 0.5 for a thin tube"},
+        s.shear_factor, D::none, fraction);
 {
     v.quantity({"position", "along z", required}, d.position, D::length, any_value);
     v.quantity({"mass", "of the disk", required}, d.mass, D::mass, non_negative);

@@ -26,8 +26,6 @@ void check_material(const Shaft& shaft)
     require(shaft.youngs_modulus > 0, who, "Young's modulus must be positive", shaft.youngs_modulus);
     require(shaft.poissons_ratio > -1 && shaft.poissons_ratio <= 0.5, who, "Poisson's ratio must lie in -1..0.5",
             shaft.poissons_ratio);
-    require(shaft.shear_factor > 0 && shaft.shear_factor <= 1, who, "the shear factor must lie in 0..1",
-            shaft.shear_factor);
     require(shaft.modal_damping >= 0 && shaft.modal_damping < 1, who,
             "the modal damping ratio must be at least 0 and below 1", shaft.modal_damping);
     require(true, who, "the axial load must be a number", shaft.axial_load);
@@ -46,6 +44,8 @@ void check_sections(const Shaft& shaft)
         require(section.bore >= 0 && section.bore < section.diameter, who,
                 "the bore must not be negative, and must be less than the diameter", section.bore);
         require(section.density >= 0, who, "the density must not be negative", section.density);
+        require(section.shear_factor >= 0 && section.shear_factor <= 1, who, "the shear factor must lie in 0..1",
+                section.shear_factor);
     }
 }
 

@@ -70,8 +70,8 @@ ShaftCycle rigid_cycle(const Shaft& shaft, const ShaftLoads& loads);
 
 /// Reactions of the flexible shaft, from the periodic response to the same loads; see periodic_response.
 ///
-/// The gyroscopic terms use the mean speed. Weight is that of shaft and disks; a housing is taken as aligned under its
-/// own.
+/// The gyroscopic terms use the mean speed. Weight is that of shaft, disks and housings: with three bearings or more a
+/// housing that gives way on its support under its own weight takes load off its bearing.
 /// A bearing with an exponent n of F = K d^n other than 1 has the stiffness (F / F_ref)^((n-1)/n) times the given one,
 /// with F the magnitude of its mean force (not below 1 % of F_ref, with a warning), iterated to 1e-10.
 /// The force on a bearing includes its damping.

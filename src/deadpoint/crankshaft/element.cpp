@@ -28,7 +28,7 @@ void check(const BeamElement& beam)
     require(beam.youngs_modulus > 0, "Young's modulus must be positive, it", beam.youngs_modulus);
     require(beam.poissons_ratio > -1 && beam.poissons_ratio <= 0.5, "Poisson's ratio must lie in -1..0.5, it",
             beam.poissons_ratio);
-    require(beam.shear_factor > 0, "the shear factor must be positive, it", beam.shear_factor);
+    require(beam.shear_factor >= 0, "the shear factor must not be negative, it", beam.shear_factor);
     require(true, "the axial load must be finite, it", beam.axial_load);
 }
 
@@ -79,7 +79,7 @@ struct Symbols {
           I(std::numbers::pi / 64 * (std::pow(b.diameter, 4) - std::pow(b.bore, 4))), L(b.length)
     {
         const double shear_modulus = b.youngs_modulus / (2 * (1 + b.poissons_ratio));
-        P = 12 * b.youngs_modulus * I / (b.shear_factor * A * shear_modulus * L * L);
+        P = b.shear_factor == 0 ? 0 : 12 * b.youngs_modulus * I / (b.shear_factor * A * shear_modulus * L * L);
         spread = (1 + P) * (1 + P);
     }
 };

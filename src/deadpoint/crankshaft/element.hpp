@@ -13,8 +13,8 @@ struct BeamElement {
     double density = 0;         ///< [kg/m3]
     double youngs_modulus = 0;  ///< [Pa]
     double poissons_ratio = 0;
-    double shear_factor = 0.9;
-    double axial_load = 0;  ///< tension positive [N]
+    double shear_factor = 0.9;  ///< ks; 0: no shear deformation, Phi = 0 (Euler-Bernoulli)
+    double axial_load = 0;      ///< tension positive [N]
 };
 
 /// 10 x 10 matrices of the unknowns [u v w ty tz] at the first and at the second node.

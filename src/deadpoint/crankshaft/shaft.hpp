@@ -11,10 +11,11 @@
 namespace deadpoint::crankshaft {
 
 struct Section {
-    double length = 0;    ///< [m]
-    double diameter = 0;  ///< [m]
-    double bore = 0;      ///< [m]
-    double density = 0;   ///< [kg/m3]; 0 keeps the stiffness without the mass
+    double length = 0;          ///< [m]
+    double diameter = 0;        ///< [m]
+    double bore = 0;            ///< [m]
+    double density = 0;         ///< [kg/m3]; 0 keeps the stiffness without the mass
+    double shear_factor = 0.9;  ///< Timoshenko's, 0..1; 0: no shear deformation
 };
 
 /// A mass off the axis that turns with the shaft, beside those of the disks: the crank throw and its counterweights.
@@ -51,10 +52,9 @@ struct Bearing {
 struct Shaft {
     double youngs_modulus = 0;
     double poissons_ratio = 0;
-    double shear_factor = 0.9;  ///< Timoshenko's, of the circular section
-    double start = 0;           ///< s of the first section's free end [m]
-    double axial_load = 0;      ///< tension positive [N]
-    double modal_damping = 0;   ///< ratio, of every mode
+    double start = 0;          ///< s of the first section's free end [m]
+    double axial_load = 0;     ///< tension positive [N]
+    double modal_damping = 0;  ///< ratio, of every mode
     std::vector<Section> sections;
     std::vector<Disk> disks;
     std::vector<Bearing> bearings;

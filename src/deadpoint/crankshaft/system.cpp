@@ -82,7 +82,7 @@ void add_beams(ShaftSystem& system, const Shaft& shaft)
         const Section& piece = shaft.sections[section];
         add_beam(system, node,
                  {end - begin, piece.diameter, piece.bore, piece.density, shaft.youngs_modulus, shaft.poissons_ratio,
-                  shaft.shear_factor, shaft.axial_load});
+                  piece.shear_factor, shaft.axial_load});
     }
 }
 
@@ -195,6 +195,9 @@ std::vector<double> weight_pattern(const ShaftSystem& system, const Vec2& accele
         motion[first_unknown(node)] = acceleration[0];
         motion[first_unknown(node) + 1] = acceleration[1];
     }
+    for (const BearingSeat& seat : system.bearings)
+        for (int i = 0; seat.housing >= 0 && i < 2; ++i)
+            motion[seat.housing + i] = acceleration[static_cast<std::size_t>(i)];
     const Eigen::VectorXd load = view(system.mass) * motion;
     return {load.begin(), load.end()};
 }

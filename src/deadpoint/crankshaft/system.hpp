@@ -53,7 +53,7 @@ ShaftSystem assemble(const Shaft& shaft, std::span<const double> more_positions 
 /// @throws InputError if such a node is missing
 Matrix force_pattern(const ShaftSystem& system, double position, double width = 0);
 
-/// Load of an acceleration a [m/s2] of everything but the housings, as weight is: M times a rigid translation [N].
+/// Load of an acceleration a [m/s2] of shaft, disks and housings, as weight is: M times a rigid translation [N].
 std::vector<double> weight_pattern(const ShaftSystem& system, const Vec2& acceleration);
 
 /// Displacement under a constant load, K q = F (a turning shaft at rest in this frame has no other terms) [m, rad].

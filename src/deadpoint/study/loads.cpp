@@ -172,12 +172,12 @@ double campbell_range(const std::vector<crankshaft::CriticalSpeed>& critical, do
 }
 
 // Modes over speed and at the operating speed.
-void vibrate(CrankshaftLoads& result, double speed)
+void vibrate(CrankshaftLoads& result, double speed, int critical_speeds)
 {
     const auto shaft = crankshaft::with_stiffness(result.shaft, result.cycle());
     const auto system = crankshaft::assemble(shaft);
     result.modes = crankshaft::modes(system, speed, modes_shown);
-    result.critical_speeds = crankshaft::critical_speeds(system, 1, 4);
+    result.critical_speeds = crankshaft::critical_speeds(system, 1, critical_speeds);
     const double range = campbell_range(result.critical_speeds, speed);
     for (int i = 0; i < campbell_points; ++i)
         result.campbell_speeds.push_back(range * i / (campbell_points - 1));
@@ -213,7 +213,7 @@ CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads
     if (result.flexible)
         result.by_seat.flexible = sum_seats(given, result.flexible->bearings, result.seats);
     result.sag = crankshaft::static_state(result.shaft, result.loads);
-    vibrate(result, result.rigid.speed);
+    vibrate(result, result.rigid.speed, given.critical_speeds);
     timer.done("vibration of the crankshaft");
     return result;
 }

@@ -213,12 +213,12 @@ crankshaft::Shaft describe_shaft(const casefile::Case& input, const Linkage& lin
     crankshaft::Shaft shaft;
     shaft.youngs_modulus = material.youngs_modulus;
     shaft.poissons_ratio = material.poissons_ratio;
-    shaft.shear_factor = given.shear_factor;
     shaft.start = given.start;
     shaft.axial_load = given.axial_load;
     shaft.modal_damping = given.modal_damping;
     for (const auto& s : given.sections)
-        shaft.sections.push_back({s.length, s.diameter, s.bore, s.density.value_or(material.density)});
+        shaft.sections.push_back({s.length, s.diameter, s.bore, s.density.value_or(material.density),
+                                  s.shear_factor.value_or(given.shear_factor)});
     for (const auto& d : given.disks)
         shaft.disks.push_back(
             {d.position, d.mass, d.polar_inertia, d.diametral_inertia, d.mass * d.eccentricity, d.eccentricity_angle});
