@@ -81,7 +81,7 @@ TEST_CASE("a guide's clearance is what its opposite faces open together, whereve
     CHECK(value(clearances[0].growth, displacement) == micrometres(7));
 }
 
-TEST_CASE("the mean height of a surface counts each face with its share of it")
+TEST_CASE("the mean displacement of a surface counts each face with its share of it")
 {
     Machine machine;
     machine.nodes = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}, {2, 0, 0}, {2, 0, 1}};
@@ -93,5 +93,5 @@ TEST_CASE("the mean height of a surface counts each face with its share of it")
     const auto displacement = [](std::uint32_t face, const Vec3&) {
         return micrometre * Vec3{3, face == 0 ? 1.0 : 6.0, 3};
     };
-    CHECK(value(mean_height(machine, 0), displacement) == micrometres((1 + 0.25 * 6) / 1.25));
+    CHECK(value(mean_along(machine, 0, {0, 1, 0}), displacement) == micrometres((1 + 0.25 * 6) / 1.25));
 }

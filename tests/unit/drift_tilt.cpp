@@ -26,7 +26,7 @@ TEST_CASE("tilt of a bearing: that of its axis, whatever it grows or tapers, hel
 {
     auto machine = two_bodies();
     add_bearing(machine, centre, 0, 360, true, 9);
-    const auto fit = fit_tilt(machine, {{0, false}}, Axis::x, false);
+    const auto fit = fit_tilt(machine, {{0, false}}, Vec3{1, 0, 0}, false);
     REQUIRE(fit);
     const auto displacement = [](std::uint32_t, const Vec3& x) {
         const Vec3 arm{x[0] - centre[0], x[1] - centre[1], 0};
@@ -34,8 +34,8 @@ TEST_CASE("tilt of a bearing: that of its axis, whatever it grows or tapers, hel
     };
     CHECK(value(fit->angle, displacement) == microradians(30));
     CHECK(fit->information == Approx(bearing_information(machine, 0, 9)).scale(0).epsilon(1e-9));
-    CHECK_FALSE(fit_tilt(machine, {{0, false}}, Axis::z, false));  // about its own axis
-    CHECK_FALSE(fit_tilt(machine, {}, Axis::x, false));
+    CHECK_FALSE(fit_tilt(machine, {{0, false}}, Vec3{0, 0, 1}, false));  // about its own axis
+    CHECK_FALSE(fit_tilt(machine, {}, Vec3{1, 0, 0}, false));
 }
 
 TEST_CASE("tilt of two bearings beside each other: each may grow as it likes")
@@ -43,7 +43,7 @@ TEST_CASE("tilt of two bearings beside each other: each may grow as it likes")
     auto machine = two_bodies();
     add_bearing(machine, centre, 0, 360, true, 3);
     add_bearing(machine, {0.5, 0.2}, 0, 360, false, 5);
-    const auto fit = fit_tilt(machine, {{0, false}, {1, true}}, Axis::x, false);
+    const auto fit = fit_tilt(machine, {{0, false}, {1, true}}, Vec3{1, 0, 0}, false);
     REQUIRE(fit);
     const auto displacement = [](std::uint32_t face, const Vec3& x) {
         const Vec2 axis = face == 0 ? centre : Vec2{0.5, 0.2};
@@ -51,7 +51,7 @@ TEST_CASE("tilt of two bearings beside each other: each may grow as it likes")
         return tilted(30, x) + (face == 0 ? 5e-5 : -2e-5 + 1e-3 * x[2]) * arm;
     };
     CHECK(value(fit->angle, displacement) == microradians(30));
-    CHECK(fit_tilt(machine, {{0, false}, {1, true}}, Axis::z, false));
+    CHECK(fit_tilt(machine, {{0, false}, {1, true}}, Vec3{0, 0, 1}, false));
 }
 
 TEST_CASE("tilts of bodies: in series they add up, side by side the longer bearing counts as the cube of its length")

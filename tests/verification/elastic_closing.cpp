@@ -43,8 +43,9 @@ TEST_CASE("the closed displacement field has coincident joint centres and the ad
         return 293.15 + 20 * std::exp(-std::abs(x[1] + 0.1) / 0.4) + 8 * std::sin(4 * x[0] + 1) + 5 * x[2];
     });
     const auto displacement = press.model.displacement(field, 293.15);
-    const auto closing = study::close_joints(press.machine, press.model, chain, displacement);
-    const double adjoint = press.model.apply(adjoints[drift::gap], field, 293.15);
+    const std::vector<double> shares(static_cast<std::size_t>(chain.bearings()), 1.0);
+    const auto closing = study::close_joints(press.machine, press.model, chain, displacement, shares);
+    const double adjoint = press.model.apply(study::gap_adjoint(chain, adjoints, shares), field, 293.15);
     REQUIRE(std::abs(adjoint) > 1e-6);
     record({"gap of the closed displacement field", "adjoint", "m", adjoint, 1e-9 * std::abs(adjoint),
             "both are the same linear algebra; rounding"},

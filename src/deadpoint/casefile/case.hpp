@@ -143,13 +143,14 @@ struct Chain {
     std::string slide_body;
     std::string slide_surface;
     std::string table_surface;
-    std::string ground_surface;  ///< the feet
-    std::string crank_joint;     ///< its seats give E_BG, its rings E_BC
-    double reaction_angle =
-        0;  ///< direction in which the crank is pressed into its bearings at bottom dead point [rad from x]
-    double drift_rate_limit = 0;            ///< warm-up is over when |dE/dt| stays below [m/s]
-    bool corners = true;                    ///< also the gap at the slide's four corners
-    bool clearances = true;                 ///< also the clearances of guides and bearings
+    std::string ground_surface;            ///< the feet
+    std::string crank_joint;               ///< its seats give E_BG, its rings E_BC
+    std::optional<double> reaction_angle;  ///< direction in which the crank is pressed into its bearings at bottom dead
+                                           ///< point [rad from x]; else along the stroke
+    std::string bearing_play;              ///< "limited", "none", "paper"; empty: by joint and bearing type
+    double drift_rate_limit = 0;           ///< warm-up is over when |dE/dt| stays below [m/s]
+    bool corners = true;                   ///< also the gap at the slide's four corners
+    bool clearances = true;                ///< also the clearances of guides and bearings
     std::optional<double> press_stiffness;  ///< press and tool in series, at the slide [N/m]
 };
 

@@ -426,6 +426,11 @@ private:
     }
 };
 
+        const auto crank = c_.joints.find(chain.crank_joint);
+        if (chain.bearing_play == "limited" && crank != c_.joints.end() && !crank->second.clearance) {
+            report("missing-key", "chain.bearing_play", "nothing says how much play there is at the start",
+                   fmt::format("add clearance = \"80 um\" (on the diameter) to joints.{}", chain.crank_joint));
+        }
 }  // namespace
 
 std::vector<Finding> check_references(const Case& c) { return Checker(c).run(); }

@@ -421,6 +421,14 @@ void describe(Visitor& v, Chain& c)
            c.corners);
     v.flag({"clearances", "also follows the clearances of guides and bearings; one solve of the deformation each"},
            c.clearances);
+    choose(
+        v,
+        {"bearing_play",
+         "how far the crank follows when heat opens or closes its bearings. `limited`: closing ends where the "
+         "`clearance` of the crank joint is used up; `none`: not at all, as bearings under preload; `paper`: all of "
+         "the change counts, whatever the play (Zheng et al. 2018). Without it `limited` where the joint states a "
+         "clearance, else `none` for rolling and `paper` for plain bearings, and a run says what that makes of E_SW"},
+        c.bearing_play, {"limited", "none", "paper"});
     v.quantity({"press_stiffness", "of press and tool in series, measured at the slide of the whole press; a run then "
                                    "states by how much the drift changes the force at a fixed die height"},
                c.press_stiffness, D::stiffness, positive);

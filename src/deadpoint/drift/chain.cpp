@@ -64,18 +64,30 @@ bool on_symmetry_plane(const Machine& machine, const ContactSide& side, const Ve
     return machine.half_model && part_of(machine, side).cut && std::abs(centre[0]) < 1e-9;
 }
 
-Functional mean_height(const Machine& machine, int surface)
+Vec3 stroke_of(const Linkage& linkage)
+{
+    const Vec2 stroke = (1 / norm(linkage.stroke_direction)) * linkage.stroke_direction;
+    return {stroke[0], stroke[1], 0};
+}
+
+Vec3 right_of(const Linkage& linkage)
+{
+    const Vec3 stroke = stroke_of(linkage);
+    return {stroke[1], -stroke[0], 0};
+}
+
+Functional mean_along(const Machine& machine, int surface, const Vec3& direction)
 {
     Functional result;
     double area = 0;
     for (const auto& entry : machine.surfaces[surface].faces)
         for (const auto& point : face_points(machine, machine.faces[entry.face])) {
             const double weight = point.weight * entry.fraction;
-            result.points.push_back({entry.face, point.position, {0, weight, 0}});
+            result.points.push_back({entry.face, point.position, weight * direction});
             area += weight;
         }
     for (auto& point : result.points)
-        point.weight[1] /= area;
+        point.weight = (1 / area) * point.weight;
     return result;
 }
 
@@ -148,14 +160,12 @@ JointCentres joint_centres(const Machine& machine, const Linkage& linkage,
     return {mean_centre(machine, surfaces.in_a, centre), mean_centre(machine, surfaces.in_b, centre)};
 }
 
-Functional clearance_growth(const Machine& machine, const BottomDeadPointSensitivity& sensitivity,
-                            const ChainDescription& chain)
+double travel_by_play(const Linkage& linkage, const BottomDeadPointSensitivity& sensitivity,
+                      const ChainDescription& chain)
 {
-    Functional growth;
-    const double bearings = static_cast<double>(chain.seats.size());
-    for (const int contact : chain.clearance)
-        add(growth, 1 / bearings, contact_growth(machine, contact, sensitivity.joint_centres[chain.crank_joint]));
-    return growth;
+    // The crank's centre on the ground's side lies the clearance away from the seat's.
+    const bool ground_is_b = linkage.joints[chain.crank_joint].body_b == linkage.ground;
+    return (ground_is_b ? 1 : -1) * dot(sensitivity.weight[chain.crank_joint], chain.pressed);
 }
 
 std::vector<Functional> chain_functionals(const Machine& machine, const Linkage& linkage,
@@ -163,14 +173,15 @@ std::vector<Functional> chain_functionals(const Machine& machine, const Linkage&
 {
     std::vector<Functional> result(dimension_count);
     const Vec2 crank_centre = sensitivity.joint_centres[chain.crank_joint];
-    result[bearing_to_ground] = mean_centre(machine, chain.seats, crank_centre)[1];
-    result[table_to_ground] = mean_height(machine, chain.table_surface);
-
-    const Functional growth = clearance_growth(machine, sensitivity, chain);
-    add(result[clearance], -chain.pressed[1], growth);
+    const Vec3 stroke = stroke_of(linkage);
+    const auto seats = mean_centre(machine, chain.seats, crank_centre);
+    for (std::size_t c = 0; c < 2; ++c)
+        if (stroke[c] != 0)
+            add(result[bearing_to_ground], stroke[c], seats[c]);
+    result[table_to_ground] = mean_along(machine, chain.table_surface, stroke);
 
     auto& height = result[slide_height];
-    add(height, 1, mean_height(machine, chain.slide_surface));
+    add(height, 1, mean_along(machine, chain.slide_surface, stroke));
     for (int j = 0; j < static_cast<int>(linkage.joints.size()); ++j) {
         const auto centres = joint_centres(machine, linkage, sensitivity, j, chain.joints[j]);
         for (int c = 0; c < 2; ++c) {
@@ -178,16 +189,17 @@ std::vector<Functional> chain_functionals(const Machine& machine, const Linkage&
             add(height, -sensitivity.weight[j][c], centres.in_a[c]);
         }
     }
-    // The crank's centre on the ground's side lies the clearance away from the seat's.
-    const bool ground_is_b = linkage.joints[chain.crank_joint].body_b == linkage.ground;
-    const double along = dot(sensitivity.weight[chain.crank_joint], chain.pressed);
-    add(height, ground_is_b ? along : -along, growth);
-
     add(result[gap], 1, height);
     add(result[gap], -1, result[table_to_ground]);
-    const std::array<const char*, dimension_count> names{"E_BG", "E_WG", "E_BC", "slide height", "E_SW"};
+    const std::array<const char*, dimension_count> names{"E_BG", "E_WG", "slide height", "gap"};
     for (int d = 0; d < dimension_count; ++d)
         result[d].name = names[d];
+    for (const auto& bearing : chain.bearings) {
+        Functional growth{"growth of a crank bearing's play", {}};
+        for (const int contact : bearing)
+            add(growth, 1, contact_growth(machine, contact, crank_centre));
+        result.push_back(std::move(growth));
+    }
     return result;
 }
 

@@ -27,14 +27,14 @@ struct ChainDescription {
     std::vector<JointSurfaces> joints;  ///< as Linkage::joints
     int slide_surface = -1;             ///< index into Machine::surfaces
     int table_surface = -1;
-    int crank_joint = -1;            ///< index into Linkage::joints: the crank in its bearings
-    std::vector<ContactSide> seats;  ///< bearing seats, the side of the ground
-    std::vector<int> clearance;      ///< contacts of the crank bearings: their bores' growth less their shafts'
-    Vec2 pressed{};                  ///< unit direction in which the crank lies against its seats
+    int crank_joint = -1;                    ///< index into Linkage::joints: the crank in its bearings
+    std::vector<ContactSide> seats;          ///< bearing seats, the side of the ground
+    std::vector<std::vector<int>> bearings;  ///< contacts of each crank bearing from seat to shaft: its clearance
+    Vec2 pressed{};                          ///< unit direction in which the crank lies against its seats
 };
 
-/// The order in which chain_functionals() returns the dimensions.
-enum Dimension : int { bearing_to_ground, table_to_ground, clearance, slide_height, gap, dimension_count };
+/// The order in which chain_functionals() returns the dimensions; the bearings' growths follow them.
+enum Dimension : int { bearing_to_ground, table_to_ground, slide_height, gap, dimension_count };
 
 /// Where a joint's centre goes as its body deforms: component x and y of the fitted centre.
 using CentreFunctionals = std::array<Functional, 2>;
@@ -60,20 +60,25 @@ CircleFit fit_circle(const Machine& machine, const ContactSide& side, const Vec2
 JointCentres joint_centres(const Machine& machine, const Linkage& linkage,
                            const BottomDeadPointSensitivity& sensitivity, int joint, const JointSurfaces& surfaces);
 
-/// The dimensions, each a functional of the displacement of all bodies (each body seen from itself):
+/// The dimensions with the play of the crank's bearings as at the start, each a functional of the displacement of all
+/// bodies (each body seen from itself), and after them the growth of each crank bearing's radial clearance: of the
+/// bores less that of the shafts in them, summed from seat to shaft.
 ///
-///   E_BG  mean of the fitted seat centres, upwards
-///   E_WG  mean of the table's face, upwards
-///   E_BC  seat centre less crank centre: the crank lies against its seats, so  -(growth of the clearance) sin(angle)
-///   s     slide face, upwards: sum over joints of weight . (d_b - d_a), plus the face's own displacement
-///   E_SW  s - E_WG, the gap;  E_CS = E_BG - E_BC - s follows from  E_SW = E_BG - E_WG - E_CS - E_BC
+///   E_BG  mean of the fitted seat centres
+///   E_WG  mean of the table's face
+///   s     slide face: sum over joints of weight . (d_b - d_a), plus the face's own displacement
+///   gap   s - E_WG
+///
+/// all along Linkage::stroke_direction, away from the table.
+///
+/// What the growths add to s and to the gap: travel_by_play() times the mean of BearingPlay::taken().
 std::vector<Functional> chain_functionals(const Machine& machine, const Linkage& linkage,
                                           const BottomDeadPointSensitivity& sensitivity, const ChainDescription& chain);
 
-/// Growth of the crank bearings' radial clearance: of the bores less that of the shafts in them, summed along a bearing
-/// from seat to shaft, mean over the bearings.
-Functional clearance_growth(const Machine& machine, const BottomDeadPointSensitivity& sensitivity,
-                            const ChainDescription& chain);
+/// By how much the slide moves along the stroke when the crank's play grows by 1 in the direction in which it is
+/// pressed [-].
+double travel_by_play(const Linkage& linkage, const BottomDeadPointSensitivity& sensitivity,
+                      const ChainDescription& chain);
 
 /// a += factor b
 void add(Functional& a, double factor, const Functional& b);

@@ -18,8 +18,12 @@ const MeshPart& part_of(const Machine& machine, const ContactSide& side);
 /// The side lies around the symmetry plane of a half model, which keeps its centre and axis.
 bool on_symmetry_plane(const Machine& machine, const ContactSide& side, const Vec2& centre);
 
-/// Mean upward displacement of a surface.
-Functional mean_height(const Machine& machine, int surface);
+/// Direction of the stroke, away from the table, and across it to its right within the plane of the linkage; unit.
+Vec3 stroke_of(const Linkage& linkage);
+Vec3 right_of(const Linkage& linkage);
+
+/// Mean displacement of a surface in a direction.
+Functional mean_along(const Machine& machine, int surface, const Vec3& direction);
 
 /// Growth of a cylindrical contact's bore less that of the shaft in it, on the radius.
 /// @throws InputError if the contact is not cylindrical or too little of a circle

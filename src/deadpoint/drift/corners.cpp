@@ -28,21 +28,34 @@ std::vector<FacePlace> nodes_of(const Machine& machine, int surface)
     return places;
 }
 
+// The two directions across the stroke: to its right, and along the crankshaft.
+struct Across {
+    Vec3 right{};
+    [[nodiscard]] Vec2 of(const Vec3& x) const { return {dot(right, x), x[2]}; }
+};
+
 // The place that reaches farthest towards a corner of the rectangle around all places.
-FacePlace farthest(const std::vector<FacePlace>& places, double to_x, double to_z)
+FacePlace farthest(const std::vector<FacePlace>& places, const Across& across, const Vec2& to)
 {
-    const auto along = [](int axis) { return [axis](const FacePlace& p) { return p.position[axis]; }; };
-    const auto [left, right] = std::ranges::minmax_element(places, {}, along(0));
-    const auto [front, back] = std::ranges::minmax_element(places, {}, along(2));
-    const double width = right->position[0] - left->position[0], depth = back->position[2] - front->position[2];
-    return *std::ranges::max_element(
-        places, {}, [&](const FacePlace& p) { return to_x * p.position[0] / width + to_z * p.position[2] / depth; });
+    Vec2 size{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto along = [&](const FacePlace& p) { return across.of(p.position)[axis]; };
+        const auto [low, high] = std::ranges::minmax_element(places, {}, along);
+        size[axis] = along(*high) - along(*low);
+    }
+    return *std::ranges::max_element(places, {}, [&](const FacePlace& p) {
+        const Vec2 at = across.of(p.position);
+        return to[0] * at[0] / size[0] + to[1] * at[1] / size[1];
+    });
 }
 
-// Where the vertical line through a point meets a triangle.
-std::optional<Vec3> below(const Vec3& at, const Vec3& a, const Vec3& b, const Vec3& c)
+// Where the line along the stroke through a point meets a triangle.
+std::optional<Vec3> below(const Across& across, const Vec3& at, const Vec3& a, const Vec3& b, const Vec3& c)
 {
-    const auto cross2 = [](const Vec3& u, const Vec3& v) { return u[0] * v[2] - u[2] * v[0]; };
+    const auto cross2 = [&](const Vec3& p, const Vec3& q) {
+        const Vec2 u = across.of(p), v = across.of(q);
+        return u[0] * v[1] - u[1] * v[0];
+    };
     const double whole = cross2(b - a, c - a);
     const double s = cross2(at - a, c - a) / whole, t = cross2(b - a, at - a) / whole;
     constexpr double slack = 1e-7;
@@ -51,18 +64,17 @@ std::optional<Vec3> below(const Vec3& at, const Vec3& a, const Vec3& b, const Ve
     return a + s * (b - a) + t * (c - a);
 }
 
-FacePlace opposite(const Machine& machine, int surface, const Vec3& at)
+FacePlace opposite(const Machine& machine, int surface, const Across& across, const Vec3& at)
 {
     for (const auto& entry : machine.surfaces[surface].faces) {
         const auto& face = machine.faces[entry.face];
         const auto node = [&](int i) { return machine.nodes[face.nodes[i]]; };
         for (int i = 2; i < face.node_count; ++i)
-            if (const auto met = below(at, node(0), node(i - 1), node(i)))
+            if (const auto met = below(across, at, node(0), node(i - 1), node(i)))
                 return {entry.face, *met};
     }
     const auto places = nodes_of(machine, surface);
-    return *std::ranges::min_element(
-        places, {}, [&](const FacePlace& p) { return std::hypot(p.position[0] - at[0], p.position[2] - at[2]); });
+    return *std::ranges::min_element(places, {}, [&](const FacePlace& p) { return norm(across.of(p.position - at)); });
 }
 
 double mean_z(const Machine& machine, const std::vector<ContactSide>& sides)
@@ -79,7 +91,7 @@ double mean_z(const Machine& machine, const std::vector<ContactSide>& sides)
     return mean;
 }
 
-// Rotation of the slide about z [rad] and the x about which it turns [m].
+// Rotation of the slide about z [rad] and the place to the right of the stroke about which it turns [m].
 struct Turn {
     Functional angle;
     double about = 0;
@@ -98,8 +110,8 @@ std::optional<Turn> turn_by_guide(const Machine& machine, const Linkage& linkage
         const int other = side > 0 ? joint.body_a : joint.body_b;
         if (joint.kind != LinkageJoint::Kind::slide || !joint.guides_rotation || side == 0 || other != linkage.ground)
             continue;
-        const auto in_a = fit_tilt(machine, chain.joints[j].in_a, Axis::z, false);
-        const auto in_b = fit_tilt(machine, chain.joints[j].in_b, Axis::z, false);
+        const auto in_a = fit_tilt(machine, chain.joints[j].in_a, {0, 0, 1}, false);
+        const auto in_b = fit_tilt(machine, chain.joints[j].in_b, {0, 0, 1}, false);
         if (!in_a || !in_b)
             continue;
         Turn turn;
@@ -136,7 +148,8 @@ std::vector<double> lift_by_tilt(const Machine& machine, const Linkage& linkage,
     std::vector<double> lift(linkage.bodies.size(), 0.0);
     for (std::size_t j = 0; j < linkage.joints.size(); ++j) {
         const auto& joint = linkage.joints[j];
-        const double w = sensitivity.weight[j][1];
+        const auto& weight = sensitivity.weight[j];
+        const double w = dot(stroke_of(linkage), Vec3{weight[0], weight[1], 0});
         if (!chain.joints[j].in_a.empty())
             lift[joint.body_a] += w * mean_z(machine, chain.joints[j].in_a);
         if (!chain.joints[j].in_b.empty())
@@ -153,7 +166,8 @@ std::vector<Corner> corner_gaps(const Machine& machine, const Linkage& linkage,
 {
     Functional travel;
     add(travel, 1, dimensions[slide_height]);
-    add(travel, -1, mean_height(machine, chain.slide_surface));
+    const Vec3 stroke = stroke_of(linkage);
+    add(travel, -1, mean_along(machine, chain.slide_surface, stroke));
     Turn turning;
     if (!machine.half_model) {
         const auto guided = turn_by_guide(machine, linkage, sensitivity, chain);
@@ -162,17 +176,19 @@ std::vector<Corner> corner_gaps(const Machine& machine, const Linkage& linkage,
     const TiltClosure closure(machine, linkage, sensitivity, chain);
     const auto lift = lift_by_tilt(machine, linkage, sensitivity, chain);
 
+    const Across across{right_of(linkage)};
     const auto places = nodes_of(machine, chain.slide_surface);
     std::vector<Corner> corners;
     for (const auto& [depth, to_z] : {std::pair{"front", -1.0}, std::pair{"back", 1.0}})
         for (const auto& [side, to_x] : {std::pair{"left", -1.0}, std::pair{"right", 1.0}}) {
             if (machine.half_model && to_x > 0)
                 continue;
-            const auto place = farthest(places, to_x, to_z);
-            const auto table = opposite(machine, chain.table_surface, place.position);
-            Corner corner{std::string(depth) + " " + side, place.position[0], place.position[2], {}};
+            const auto place = farthest(places, across, {to_x, to_z});
+            const auto table = opposite(machine, chain.table_surface, across, place.position);
+            const Vec2 at = across.of(place.position);
+            Corner corner{std::string(depth) + " " + side, at[0], at[1], {}};
             corner.gap.name = "gap " + corner.name;
-            corner.gap.points = {{place.face, place.position, {0, 1, 0}}, {table.face, table.position, {0, -1, 0}}};
+            corner.gap.points = {{place.face, place.position, stroke}, {table.face, table.position, -1.0 * stroke}};
             add(corner.gap, 1, travel);
             add(corner.gap, corner.x - turning.about, turning.angle);
             if (closure.holds(linkage.slide_body)) {

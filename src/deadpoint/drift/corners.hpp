@@ -10,20 +10,20 @@ namespace deadpoint::drift {
 /// How the closing of the linkage turns the slide, crank held.
 struct SlideTurn {
     std::vector<Vec2> weight;  ///< per joint and shift d_b - d_a of its centre [rad/m]
-    double about = 0;          ///< x of the slide's point that moves by the chain's travel [m]
+    double about = 0;          ///< place to the right of the slide's point that moves by the chain's travel [m]
 };
 
 struct Corner {
-    std::string name;  ///< "front left": front is z < 0, left is x < 0
-    double x = 0;      ///< [m]
+    std::string name;  ///< "front left": front is z < 0, right and left are those of the stroke's direction
+    double x = 0;      ///< place along the direction to the right of the stroke: x where that points up [m]
     double z = 0;
-    Functional gap;  ///< upward shift of the slide's corner less that of the table's point below it
+    Functional gap;  ///< shift along the stroke of the slide's corner less that of the table's point below it
 };
 
 /// The gap at the corners of the slide's face, the points of it that reach farthest to left and right, front and back;
-/// below each the table's point with the same x and z, or the nearest one.
+/// below each, against the stroke, the table's point with the same x and z, or the nearest one.
 ///
-///   gap = u_y(corner) - u_y(table below) + travel + theta_z (x - x_0) + tilt about x
+///   gap = u_s(corner) - u_s(table below) + travel + theta_z (x - x_0) + tilt about the direction of x
 ///
 /// travel is that of the chain (chain_functionals). theta_z: where the ground guides the slide's rotation, by the faces
 /// of that guide (fit_tilt of both sides), about the pins that carry the slide; else by `turn`, which is 0 in a guide.

@@ -83,7 +83,7 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric)
 
 }  // namespace
 
-std::optional<TiltFit> fit_tilt(const Machine& machine, const std::vector<ContactSide>& sides, Axis axis,
+std::optional<TiltFit> fit_tilt(const Machine& machine, const std::vector<ContactSide>& sides, const Vec3& axis,
                                 bool symmetric)
 {
     if (sides.empty())
@@ -96,16 +96,17 @@ std::optional<TiltFit> fit_tilt(const Machine& machine, const std::vector<Contac
             normal_matrix += p.weight * values * values.transpose();
         }
     const Eigen::MatrixXd inverse = pseudo_inverse(normal_matrix);
-    const Eigen::Index wanted = 3 + static_cast<int>(axis);
-    Eigen::VectorXd determined = normal_matrix * inverse.col(wanted);
-    determined[wanted] -= 1;
-    if (determined.norm() > 1e-6)
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(shapes.count());
+    for (Eigen::Index c = 0; c < 3; ++c)
+        wanted[3 + c] = axis[static_cast<std::size_t>(c)];
+    const Eigen::VectorXd solved = inverse * wanted;
+    if ((normal_matrix * solved - wanted).norm() > 1e-6)
         return std::nullopt;
     TiltFit fit;
-    fit.information = shapes.length * shapes.length / inverse(wanted, wanted);
+    fit.information = shapes.length * shapes.length / wanted.dot(solved);
     for (std::size_t s = 0; s < sides.size(); ++s)
         for (const auto& p : shapes.surfaces[s]) {
-            const double coefficient = p.weight * inverse.col(wanted).dot(shapes.at(s, p)) / shapes.length;
+            const double coefficient = p.weight * solved.dot(shapes.at(s, p)) / shapes.length;
             fit.angle.points.push_back({p.face, p.position, coefficient * p.normal});
         }
     return fit;
@@ -121,7 +122,7 @@ TiltClosure::TiltClosure(const Machine& machine, const Linkage& linkage, const B
             const bool symmetric = std::ranges::all_of(sides, [&](const auto& side) {
                 return on_symmetry_plane(machine, side, sensitivity.joint_centres[j]);
             });
-            return fit_tilt(machine, sides, Axis::x, symmetric);
+            return fit_tilt(machine, sides, right_of(linkage), symmetric);
         };
         const auto in_a = fit(surfaces.in_a), in_b = fit(surfaces.in_b);
         if (!in_a || !in_b)

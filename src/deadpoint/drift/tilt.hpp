@@ -19,10 +19,12 @@ struct TiltFit {
 /// which are no motion of the axis. On the symmetry plane of a half model only the motions that keep it remain.
 ///
 /// @return nothing if the surfaces do not hold that rotation (a plane about its normal, a cylinder about its axis)
-std::optional<TiltFit> fit_tilt(const Machine& machine, const std::vector<ContactSide>& sides, Axis axis,
+/// @param axis  unit
+std::optional<TiltFit> fit_tilt(const Machine& machine, const std::vector<ContactSide>& sides, const Vec3& axis,
                                 bool symmetric);
 
-/// Tilts of the linkage's bodies about x, out of its plane. Joints hold more of them than there are; the tilts are
+/// Tilts of the linkage's bodies about the direction to the right of the stroke (x where it points up), out of the
+/// linkage's plane. Joints hold more of them than there are; the tilts are
 /// those that leave the least mean square mismatch over all joints' surfaces,
 ///     sum over joints of I_j (theta_b + t_b - theta_a - t_a)^2 -> min,   ground: theta = 0
 /// with t the fitted angles of the surfaces in their bodies and I_j the smaller information of the two.

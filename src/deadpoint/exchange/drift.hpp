@@ -17,6 +17,7 @@ struct DriftSeries {
     Series clearance;                          ///< E_BC
     Series gap;                                ///< E_SW = E_BG - E_WG - E_CS - E_BC
     std::vector<std::vector<double>> by_part;  ///< [part][step], parts of E_SW; they sum to it
+    Series play;                               ///< what the play of the crank's bearings adds to E_SW
 };
 
 /// What has moved the gap until one time, by cause [m]: each the change that its heat, or its temperature above the

@@ -172,7 +172,7 @@ struct ThermalHistory {
     std::vector<std::vector<double>> body_heat;  ///< per HeatProblem::body_heat, in this model [W]
     std::vector<OilHistory> oil;                 ///< per circuit
     std::vector<EnclosureHistory> enclosures;
-    std::vector<std::vector<double>> contributions;  ///< [part][step] of the functional chosen for attribution
+    std::vector<std::vector<double>> contributions;  ///< [part][step] of each functional chosen for attribution
     EnergyBalance energy;                            ///< in this model
     int rejected_steps = 0;
     int linear_iterations = 0;

@@ -371,7 +371,7 @@ void HeatSolver::leave_prescribed_alone()
                 load.weight[i] = 0;
 }
 
-void HeatSolver::prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution)
+void HeatSolver::prepare_observers(const std::vector<Adjoint>& adjoints, double reference, Attribution attribution)
 {
     adjoints_ = &adjoints;
     reference_ = reference;

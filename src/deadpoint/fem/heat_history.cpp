@@ -15,7 +15,7 @@ ThermalHistory HeatSolver::empty_history() const
     history.interface_b.resize(interfaces_.size());
     history.part_means.resize(part_means_.size());
     history.functionals.resize(adjoints_->size());
-    history.contributions.resize(attribution_ >= 0 ? part_means_.size() : 0);
+    history.contributions.resize(static_cast<std::size_t>(attribution_.count) * part_means_.size());
     history.source_heat.resize(problem_->sources.size());
     history.source_temperature.resize(problem_->sources.size());
     history.body_heat.resize(problem_->body_heat.size());
@@ -55,7 +55,8 @@ std::vector<double> HeatSolver::observed(Vec vector, bool is_rate) const
         scalars.push_back(&part);
     auto values = evaluate(scalars, vector);
 
-    std::vector<double> sums(adjoints_->size() + space_.machine.parts.size(), 0.0);
+    const auto split = static_cast<std::size_t>(attribution_.count), parts = space_.machine.parts.size();
+    std::vector<double> sums(adjoints_->size() + split * parts, 0.0);
     const double *data = nullptr, *temperature = nullptr;
     DEADPOINT_PETSC(VecGetArrayRead(vector, &data));
     DEADPOINT_PETSC(VecGetArrayRead(now_, &temperature));
@@ -67,10 +68,10 @@ std::vector<double> HeatSolver::observed(Vec vector, bool is_rate) const
         for (std::size_t i = 0; i < weights.size(); ++i)
             sums[k] += weights[i] * rise(i);
     }
-    if (attribution_ >= 0) {
-        const auto& weights = (*adjoints_)[attribution_].owned;
+    for (std::size_t k = 0; k < split; ++k) {
+        const auto& weights = (*adjoints_)[static_cast<std::size_t>(attribution_.first) + k].owned;
         for (std::size_t i = 0; i < weights.size(); ++i)
-            sums[adjoints_->size() + part_of_unknown_[i]] += weights[i] * rise(i);
+            sums[adjoints_->size() + k * parts + static_cast<std::size_t>(part_of_unknown_[i])] += weights[i] * rise(i);
     }
     DEADPOINT_PETSC(VecRestoreArrayRead(now_, &temperature));
     DEADPOINT_PETSC(VecRestoreArrayRead(vector, &data));

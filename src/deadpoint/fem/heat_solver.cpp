@@ -290,9 +290,9 @@ bool any_rank(bool flag)
 
 }  // namespace
 
-ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
-                               Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
-                               const CheckpointPlan* checkpoints)
+ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double reference_temperature,
+                               Attribution attribution, Observer& observer, const StepCallback& on_step,
+                               const FieldCallback& on_field, const CheckpointPlan* checkpoints)
 {
     prepare_observers(adjoints, reference_temperature, attribution);
     std::optional<HeatCheckpoint> checkpoint;

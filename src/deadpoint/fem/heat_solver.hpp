@@ -22,7 +22,7 @@ public:
     /// z of (M / time + K) z = weights per functional, with the films, joints and slopes of the heat laws at `time`.
     /// Changes the state.
     std::vector<Field> duals(double time, const Field& temperature, const std::vector<Adjoint>& weights);
-    ThermalHistory run(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
+    ThermalHistory run(const std::vector<Adjoint>& adjoints, double reference_temperature, Attribution attribution,
                        Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
                        const CheckpointPlan* checkpoints = nullptr);
 
@@ -48,7 +48,7 @@ private:
     void prepare_materials();
     void prepare_tangents();
     void prepare_solver();
-    void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, int attribution);
+    void prepare_observers(const std::vector<Adjoint>& adjoints, double reference, Attribution attribution);
     void add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const;
     void create_pattern();
     void create_matrices();
@@ -186,7 +186,7 @@ private:
     std::vector<const SparseFunctional*> watched_;
     const std::vector<Adjoint>* adjoints_ = nullptr;
     double reference_ = 0;
-    int attribution_ = -1;
+    Attribution attribution_ = -1;
     std::vector<std::uint32_t> part_of_unknown_;
     std::vector<StepRecord> steps_;         ///< accepted
     OwnedVec start_;                        ///< temperature from which the run started

@@ -213,7 +213,7 @@ void Model::assemble_heat(const HeatProblem& problem)
     heat->start_from(start_of(problem, interpolate_field(problem.initial_temperature)));
 }
 
-ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
+ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, Attribution attribution,
                            Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
                            const CheckpointPlan* checkpoints)
 {

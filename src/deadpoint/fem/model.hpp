@@ -36,6 +36,15 @@ struct Adjoint {
     std::vector<double> owned;
 };
 
+/// Which of the adjoints handed to Model::heat() are split by part: `count` from `first` on, or none (-1).
+struct Attribution {
+    constexpr Attribution(int first_adjoint, int adjoints = 1)
+        : first(first_adjoint), count(first_adjoint < 0 ? 0 : adjoints)
+    {}
+    int first;
+    int count;
+};
+
 /// Values at nodes of the mesh for a field file; nodes without any hold not-a-number.
 struct PointData {
     std::string name;
@@ -94,10 +103,10 @@ public:
     /// Temperature field of the assembled problem over the operation's segments: TR-BDF2 (second order, L-stable, error
     /// estimate of third order; Hosea and Shampine 1996), each stage by Newton with the joint heat's dependence on the
     /// joint temperature included. The fluxes of the stages close the energy balance exactly.
-    /// @param attribution  index of the adjoint whose value is split by part, or -1
+    /// @param attribution  the adjoints whose values are split by part, or -1
     /// @param checkpoints  where the run keeps its state, and whether it goes on from there; none: nowhere
     /// @throws ConvergenceError, DomainError for a non-finite temperature; as open_checkpoint where it resumes
-    ThermalHistory heat(const std::vector<Adjoint>& adjoints, double reference_temperature, int attribution,
+    ThermalHistory heat(const std::vector<Adjoint>& adjoints, double reference_temperature, Attribution attribution,
                         Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
                         const CheckpointPlan* checkpoints = nullptr);
 

@@ -60,7 +60,7 @@ DriftCauses at_row(const casefile::Case& input, const HeatProblem& problem, cons
 }  // namespace
 
 std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatProblem& problem, const DriftSeries& drift,
-                                      fem::Model& model, const fem::Adjoint& gap)
+                                      fem::Model& model, const std::function<fem::Adjoint(std::size_t row)>& gap_at)
 {
     const auto& values = drift.gap.value;
     const auto largest = std::ranges::max_element(values, {}, [](double value) { return std::abs(value); });
@@ -69,7 +69,7 @@ std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatPro
         rows.insert(rows.begin(), static_cast<std::size_t>(largest - values.begin()));
     std::vector<DriftCauses> result;
     for (const auto row : rows)
-        result.push_back(at_row(input, problem, drift, row, model.heat_causes(gap, row)));
+        result.push_back(at_row(input, problem, drift, row, model.heat_causes(gap_at(row), row)));
     return result;
 }
 

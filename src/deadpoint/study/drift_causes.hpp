@@ -4,6 +4,7 @@
 #include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/fem/model.hpp"
 
+#include <functional>
 #include <vector>
 
 /// Internal to study/: which heat has moved the gap.
@@ -11,8 +12,8 @@ namespace deadpoint::study {
 
 /// By cause, at the step of the largest |E_SW|, where that is not the last one, and at the end.
 /// @param model  whose heat() has just made the drift, of this problem
-/// @param gap    the adjoint of E_SW
+/// @param gap_at  the adjoint of E_SW, with what counts of the crank's play at a step
 std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatProblem& problem, const DriftSeries& drift,
-                                      fem::Model& model, const fem::Adjoint& gap);
+                                      fem::Model& model, const std::function<fem::Adjoint(std::size_t row)>& gap_at);
 
 }  // namespace deadpoint::study

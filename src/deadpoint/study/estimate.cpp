@@ -22,6 +22,15 @@ void take(const std::vector<double>& errors, ErrorEstimate& estimate)
     estimate.total = std::max(estimate.total, total);
 }
 
+// By which the gap follows the growth of each crank bearing's play at a time.
+std::vector<double> play_slopes(const RunInside& run, const fem::Field& field)
+{
+    std::vector<double> slopes;
+    for (const double growth : play_growths(*run.chain, run.model, run.adjoints, field, run.reference))
+        slopes.push_back(run.play.slope(growth));
+    return slopes;
+}
+
 }  // namespace
 
 std::vector<double> estimate_times(const casefile::Case& input)
@@ -43,14 +52,17 @@ ErrorEstimate estimate_error(const RunInside& run, casefile::Accuracy::Of of)
     const bool gap = of == casefile::Accuracy::Of::gap;
     std::vector<fem::Adjoint> weights;
     std::vector<fem::Displacement> shape;
-    if (gap) {
-        weights.push_back(run.adjoints[drift::gap]);
-        shape.push_back(run.model.deformation_dual(run.chain->dimensions[drift::gap]));
-    } else {
+    if (!gap)
         for (const auto& probe : run.problem.probes)
             weights.push_back(run.model.probe_weights(probe));
-    }
+    std::vector<double> slopes;
     for (const auto& [time, field] : run.fields) {
+        if (gap)
+            if (auto now = play_slopes(run, field); shape.empty() || now != slopes) {
+                slopes = std::move(now);
+                weights = {gap_adjoint(*run.chain, run.adjoints, slopes)};
+                shape = {run.model.deformation_dual(gap_functional(*run.chain, slopes))};
+            }
         auto errors = run.model.conduction_errors(field, run.model.heat_duals(run.problem, time, field, weights));
         if (gap) {
             const auto bent = run.model.deformation_errors(run.model.displacement(field, run.reference), shape);

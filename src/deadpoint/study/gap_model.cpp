@@ -3,6 +3,8 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/drift/clearances.hpp"
 #include "deadpoint/drift/corners.hpp"
+#include "deadpoint/study/bearing_groups.hpp"
+#include "deadpoint/study/series_sum.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,33 +35,6 @@ drift::SlideTurn slide_turn(const ChainModel& chain)
     return turn;
 }
 
-// The contacts of a revolute joint that belong to one bearing: those that share a ring, a part that is no link.
-std::vector<std::vector<int>> bearings_of(const casefile::Case& input, const Machine& machine,
-                                          const std::vector<int>& contacts)
-{
-    std::vector<std::vector<int>> bearings;
-    std::vector<std::set<std::uint32_t>> rings;
-    for (const int index : contacts) {
-        std::vector<int> together{index};
-        std::set<std::uint32_t> shared;
-        const auto& contact = machine.interfaces[index];
-        for (const auto part : {contact.part_a, contact.part_b})
-            if (input.bodies.at(machine.parts[part].body).thermal_only)
-                shared.insert(part);
-        for (std::size_t b = bearings.size(); b-- > 0;) {
-            if (std::ranges::none_of(shared, [&](auto part) { return rings[b].contains(part); }))
-                continue;
-            together.insert(together.begin(), bearings[b].begin(), bearings[b].end());
-            shared.insert(rings[b].begin(), rings[b].end());
-            bearings.erase(bearings.begin() + static_cast<std::ptrdiff_t>(b));
-            rings.erase(rings.begin() + static_cast<std::ptrdiff_t>(b));
-        }
-        bearings.push_back(std::move(together));
-        rings.push_back(std::move(shared));
-    }
-    return bearings;
-}
-
 std::string bearing_name(const casefile::Case& input, const Machine& machine, const std::string& joint,
                          const std::vector<int>& bearing, bool alone)
 {
@@ -79,18 +54,6 @@ std::string direction_name(const Vec3& across)
         if (std::abs(across[c]) > 0.999)
             return fmt::format("along {}", axes[c]);
     return fmt::format("along ({:.2f}, {:.2f}, {:.2f})", across[0], across[1], across[2]);
-}
-
-Series combined(const std::vector<std::pair<double, const Series*>>& terms)
-{
-    Series sum = *terms.front().second;
-    for (auto values : {&Series::value, &Series::rate})
-        for (std::size_t i = 0; i < (sum.*values).size(); ++i) {
-            (sum.*values)[i] = 0;
-            for (const auto& [factor, series] : terms)
-                (sum.*values)[i] += factor * (series->*values)[i];
-        }
-    return sum;
 }
 
 Parallelism parallelism(std::vector<CornerSeries> corners, bool mirrored)
@@ -208,14 +171,15 @@ GapModel describe_gaps(const casefile::Case& input, const Machine& machine, cons
     return model;
 }
 
-GapSeries gap_series(const casefile::Case& input, const GapModel& model, const ThermalHistory& history, int first)
+GapSeries gap_series(const casefile::Case& input, const GapModel& model, const ThermalHistory& history, int first,
+                     const DriftSeries& drift)
 {
     GapSeries result;
     auto next = static_cast<std::size_t>(first);
     if (!model.corners.empty()) {
         auto corners = model.corners;
         for (auto& corner : corners)
-            corner.gap = history.functionals[next++];
+            corner.gap = combined({{1, &history.functionals[next++]}, {1, &drift.play}});
         result.parallelism = parallelism(std::move(corners), model.mirrored);
     }
     result.left_out = model.left_out;
@@ -231,7 +195,7 @@ GapSeries gap_series(const casefile::Case& input, const GapModel& model, const T
     }
     if (input.chain->press_stiffness) {
         result.press_stiffness = *input.chain->press_stiffness;
-        result.force = combined({{-result.press_stiffness, &history.functionals[drift::gap]}});
+        result.force = combined({{-result.press_stiffness, &drift.gap}});
     }
     return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/casefile/case.hpp"
+#include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/exchange/gaps.hpp"
 #include "deadpoint/study/chain_model.hpp"
 
@@ -27,7 +28,9 @@ struct GapModel {
 GapModel describe_gaps(const casefile::Case& input, const Machine& machine, const ChainModel& chain);
 
 /// The curves, out of the history's functionals from index `first` on, in the order of GapModel::functionals.
-GapSeries gap_series(const casefile::Case& input, const GapModel& model, const ThermalHistory& history, int first);
+/// @param drift  of the same history: what the crank's play adds to the corners, and E_SW
+GapSeries gap_series(const casefile::Case& input, const GapModel& model, const ThermalHistory& history, int first,
+                     const DriftSeries& drift);
 
 /// Warnings of clearances that heat uses up.
 std::vector<std::string> gap_warnings(const GapSeries& gaps);

@@ -6,6 +6,7 @@
 #include "deadpoint/fem/checkpoint.hpp"
 #include "deadpoint/fem/session.hpp"
 #include "deadpoint/study/chain_model.hpp"
+#include "deadpoint/study/crank_play.hpp"
 #include "deadpoint/study/drift_causes.hpp"
 #include "deadpoint/study/gap_model.hpp"
 #include "deadpoint/study/prepare.hpp"
@@ -122,10 +123,13 @@ public:
         if (const auto size = model_.size(); size.deformation_cells != size.cells)
             data.clear();  // they belong to the nodes of the deformation's mesh
         if (chain_) {
-            auto closed = close_joints(machine_, model_, *chain_, *displacement);
+            const auto growths = play_growths(*chain_, model_, adjoints_, field, reference_);
+            const auto shares = play_shares(crank_play(input_), growths);
+            auto closed = close_joints(machine_, model_, *chain_, *displacement, shares);
             motions = std::move(closed.motions);
-            result.adjoint_check =
-                AdjointCheck{time, model_.apply(adjoints_[drift::gap], field, reference_), closed.gap, closed.opening};
+            const double gap =
+                model_.apply(adjoints_[drift::gap], field, reference_) + chain_->play_travel(shares, growths);
+            result.adjoint_check = AdjointCheck{time, gap, closed.gap, closed.opening};
         }
         if (folder_.empty())
             return;
@@ -201,7 +205,7 @@ struct SharedModel::Implementation {
     std::optional<ChainModel> chain;
     std::optional<GapModel> gaps;
     std::optional<FrameState> frame;
-    std::vector<fem::Adjoint> adjoints;    ///< of the chain's dimensions, of the gaps, of the frame
+    std::vector<fem::Adjoint> adjoints;    ///< of the chain's dimensions and plays, of the gaps, of the frame
     std::size_t frame_adjoints = 0;        ///< where those of the frame begin
     std::optional<HeatProblem> assembled;  ///< that the prepared matrices are of
 };
@@ -270,6 +274,7 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     RunResult result;
     Stopwatch watch(observer);
     const double reference = input.machine.initial_temperature;
+    const auto play = input.chain ? crank_play(input) : drift::BearingPlay{};
     auto problem = translate(input, watch, result, observer);
     need_model(input, watch, observer);
     result.cells = model->size().cells;
@@ -309,7 +314,7 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
                                           [&] { return handed_on(view, exact); }};
     const bool keeps = !checkpoints.file.empty();
     result.thermal = model->heat(
-        adjoints, reference, chain ? static_cast<int>(drift::gap) : -1, observer,
+        adjoints, reference, chain ? fem::Attribution(drift::gap, 1 + chain->bearings()) : -1, observer,
         [&](double time) { observer.progress(time / end, fmt::format("t = {:.2f} h", time / 3600)); },
         [&](double time, const fem::Field& field) {
             const double before = watch.seconds();
@@ -335,10 +340,12 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     if (field_seconds > 0)
         result.timings.emplace_back("fields", field_seconds);
     if (chain)
-        result.drift = drift_series(result.thermal);
+        result.drift = drift_series(*chain, play, result.thermal);
     if (chain && options.causes && input.output.causes && !result.thermal.interrupted) {
         watch.start("causes");
-        result.causes = drift_causes(input, problem, *result.drift, *model, adjoints[drift::gap]);
+        result.causes = drift_causes(input, problem, *result.drift, *model, [&](std::size_t row) {
+            return gap_adjoint(*chain, adjoints, play_shares(play, play_growths(*chain, result.thermal, row)));
+        });
         watch.stop();
         result.timings.push_back(watch.times().back());
     }
@@ -346,18 +353,26 @@ RunResult SharedModel::Implementation::run(const casefile::Case& input, const Ru
     if (!view.empty()) {
         watch.start("view");
         CloseJoints close;
-        if (chain)
-            close = [&](const fem::Displacement& u) { return close_joints(machine, *model, *chain, u).motions; };
+        std::vector<double> shares_at_end;  // the view is linear in the temperature
+        if (chain) {
+            shares_at_end = play_shares(play, play_growths(*chain, result.thermal, result.thermal.time.size() - 1));
+            close = [&](const fem::Displacement& u) {
+                return close_joints(machine, *model, *chain, u, shares_at_end).motions;
+            };
+        }
         result.view = view.finish(machine, *model, reference, close);
         watch.stop();
         result.timings.push_back(watch.times().back());
     }
     if (options.at_end)
-        options.at_end({machine, *model, problem, chain ? &*chain : nullptr, adjoints, kept, reference});
+        options.at_end({machine, *model, problem, chain ? &*chain : nullptr, play, adjoints, kept, reference});
     result.elastic_iterations = model->elastic_iterations();
     result.joints = joint_histories(input, machine, problem, result.thermal, result.whole);
     if (chain) {
-        result.gaps = gap_series(input, *gaps, result.thermal, drift::dimension_count);
+        result.gaps =
+            gap_series(input, *gaps, result.thermal, static_cast<int>(chain->dimensions.size()), *result.drift);
+        if (const auto warning = play_warning(input, *chain, result.thermal))
+            observer.warn(*warning);
         for (const auto& warning : gap_warnings(result.gaps))
             observer.warn(warning);
     }

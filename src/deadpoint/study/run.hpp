@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/case.hpp"
 #include "deadpoint/core/observer.hpp"
+#include "deadpoint/drift/play.hpp"
 #include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/exchange/gaps.hpp"
 #include "deadpoint/exchange/heat.hpp"
@@ -77,7 +78,8 @@ struct RunInside {
     const Machine& machine;
     fem::Model& model;
     const HeatProblem& problem;
-    const ChainModel* chain;  ///< where the case has one
+    const ChainModel* chain;         ///< where the case has one
+    const drift::BearingPlay& play;  ///< of its crank
     const std::vector<fem::Adjoint>& adjoints;
     const std::vector<std::pair<double, fem::Field>>& fields;  ///< at RunOptions::kept_times
     double reference;                                          ///< temperature without deformation [K]

@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/bearing_groups.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -118,12 +119,13 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
             result.seats = ground_is_b ? surfaces.in_b : surfaces.in_a;
             for (int i = 0; i < static_cast<int>(joint.interfaces.size()); ++i)
                 if (joint.interfaces[i].seat || joint.interfaces[i].journal)
-                    result.clearance.push_back(first.at(name) + i);
+                    contacts.push_back(first.at(name) + i);
+            result.bearings = bearings_of(input, machine, contacts);
         }
         result.joints.push_back(std::move(surfaces));
         ++index;
     }
-    if (result.seats.empty() || result.clearance.empty())
+    if (result.seats.empty() || result.bearings.empty())
         throw InputError(fmt::format("joints.{}: the crank's bearings need interfaces on the frame, marked 'seat' "
                                      "(ring or bush in the frame) and "
                                      "'journal' (ring or bush on the shaft)",

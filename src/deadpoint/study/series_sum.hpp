@@ -1,0 +1,14 @@
+#pragma once
+
+#include "deadpoint/exchange/heat.hpp"
+
+#include <utility>
+#include <vector>
+
+/// Internal to study/: sums of courses over time.
+namespace deadpoint::study {
+
+/// Sum of factor times series, values and rates. @param terms  at least one, all over the same times
+Series combined(const std::vector<std::pair<double, const Series*>>& terms);
+
+}  // namespace deadpoint::study
