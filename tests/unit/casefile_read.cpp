@@ -72,7 +72,7 @@ TEST_CASE("values of a case arrive in SI")
     CHECK_FALSE(c.crankshaft->throw_unbalance);
     CHECK(c.process_force->over_height.x.at(1) == 0.002);
     CHECK(c.process_force->both_ways);
-    CHECK(c.process_force->to == doctest::Approx(4.97418836818384).epsilon(1e-14));  // 285 deg
+    CHECK(*c.process_force->to == doctest::Approx(4.97418836818384).epsilon(1e-14));  // 285 deg
     CHECK(c.operation.size() == 2);
     CHECK(c.operation.at(1).ambient->constant == 291.15);
     CHECK(c.surfaces.at("air").film->ambient->table->x == std::vector{0.0, 3600.0});

@@ -363,6 +363,10 @@ TEST_CASE("a force whose window misses bottom dead point is warned about; one th
     CHECK(law(0.3, 0, 0) == 0);
     input.process_force.emplace();
     input.process_force->kind = "rectangular";
+    CHECK_FALSE(study::misplaced_force(input, 0.3));
+    CHECK(study::describe_process_force(input, 1000, 0.3)(0, 0, 0) == Approx(1000));
+    input.process_force->from = 255 * pi / 180;
+    input.process_force->to = 285 * pi / 180;
     CHECK_FALSE(study::misplaced_force(input, 1.5 * pi));
     const auto warning = study::misplaced_force(input, 0);
     REQUIRE(warning);

@@ -183,6 +183,7 @@ struct MachineSection {
     bool half_model = false;
     double initial_temperature = 293.15;
     double ambient = 293.15;
+    Vec3 gravity_direction{0, -1, 0};   ///< of any length
     std::vector<std::string> unbonded;  ///< "part|part" patterns
 };
 

@@ -15,7 +15,6 @@ struct Foundation {
     std::optional<double> vertical_stiffness;    ///< of the pads, per area [N/m3]
     std::optional<double> horizontal_stiffness;  ///< [N/m3]
     double gravity = 0;                          ///< [m/s2]; 0: weights are left out
-    Vec3 gravity_direction{0, -1, 0};
 };
 
 /// Rods that are stretched when the machine is assembled and press parts of it together.

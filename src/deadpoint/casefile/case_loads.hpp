@@ -20,7 +20,8 @@ struct Table {
 using Matrix2 = std::array<std::array<double, 2>, 2>;
 
 struct Mechanism {
-    std::string slide_body;  ///< that carries the tool; empty: that of the dimension chain
+    std::string slide_body;                ///< that carries the tool; empty: that of the dimension chain
+    std::optional<Vec2> stroke_direction;  ///< of the slide away from the table; else along its guide, upwards
     int positions = 720;
     Table speed;  ///< over that of the operation, over the angle past bottom dead point [- over rad]; empty: steady
 };
@@ -31,8 +32,8 @@ struct Crankshaft {
         double diameter = 0;
         double bore = 0;
         std::optional<double> density;
-    };
         std::optional<double> shear_factor;  ///< else that of the crankshaft
+    };
     struct Disk {
         double position = 0;
         double mass = 0;
@@ -74,18 +75,18 @@ struct Crankshaft {
     double modal_damping = 0.02;
     double shear_factor = 0.9;  ///< 0: no shear deformation
     double axial_load = 0;
-};
     int critical_speeds = 4;  ///< how many are looked for
+};
 
 struct ProcessForce {
-    std::string kind;                 ///< empty: "elastic" with a flexible crankshaft, else "rectangular"
-    double from = 4.450589592585541;  ///< crank angle, 255 deg [rad]
-    double to = 4.974188368183839;    ///< 285 deg
-    double stiffness = 1e9;           ///< of press and die [N/m]
-    Table over_angle;                 ///< share of the operation's force [- over rad]
-    Table over_height;                ///< [- over m]
-    bool both_ways = false;           ///< over_height holds on the way up as well
-    double offset = 0;                ///< of the line of action from the slide's guided point [m]
+    std::string kind;            ///< empty: "elastic" with a flexible crankshaft, else "rectangular"
+    std::optional<double> from;  ///< crank angle [rad]; else 15 deg before bottom dead point
+    std::optional<double> to;    ///< else 15 deg after it
+    double stiffness = 1e9;      ///< of press and die [N/m]
+    Table over_angle;            ///< share of the operation's force [- over rad]
+    Table over_height;           ///< [- over m]
+    bool both_ways = false;      ///< over_height holds on the way up as well
+    double offset = 0;           ///< of the line of action from the slide's guided point [m]
 };
 
 }  // namespace deadpoint::casefile

@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/accuracy.hpp"
 #include "deadpoint/casefile/check_enclosures.hpp"
+#include "deadpoint/casefile/directions.hpp"
 #include "deadpoint/casefile/findings.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
@@ -67,6 +68,9 @@ public:
         }
         refer("mechanism.slide_body", "body", c_.mechanism.slide_body, c_.bodies);
         check_slide();
+        for (auto& finding : check_directions(c_)) {
+            add(std::move(finding));
+        }
         check_process_force();
         check_mirrors();
         check_operation();
@@ -351,9 +355,8 @@ private:
         const bool rigid = c_.crankshaft && c_.crankshaft->model == "rigid";
         const bool window =
             process.kind == "half_sine" || process.kind == "rectangular" || (process.kind.empty() && rigid);
-        const ProcessForce defaults;
         for (const auto& [key, stated] :
-             {std::pair{"from", process.from != defaults.from}, std::pair{"to", process.to != defaults.to}}) {
+             {std::pair{"from", process.from.has_value()}, std::pair{"to", process.to.has_value()}}) {
             if (stated && !window) {
                 warn("unused", fmt::format("process_force.{}", key),
                      fmt::format("'{}' has no effect: only a half-sine or rectangular force acts between two crank "
@@ -423,14 +426,14 @@ private:
         refer("chain.table_surface", "surface", chain.table_surface, c_.surfaces);
         refer("chain.ground_surface", "surface", chain.ground_surface, c_.surfaces);
         refer("chain.crank_joint", "joint", chain.crank_joint, c_.joints);
-    }
-};
-
         const auto crank = c_.joints.find(chain.crank_joint);
         if (chain.bearing_play == "limited" && crank != c_.joints.end() && !crank->second.clearance) {
             report("missing-key", "chain.bearing_play", "nothing says how much play there is at the start",
                    fmt::format("add clearance = \"80 um\" (on the diameter) to joints.{}", chain.crank_joint));
         }
+    }
+};
+
 }  // namespace
 
 std::vector<Finding> check_references(const Case& c) { return Checker(c).run(); }

@@ -4,6 +4,31 @@
 
 namespace deadpoint::casefile {
 
+namespace {
+
+bool is_held_sideways(const Foundation& foundation)
+{
+    return foundation.kind == "clamped" ||
+           (foundation.kind == "elastic" && foundation.horizontal_stiffness.value_or(0) > 0);
+}
+
+// Feet that are a plane say which way they look; others are taken to look along y.
+bool pulls_along_feet(const Case& c)
+{
+    const auto& name = c.foundation->surface.empty() && c.chain ? c.chain->ground_surface : c.foundation->surface;
+    const auto feet = c.surfaces.find(name);
+    const bool plane = feet != c.surfaces.end() && feet->second.select == "plane";
+    const auto axis = plane ? std::string("xyz").find(feet->second.axis) : 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i != axis && c.machine.gravity_direction[i] != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 std::vector<Finding> check_elastic(const Case& c)
 {
     Findings findings(c);
@@ -14,10 +39,10 @@ std::vector<Finding> check_elastic(const Case& c)
             findings.report("missing-key", "foundation", "nothing says which surface the feet are",
                             "add surface = \"feet\", the name of a surface");
         }
-        if (c.machine.half_model && foundation.gravity > 0 && foundation.gravity_direction[0] != 0) {
-            findings.report("inconsistent", "foundation.gravity_direction",
-                            "in a half model nothing may pull across the plane of symmetry",
-                            "let it be 0 along x, or model the whole machine");
+        if (foundation.gravity > 0 && !is_held_sideways(foundation) && pulls_along_feet(c)) {
+            findings.report("inconsistent", "foundation.gravity",
+                            "the feet slide freely, so nothing holds the machine against a pull along them",
+                            "let gravity_direction of [machine] act across the feet, or add kind = \"clamped\"");
         }
     }
     for (const auto& [name, preload] : c.preload) {

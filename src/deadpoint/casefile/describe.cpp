@@ -83,8 +83,8 @@ void describe(Visitor& v, Case& c)
 {
     v.about(
         "A case is one TOML file, or several by `include`. Every quantity is text with its unit, like `\"300 kN\"`; "
-        "plain numbers have none. Coordinates are those of the machine at bottom dead point: x to the right, y up, "
-        "z along the crankshaft.");
+        "plain numbers have none. Coordinates are those of the machine at bottom dead point: z along the crankshaft, "
+        "x to the right and y up, unless `gravity_direction` in [machine] says otherwise.");
     v.integer({"format", "version of this format; 1", required}, c.format, {1, 1, false});
     v.table({"machine", "the machine as a whole", required}, c.machine);
     v.named({"materials", "solids"}, c.materials, "name");
@@ -122,6 +122,11 @@ void describe(Visitor& v, MachineSection& m)
                absolute_temperature);
     v.quantity({"ambient", "of the air, where neither the operation nor a film says otherwise"}, m.ambient,
                D::temperature, absolute_temperature);
+    v.vector({"gravity_direction", "in which weights act, of links and crankshaft and, with `gravity` in [foundation], "
+                                   "on the frame; along the crankshaft it loads no joint"},
+             m.gravity_direction, D::none);
+    v.expect(norm(m.gravity_direction) > 0, "gravity_direction", "the direction has no length",
+             "write it like [0, -1, 0]");
     v.texts(
         {"unbonded", "pairs \"part|part\" (`*` stands for any letters) of one body that touch without being bonded"},
         m.unbonded);
@@ -270,7 +275,7 @@ void describe(Visitor& v, Joint& j)
     choose(v, {"kind", "how the bodies move against each other", required}, j.kind, {"revolute", "slide"});
     v.texts({"bodies", "the two bodies", required}, j.bodies);
     v.vector({"centre", "x and y at bottom dead point", required}, j.centre, D::length);
-    v.vector({"direction", "of travel, for a slide"}, j.direction, D::none);
+    v.vector({"direction", "of travel, for a slide: any direction of the plane"}, j.direction, D::none);
     v.flag({"guides_rotation", "false for a slide that leaves its body free to turn"}, j.guides_rotation);
     v.flag({"swept", "of a slide: heat and conductance are spread over the length that it sweeps, by the share of "
                      "time; false leaves them where the bodies are drawn"},
@@ -413,14 +418,9 @@ void describe(Visitor& v, Chain& c)
     v.text({"ground_surface", "the feet of the machine", required}, c.ground_surface);
     v.text({"crank_joint", "joint of crankshaft and ground", required}, c.crank_joint);
     v.quantity({"reaction_angle",
-                "direction in which the crank is pressed into its bearings at bottom dead point, from the x axis"},
+                "direction in which the crank is pressed into its bearings at bottom dead point, from the x axis; "
+                "without it that of the stroke, as the process presses slide and crank"},
                c.reaction_angle, D::angle, any_value);
-    v.quantity({"drift_rate_limit", "the press is warm when its drift stays slower than this; 0 for no such time"},
-               c.drift_rate_limit, D::velocity, non_negative);
-    v.flag({"corners", "also follows the gap at the four corners of the slide; one solve of the deformation each"},
-           c.corners);
-    v.flag({"clearances", "also follows the clearances of guides and bearings; one solve of the deformation each"},
-           c.clearances);
     choose(
         v,
         {"bearing_play",
@@ -429,6 +429,12 @@ void describe(Visitor& v, Chain& c)
          "the change counts, whatever the play (Zheng et al. 2018). Without it `limited` where the joint states a "
          "clearance, else `none` for rolling and `paper` for plain bearings, and a run says what that makes of E_SW"},
         c.bearing_play, {"limited", "none", "paper"});
+    v.quantity({"drift_rate_limit", "the press is warm when its drift stays slower than this; 0 for no such time"},
+               c.drift_rate_limit, D::velocity, non_negative);
+    v.flag({"corners", "also follows the gap at the four corners of the slide; one solve of the deformation each"},
+           c.corners);
+    v.flag({"clearances", "also follows the clearances of guides and bearings; one solve of the deformation each"},
+           c.clearances);
     v.quantity({"press_stiffness", "of press and tool in series, measured at the slide of the whole press; a run then "
                                    "states by how much the drift changes the force at a fixed die height"},
                c.press_stiffness, D::stiffness, positive);

@@ -10,34 +10,29 @@ constexpr auto required = Need::required;
 
 void describe(Visitor& v, Foundation& f)
 {
-    v.about("How the feet stand. Without this table they keep their height and slide freely.");
+    v.about("How the feet stand. Without this table they slide freely in their plane, which looks along x, y or z, and "
+            "do not "
+            "leave it.");
     choose(v,
            {"kind",
-            "`free`: the feet keep their height and slide; `clamped`: they do not move; `elastic`: they stand on "
+            "`free`: the feet stay in their plane and slide; `clamped`: they do not move; `elastic`: they stand on "
             "pads that give way in proportion"},
            f.kind, {"free", "clamped", "elastic"});
     v.text({"surface", "the feet; else the `ground_surface` of [chain]"}, f.surface);
-    v.quantity({"vertical_stiffness", "of the pads, per area of the feet; `elastic` only"}, f.vertical_stiffness,
-               D::bedding, positive);
-    v.quantity({"horizontal_stiffness", "of the pads, per area of the feet, along x and z; without it they slide"},
+    v.quantity({"vertical_stiffness", "of the pads across the feet's plane, per area; `elastic` only"},
+               f.vertical_stiffness, D::bedding, positive);
+    v.quantity({"horizontal_stiffness", "of the pads along the feet's plane, per area; without it they slide"},
                f.horizontal_stiffness, D::bedding, non_negative);
-    v.quantity({"gravity", "acceleration of gravity on what stands on the feet, for stress and preload; the drift does "
-                           "not depend on it"},
+    v.quantity({"gravity",
+                "acceleration of gravity on what stands on the feet, along `gravity_direction` of [machine], for "
+                "stress and preload; the drift does not depend on it"},
                f.gravity, D::acceleration, non_negative);
-    v.vector({"gravity_direction", "of the weights"}, f.gravity_direction, D::none);
     const bool elastic = f.kind == "elastic";
     v.expect(!elastic || f.vertical_stiffness, "kind", "nothing says how far the pads give way",
              "add vertical_stiffness = \"0.5 N/mm^3\" (force per travel and area)");
     v.expect(elastic || !(f.vertical_stiffness || f.horizontal_stiffness),
              f.vertical_stiffness ? "vertical_stiffness" : "horizontal_stiffness",
              "only an elastic foundation has pads", "remove it, or add kind = \"elastic\"");
-    v.expect(norm(f.gravity_direction) > 0, "gravity_direction", "the direction has no length",
-             "write it like [0, -1, 0]");
-    const bool sideways = f.gravity_direction[0] != 0 || f.gravity_direction[2] != 0;
-    const bool held = f.kind == "clamped" || (elastic && f.horizontal_stiffness.value_or(0) > 0);
-    v.expect(f.gravity == 0 || held || !sideways, "gravity_direction",
-             "the feet slide freely, so nothing holds the machine against a sideways pull",
-             "let it be vertical, or add kind = \"clamped\"");
 }
 
 void describe(Visitor& v, Preload& p)

@@ -21,6 +21,11 @@ void describe(Visitor& v, Mechanism& m)
 {
     v.about("The linkage as a whole, for `loads`; what it consists of is said by bodies and joints.");
     v.text({"slide_body", "the body that carries the tool; else that of [chain]"}, m.slide_body);
+    v.vector({"stroke_direction", "of the slide, from the table towards it: heights and the process force count along "
+                                  "it; without it along the guide that holds the slide on the ground, against gravity"},
+             m.stroke_direction, D::none);
+    v.expect(!m.stroke_direction || norm(*m.stroke_direction) > 0, "stroke_direction", "the direction has no length",
+             "write it like [0, 1]");
     v.integer({"positions", "crank positions over a turn"}, m.positions, {36, 100000, false});
     v.curve({"speed", "speed of the crank over that of the operation, over its angle past bottom dead point; the turn "
                       "closes by itself; without it the crank turns steadily"},
@@ -51,26 +56,26 @@ void describe(Visitor& v, Crankshaft& c)
     v.number({"shear_factor", "Timoshenko's shear coefficient of its sections; 0: no shear deformation"},
              c.shear_factor, fraction);
     v.quantity({"axial_load", "tension in the shaft"}, c.axial_load, D::force, any_value);
+    v.integer({"critical_speeds", "how many critical speeds are looked for, from the lowest on"}, c.critical_speeds,
+              {1, 100, false});
     v.expect(c.bearings.size() >= 2, "bearings", "a shaft needs two bearings or more", "add the missing bearings");
 }
 
 void describe(Visitor& v, Crankshaft::Section& s)
 {
-    v.integer({"critical_speeds", "how many critical speeds are looked for, from the lowest on"}, c.critical_speeds,
-              {1, 100, false});
     v.quantity({"length", "along z", required}, s.length, D::length, positive);
     v.quantity({"diameter", "of this section", required}, s.diameter, D::length, positive);
     v.quantity({"bore", "diameter of the hole along it; 0 for none"}, s.bore, D::length, non_negative);
     v.quantity({"density", "in place of the material's; 0 keeps the stiffness without the mass"}, s.density, D::density,
                non_negative);
+    v.quantity(
+        {"shear_factor", "in place of that of the crankshaft: about 0.9 for a solid section, 0.5 for a thin tube"},
+        s.shear_factor, D::none, fraction);
     v.expect(s.bore < s.diameter || s.diameter == 0, "bore", "the bore is not smaller than the diameter",
              "make the bore smaller");
 }
 
 void describe(Visitor& v, Crankshaft::Disk& d)
-    v.quantity(
-        {"shear_factor", "in place of that of the crankshaft: about 0.9 for a solid section, 0.5 for a thin tube"},
-        s.shear_factor, D::none, fraction);
 {
     v.quantity({"position", "along z", required}, d.position, D::length, any_value);
     v.quantity({"mass", "of the disk", required}, d.mass, D::mass, non_negative);
@@ -142,8 +147,9 @@ void describe(Visitor& v, ProcessForce& p)
             "of the force over crank angle or slide height"},
            p.kind, {"elastic", "half_sine", "rectangular", "angle_table", "travel_table", "none"});
     v.quantity({"stiffness", "of press and die together"}, p.stiffness, D::stiffness, positive);
-    v.quantity({"from", "crank angle where the force begins"}, p.from, D::angle, any_value);
-    v.quantity({"to", "crank angle where it ends"}, p.to, D::angle, any_value);
+    v.quantity({"from", "crank angle where the force begins; else 15 deg before bottom dead point"}, p.from, D::angle,
+               any_value);
+    v.quantity({"to", "crank angle where it ends; else 15 deg after bottom dead point"}, p.to, D::angle, any_value);
     v.curve({"over_angle",
              "share of the force over the crank angle; from the last point it runs linearly to the first of the next "
              "turn"},
@@ -155,7 +161,7 @@ void describe(Visitor& v, ProcessForce& p)
     v.flag({"both_ways", "`over_height` holds on the way up as well"}, p.both_ways);
     v.quantity({"offset", "of the line of action to the right of the slide's guided point (eccentric load)"}, p.offset,
                D::length, any_value);
-    v.expect(p.from < p.to, "to", "the force must end after it begins",
+    v.expect(!p.from || !p.to || *p.from < *p.to, "to", "the force must end after it begins",
              "write it like from = \"255 deg\", to = \"285 deg\"");
     v.expect(p.kind != "angle_table" || !p.over_angle.x.empty(), "kind", "the table is missing",
              "add over_angle = { angle = [\"250 deg\", ...], value = [0, ...] }");

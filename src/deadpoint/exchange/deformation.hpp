@@ -26,12 +26,13 @@ struct Functional {
 
 /// How the feet stand on the ground.
 struct Foundation {
-    /// free: u_y = 0, sliding freely; clamped: u = 0; elastic: pads of the stiffnesses below.
+    /// free: held across the feet's plane, along which they slide; clamped: u = 0; elastic: pads of the stiffnesses
+    /// below.
     enum class Kind { free, clamped, elastic };
     int surface = -1;  ///< index into Machine::surfaces; -1: no feet
     Kind kind = Kind::free;
-    double vertical = 0;    ///< stiffness per area [N/m3]
-    double horizontal = 0;  ///< along x and z [N/m3]
+    double vertical = 0;    ///< across the feet's plane, stiffness per area [N/m3]
+    double horizontal = 0;  ///< along it [N/m3]
 };
 
 /// What strains the machine besides heat, the same at all times.

@@ -8,7 +8,8 @@
 
 namespace deadpoint {
 
-/// The dimension chain over time, changes since the start [m]. E_SW > 0: the gap between slide and table opens.
+/// The dimension chain over time, changes since the start along the stroke, away from the table [m]. E_SW > 0: the gap
+/// between slide and table opens.
 struct DriftSeries {
     std::vector<double> time;                  ///< [s], as ThermalHistory::time
     Series bearing_to_ground;                  ///< E_BG
@@ -16,8 +17,8 @@ struct DriftSeries {
     Series crank_to_slide;                     ///< E_CS
     Series clearance;                          ///< E_BC
     Series gap;                                ///< E_SW = E_BG - E_WG - E_CS - E_BC
-    std::vector<std::vector<double>> by_part;  ///< [part][step], parts of E_SW; they sum to it
     Series play;                               ///< what the play of the crank's bearings adds to E_SW
+    std::vector<std::vector<double>> by_part;  ///< [part][step], parts of E_SW; they sum to it
 };
 
 /// What has moved the gap until one time, by cause [m]: each the change that its heat, or its temperature above the

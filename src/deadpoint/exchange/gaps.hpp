@@ -11,7 +11,7 @@ namespace deadpoint {
 /// The gap between slide and table at one corner of the slide, change since the start.
 struct CornerSeries {
     std::string name;  ///< "front left": front is z < 0, left is x < 0
-    double x = 0;      ///< place of the corner [m]
+    double x = 0;      ///< place of the corner, to the right of the stroke [m]
     double z = 0;
     Series gap;  ///< [m], > 0 opens
 };

@@ -94,8 +94,9 @@ ElasticSolver::Gauge ElasticSolver::describe_feet() const
     if (foundation_.kind == Foundation::Kind::elastic)
         return result;
     for (const PetscInt unknown : feet_)
-        if (unknown % 3 == 1 && !ties_.follows(unknown / 3, 1))
-            result.shape[static_cast<std::size_t>(unknown)] = 1;
+        if (const double normal = foot_normal_[static_cast<std::size_t>(unknown % 3)];
+            normal != 0 && !ties_.follows(unknown / 3, unknown % 3))
+            result.shape[static_cast<std::size_t>(unknown)] = -normal;
     pass_on(result.shape);
     return result;
 }
@@ -115,7 +116,7 @@ Functional ElasticSolver::pad_force() const
     for (const auto& foot : space_.machine.surfaces[foundation_.surface].faces)
         for (const auto& point : face_points(space_.machine, space_.machine.faces[foot.face]))
             result.points.push_back(
-                {foot.face, point.position, {0, -foundation_.vertical * foot.fraction * point.weight, 0}});
+                {foot.face, point.position, (foundation_.vertical * foot.fraction * point.weight) * foot_normal_});
     return result;
 }
 

@@ -58,7 +58,9 @@ void ElasticSolver::add_pads(Mat all) const
         return;
     PointShape shape;
     std::vector<double> block;
-    const std::array<double, 3> stiffness{foundation_.horizontal, foundation_.vertical, foundation_.horizontal};
+    std::array<double, 3> stiffness{};
+    for (std::size_t c = 0; c < 3; ++c)
+        stiffness[c] = foot_normal_[c] != 0 ? foundation_.vertical : foundation_.horizontal;
     for (const auto& foot : space_.machine.surfaces[foundation_.surface].faces) {
         const auto& face = space_.machine.faces[foot.face];
         if (!space_.cell(face.cell)->is_locally_owned())

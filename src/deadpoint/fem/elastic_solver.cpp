@@ -1,10 +1,13 @@
 #include "deadpoint/fem/elastic_solver.hpp"
 
+#include "deadpoint/core/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/elastic_cells.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <set>
+#include <variant>
 
 namespace deadpoint::fem {
 namespace {
@@ -99,8 +102,58 @@ void ElasticSolver::solve_free(const char* what)
     DEADPOINT_PETSC(MatMult(expansion_, free_solution_, solution_));
 }
 
+namespace {
+
+// Means over the feet's area of their normals, out of the machine, and of the squares of the normals' components.
+struct FootNormals {
+    Vec3 mean{};
+    Vec3 squares{};
+};
+
+FootNormals foot_normals(const Machine& machine, const MeshSurface& feet)
+{
+    FootNormals sum;
+    double area = 0;
+    for (const auto& foot : feet.faces) {
+        const auto& face = machine.faces[foot.face];
+        const auto* plane = std::get_if<PlaneGeometry>(&machine.geometries[face.geometry]);
+        const Vec3 n = plane ? plane->normal : Vec3{};
+        for (const auto& point : face_points(machine, face)) {
+            sum.mean = sum.mean + point.weight * n;
+            sum.squares = sum.squares + point.weight * Vec3{n[0] * n[0], n[1] * n[1], n[2] * n[2]};
+            area += point.weight;
+        }
+    }
+    return area > 0 ? FootNormals{(1 / area) * sum.mean, (1 / area) * sum.squares} : sum;
+}
+
+// The axis along which feet look; -y where they look in several directions.
+Vec3 foot_normal(const Machine& machine, const Foundation& foundation)
+{
+    constexpr double even = 0.999, along_axis = 1 - 1e-9;
+    const Vec3 down{0, -1, 0};
+    if (foundation.surface < 0 || foundation.kind == Foundation::Kind::clamped)
+        return down;
+    const auto [normal, squares] = foot_normals(machine, machine.surfaces[foundation.surface]);
+    for (std::size_t c = 0; c < 3; ++c)
+        if (squares[c] > along_axis) {
+            Vec3 axis{};
+            axis[c] = normal[c] > 0 ? 1 : -1;
+            return axis;
+        }
+    if (norm(normal) < even)
+        return down;
+    throw InputError(fmt::format("surfaces.{}: the feet look along ({:.4g}, {:.4g}, {:.4g}), which is no axis, so they "
+                                 "cannot slide in their plane\n  help: add kind = \"clamped\" to [foundation], or turn "
+                                 "the coordinates so that the feet look along x, y or z",
+                                 machine.surfaces[foundation.surface].name, normal[0], normal[1], normal[2]));
+}
+
+}  // namespace
+
 void ElasticSolver::find_supports(const Foundation& foundation)
 {
+    foot_normal_ = foot_normal(space_.machine, foundation);
     std::set<PetscInt> held, feet;
     PointShape shape;
     const auto collect = [&](std::uint32_t face, int component, std::set<PetscInt>& target) {
@@ -119,7 +172,7 @@ void ElasticSolver::find_supports(const Foundation& foundation)
     if (foundation.surface >= 0)
         for (const auto& foot : space_.machine.surfaces[foundation.surface].faces)
             for (const int component : {0, 1, 2})
-                if (component == 1 || sideways)
+                if (foot_normal_[static_cast<std::size_t>(component)] != 0 || sideways)
                     collect(foot.face, component, feet);
     if (!elastic)
         held.insert(feet.begin(), feet.end());

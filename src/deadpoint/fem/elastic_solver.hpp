@@ -67,6 +67,7 @@ private:
     const Discretisation& space_;
     const std::vector<Material>& materials_;
     Foundation foundation_;
+    Vec3 foot_normal_{0, -1, 0};  ///< out of the feet, along an axis
     Ties ties_;
     OwnedMat expansion_;  ///< from free to all displacements
     OwnedMat matrix_;     ///< of the free displacements

@@ -124,7 +124,8 @@ public:
     /// Where the last heat() ended, as a file.
     void write_state(const std::string& file) const;
 
-    /// How the machine stands; a surface alone keeps its height (u_y = 0). To be called before the functions below.
+    /// How the machine stands; a surface alone stays in its plane, along an axis. To be called before the functions
+    /// below.
     void support(const Foundation& foundation);
     void support(int feet_surface) { support(Foundation{feet_surface}); }
     /// Temperature weights of displacement functionals, one elastic solve each.

@@ -47,7 +47,7 @@ PlanarPosition lowest(const SlideMotion& slide, const std::vector<PlanarPosition
     const Linkage& linkage = slide.system().linkage();
     if (!(*top - *bottom > 1e-9))
         throw InputError(fmt::format("the slide '{}' does not move along the stroke when '{}' turns\n  help: check "
-                                     "which body is the slide, and the direction of the stroke",
+                                     "mechanism.slide_body and mechanism.stroke_direction",
                                      linkage.bodies[linkage.slide_body], linkage.joints[linkage.driver].name));
     std::optional<PlanarPosition> best;
     for (int i = 0; i < steps; ++i) {

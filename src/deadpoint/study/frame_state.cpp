@@ -16,7 +16,7 @@ namespace {
 
 Vec3 gravity_of(const casefile::Case& input)
 {
-    return input.foundation ? input.foundation->gravity * normalised(input.foundation->gravity_direction) : Vec3{};
+    return input.foundation ? input.foundation->gravity * normalised(input.machine.gravity_direction) : Vec3{};
 }
 
 bool pair_matches(const std::string& pair, const std::string& a, const std::string& b)

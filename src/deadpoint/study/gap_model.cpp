@@ -20,7 +20,8 @@ namespace {
 drift::SlideTurn slide_turn(const ChainModel& chain)
 {
     drift::SlideTurn turn;
-    turn.about = chain.system.slide_point()[0];
+    const Vec2& stroke = chain.linkage.stroke_direction;
+    turn.about = dot(chain.system.slide_point(), Vec2{stroke[1], -stroke[0]});
     const auto poses = chain.system.assembled();
     std::vector<mechanism::CentreShift> shifts(chain.linkage.joints.size());
     for (auto& shift : shifts) {

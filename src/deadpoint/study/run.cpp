@@ -426,8 +426,10 @@ std::string shared_part(const casefile::Case& input)
         joint.oil_temperature = casefile::Joint{}.oil_temperature;
         joint.clearance.reset();
     }
-    if (shared.chain)
+    if (shared.chain) {
         shared.chain->press_stiffness.reset();
+        shared.chain->bearing_play.clear();
+    }
     shared.friction.clear();
     shared.oil.clear();
     shared.oil_circuits.clear();

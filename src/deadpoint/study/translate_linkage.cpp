@@ -1,8 +1,9 @@
 #include "deadpoint/study/translate_linkage.hpp"
 
+#include "deadpoint/casefile/directions.hpp"
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/study/translate_heat.hpp"
 #include "deadpoint/study/bearing_groups.hpp"
+#include "deadpoint/study/translate_heat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,7 @@ Linkage describe_linkage(const casefile::Case& input)
         throw InputError(
             "the case does not say which body carries the tool; add slide_body to [mechanism], or a [chain]");
     Linkage linkage;
+    linkage.stroke_direction = casefile::stroke_direction(input);
     for (const auto& [name, body] : input.bodies) {
         const bool used =
             std::any_of(input.joints.begin(), input.joints.end(), [&, &body_name = name](const auto& joint) {
@@ -104,7 +106,8 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
     drift::ChainDescription result;
     result.slide_surface = surface_index(machine, chain.slide_surface);
     result.table_surface = surface_index(machine, chain.table_surface);
-    result.pressed = {std::cos(chain.reaction_angle), std::sin(chain.reaction_angle)};
+    result.pressed = chain.reaction_angle ? Vec2{std::cos(*chain.reaction_angle), std::sin(*chain.reaction_angle)}
+                                          : linkage.stroke_direction;
     int index = 0;
     for (const auto& [name, joint] : input.joints) {
         drift::JointSurfaces surfaces{sides_on(machine, joint, first.at(name), joint.bodies.at(0)),
@@ -117,6 +120,7 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
             result.crank_joint = index;
             const bool ground_is_b = linkage.joints[index].body_b == linkage.ground;
             result.seats = ground_is_b ? surfaces.in_b : surfaces.in_a;
+            std::vector<int> contacts;
             for (int i = 0; i < static_cast<int>(joint.interfaces.size()); ++i)
                 if (joint.interfaces[i].seat || joint.interfaces[i].journal)
                     contacts.push_back(first.at(name) + i);

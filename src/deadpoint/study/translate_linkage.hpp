@@ -10,7 +10,7 @@ namespace deadpoint::study {
 /// The planar linkage of a case: bodies that take part in a joint of kind revolute or slide, joints in the order of
 /// `Case::joints`.
 /// The slide is that of [mechanism], else that of [chain].
-/// @throws InputError if there is no driver, or no slide is named
+/// @throws InputError if there is no driver, no slide is named, or nothing says where its stroke points
 Linkage describe_linkage(const casefile::Case& input);
 
 /// The dimension chain of a case on its meshed machine.

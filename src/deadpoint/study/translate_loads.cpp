@@ -1,5 +1,6 @@
 #include "deadpoint/study/translate_loads.hpp"
 
+#include "deadpoint/casefile/directions.hpp"
 #include "deadpoint/core/error.hpp"
 
 #include <algorithm>
@@ -75,13 +76,15 @@ Vec2 pose_point(const PlanarPose& pose, const Vec2& p)
     return {pose.translation[0] + c * p[0] - s * p[1], pose.translation[1] + s * p[0] + c * p[1]};
 }
 
-// Of the crank's angle past bottom dead point. A case that says nothing of its process force has it about there.
+// Of the crank's angle past bottom dead point; 15 deg to either side of it where the case does not say.
 mechanism::AngleWindow force_window(const casefile::Case& input, double throw_at_bottom)
 {
     const auto& process = process_of(input);
-    const double length = process.to - process.from;
-    const double start = input.process_force ? wrapped(process.from - throw_at_bottom) : -0.5 * length;
-    return {start, start + length};
+    const double start = process.from ? wrapped(*process.from - throw_at_bottom) : -pi / 12;
+    if (process.from && process.to)
+        return {start, start + *process.to - *process.from};
+    const double end = process.to ? wrapped(*process.to - throw_at_bottom) : pi / 12;
+    return {start, end > start ? end : end + 2 * pi};
 }
 
 // The pin's load must lie on the shaft; where it does not, its keys are named, not what follows from them.
@@ -175,6 +178,7 @@ mechanism::CycleRequest describe_cycle(const casefile::Case& input, const casefi
     }
     request.process_force = describe_process_force(input, segment.force, throw_at_bottom);
     request.process_force_offset = process_of(input).offset;
+    request.gravity = casefile::plane_gravity(input);
     request.positions = input.mechanism.positions;
     return request;
 }
@@ -265,6 +269,7 @@ crankshaft::ShaftLoads describe_shaft_loads(const casefile::Case& input, const L
     loads.period = history.period;
     loads.pin_position = given.pin_position;
     loads.pin_width = given.pin_width;
+    loads.gravity = casefile::plane_gravity(input);
     loads.pin_force.assign(history.time.size(), Vec2{});
     for (std::size_t j = 0; j < linkage.joints.size(); ++j) {
         const auto& joint = linkage.joints[j];
