@@ -234,3 +234,42 @@ TEST_CASE("a length of a whole number of cell sizes and a quarter has as many ce
         }
     }
 }
+
+TEST_CASE("a STEP part that is moved has the same mesh, whole or cut by the plane of symmetry")
+{
+    for (const bool half : {false, true}) {
+        CAPTURE(half);
+        MachineDescription description;
+        description.half_model = half;
+        description.size = 0.01;
+        description.parts = {part("plate", "frame", {})};
+        description.parts[0].source = StepSource{DEADPOINT_TEST_DATA "/plate_with_hole.step", 1e-3};
+        const Machine original = build(description);
+        const Change moved{"moved", {0, 1, 2}, {1, 1, 1}, {half ? 0.0 : 1.0, -0.7, 0.3}};
+        description.parts[0].translation = moved.shift;
+        const Machine image = build(description);
+        CHECK(difference(image, original, moved) < 1e-10);
+        CHECK(image.geometries.size() == original.geometries.size());
+        CHECK(image.parts[0].cut == half);
+    }
+}
+
+TEST_CASE("a STEP part is cut by the plane of symmetry where it stands")
+{
+    MachineDescription description;
+    description.half_model = true;
+    description.size = 0.01;
+    description.parts = {part("plate", "frame", {})};
+    description.parts[0].source = StepSource{DEADPOINT_TEST_DATA "/plate_with_hole.step", 1e-3};
+    description.parts[0].translation = {-0.04, 0, 0};  // 100 mm long: x from -90 to 10 mm
+    const Machine machine = build(description);
+    CHECK(machine.parts[0].cut);
+    double low = 0;
+    double high = -1;
+    for (const Vec3& node : machine.nodes) {
+        low = std::min(low, node[0]);
+        high = std::max(high, node[0]);
+    }
+    CHECK(low == doctest::Approx(-0.09).epsilon(1e-9));
+    CHECK(high == 0);
+}

@@ -3,6 +3,7 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/machine/cell_limit.hpp"
 #include "deadpoint/machine/foreign_mesh.hpp"
+#include "deadpoint/machine/frame.hpp"
 #include "deadpoint/machine/gmsh_mesh.hpp"
 #include "deadpoint/machine/gmsh_session.hpp"
 #include "deadpoint/machine/step_file.hpp"
@@ -82,11 +83,12 @@ Tags add_prism(const Prism& prism)
     return solid;
 }
 
-Tags cut_half(const Tags& solids)
+/// Keeps what lies below a place along x.
+Tags cut_at(double x, const Tags& solids)
 {
     Tags kept;
     std::vector<Tags> map;
-    const int beyond = add_box({0, -far_away, -far_away}, {far_away, far_away, far_away});
+    const int beyond = add_box({x, -far_away, -far_away}, {x + far_away, far_away, far_away});
     occ::cut(solids, {{3, beyond}}, kept, map);
     return kept;
 }
@@ -148,7 +150,7 @@ void build_solid(const std::vector<Prism>& prisms, bool half)
         solids = result;
     }
     if (half && !solids.empty()) {
-        solids = cut_half(solids);
+        solids = cut_at(0, solids);
     }
     if (!solids.empty()) {
         imprinted(solids, prisms);
@@ -207,16 +209,6 @@ Tags import_solids(const ForeignFile& file)
     return solids;
 }
 
-void place_solids(const Tags& solids, double scale, const Vec3& by)
-{
-    if (scale != 1) {
-        occ::dilate(solids, 0, 0, 0, scale, scale, scale);
-    }
-    if (norm(by) > 0) {
-        occ::translate(solids, to_gmsh(by[0]), to_gmsh(by[1]), to_gmsh(by[2]));
-    }
-}
-
 }  // namespace
 
 PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half,
@@ -242,15 +234,18 @@ PartMesh mesh_step(const PartDescription& part, const StepSource& source, double
         guard_gmsh(part.name, "reading and meshing its STEP file", [&] {
             reset_gmsh();
             const Tags solids = import_solids(file);
-            place_solids(solids, scale, part.translation);
+            if (scale != 1) {
+                occ::dilate(solids, 0, 0, 0, scale, scale, scale);
+            }
             if (half) {
-                cut_half(solids);
+                cut_at(-part.translation[0], solids);
             }
             occ::synchronize();
             Observer nobody;  // words do not leave the process, only errors and the mesh do
             mesh = generate(part.name, size, nobody);
         });
-        return mesh;
+        // Moved afterwards: where a part stands must not change its mesh.
+        return to_machine(Frame{{0, 1, 2}, {1, 1, 1}, part.translation}, std::move(mesh));
     };
     return mesh_foreign_file(file, make, waiting);
 }
