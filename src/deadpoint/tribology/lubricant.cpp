@@ -20,6 +20,18 @@ constexpr double zero_celsius = 273.15;        // [K]
 constexpr double range_rounding = 0.05;        // [K]: a press that starts at the first point is not outside
 constexpr double tested_density_change = 0.1;  // share of the density
 
+// What a law gives, unless it leads beyond what flows.
+LawValue flowing(const LawValue& viscosity, double temperature, const char* law)
+{
+    if (viscosity.value >= thinnest_oil && viscosity.value <= stiffest_oil)
+        return viscosity;
+    throw DomainError(fmt::format("viscosity: at {:.1f} degC {} gives {:.2g} mm2/s, and what lubricates has {:.1f} to "
+                                  "{:.0e} mm2/s\n  help: state the oil near that temperature too (`viscosity`), or "
+                                  "check why a joint gets there",
+                                  temperature - zero_celsius, law, viscosity.value / square_millimetre,
+                                  thinnest_oil / square_millimetre, stiffest_oil / square_millimetre));
+}
+
 bool within(const TemperatureRange& range, double temperature)
 {
     return temperature >= range.lowest - range_rounding && temperature <= range.highest + range_rounding;
@@ -66,7 +78,9 @@ LawValue ViscosityCurve::operator()(double temperature) const
     const auto i = static_cast<std::size_t>(above - temperature_.begin());
     const double slope = (log_viscosity_[i] - log_viscosity_[i - 1]) / (temperature_[i] - temperature_[i - 1]);
     const double value = std::exp(log_viscosity_[i - 1] + slope * (temperature - temperature_[i - 1]));
-    return {value, slope * value, within({temperature_.front(), temperature_.back()}, temperature)};
+    const bool in_range = within({temperature_.front(), temperature_.back()}, temperature);
+    const LawValue result{value, slope * value, in_range};
+    return in_range ? result : flowing(result, temperature, "the end slope of its table");
 }
 
 Walther walther_through(const ViscosityPoint& colder, const ViscosityPoint& warmer, TemperatureRange range)
@@ -94,10 +108,10 @@ ViscosityLaw walther_viscosity(const Walther& line)
         const double inner = std::pow(10.0, line.a - line.b * std::log10(temperature));
         const double shifted = std::pow(10.0, inner);
         const double viscosity = shifted - walther_shift;
-        require_positive_state("oil viscosity by Walther [mm2/s]", viscosity);
         const double slope = -shifted * std::numbers::ln10 * inner * line.b / temperature;
-        return LawValue{viscosity * square_millimetre, slope * square_millimetre,
-                        within(line.range, temperature) && viscosity >= walther_least};
+        return flowing({viscosity * square_millimetre, slope * square_millimetre,
+                        within(line.range, temperature) && viscosity >= walther_least},
+                       temperature, "the line of ASTM D341");
     };
 }
 
@@ -112,8 +126,8 @@ ViscosityLaw vogel_viscosity(const Vogel& formula)
         const double above = temperature - formula.pole;
         require_positive_state("oil temperature above the pole of Vogel's formula [K]", above);
         const double viscosity = formula.factor * std::exp(formula.b / above);
-        require_positive_state("oil viscosity by Vogel [m2/s]", viscosity);
-        return LawValue{viscosity, -viscosity * formula.b / (above * above), within(formula.range, temperature)};
+        return flowing({viscosity, -viscosity * formula.b / (above * above), within(formula.range, temperature)},
+                       temperature, "Vogel's formula");
     };
 }
 

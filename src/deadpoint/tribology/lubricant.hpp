@@ -14,6 +14,11 @@ using ViscosityLaw = std::function<LawValue(double temperature)>;
 /// Density [kg/m3] over the temperature [K].
 using DensityLaw = std::function<LawValue(double temperature)>;
 
+/// Kinematic viscosities of what flows as a lubricant: from below the thinnest fuels and gases' liquids to an oil at
+/// its pour point, which has some 1e5 to 1e6 mm2/s. A law that leaves them has been continued too far [m2/s].
+inline constexpr double thinnest_oil = 1e-7;
+inline constexpr double stiffest_oil = 1;
+
 /// Kinematic viscosity over temperature: ln nu is linear between the points and goes on with the end slopes beyond
 /// them, where it is flagged as out of range.
 class ViscosityCurve {
@@ -24,6 +29,7 @@ public:
     ViscosityCurve(std::vector<double> temperature, std::vector<double> viscosity);
 
     /// Viscosity [m2/s] and its derivative [m2/s/K]; at a point, the derivative of the side above it.
+    /// @throws DomainError where the end slopes lead beyond thinnest_oil and stiffest_oil
     [[nodiscard]] LawValue operator()(double temperature) const;
 
 private:
@@ -57,7 +63,7 @@ Walther walther_through(const ViscosityPoint& colder, const ViscosityPoint& warm
 
 /// Viscosity by the Walther line; flagged outside its range and below 2 mm2/s, where D341 needs further terms.
 ///
-/// @throws InputError if b is not positive; the law throws DomainError where the viscosity overflows (deep cold)
+/// @throws InputError if b is not positive; the law throws DomainError beyond thinnest_oil and stiffest_oil
 ViscosityLaw walther_viscosity(const Walther& line);
 
 /// nu = factor exp(b / (T - pole)) (Vogel 1921, as Cameron uses it with the pole at -95 degC).
@@ -71,7 +77,7 @@ struct Vogel {
 /// Viscosity by Vogel's formula; flagged outside its range.
 ///
 /// @throws InputError if factor or b is not positive, or the pole lies inside the range; the law throws DomainError
-///         at the pole and below
+///         at the pole and below, and beyond thinnest_oil and stiffest_oil
 ViscosityLaw vogel_viscosity(const Vogel& formula);
 
 /// Density rho = density (1 - expansion (T - temperature)) (linear; mineral oil expands by 6.5e-4 to 7.5e-4 per
