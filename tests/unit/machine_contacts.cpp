@@ -206,6 +206,69 @@ TEST_CASE("'within' clips contacts exactly")
     CHECK(build(pin).interfaces[0].area == Approx(pi * 0.08 * 0.028).epsilon(1e-9));
 }
 
+TEST_CASE("a box takes shares of faces, on cylinders by the arc")
+{
+    // A pin of 100 mm about (10, 20) mm, 24 segments or more, its faces cut by the box at any angle.
+    MachineDescription description;
+    description.parts = {part("pin", "a", {add(cylinder(Axis::z, {0.01, 0.02}, 0.1, 0, 0.06))}, 0.02)};
+    SurfaceDescription side{"side", on_cylinder("pin", {0.01, 0.02}, 0.1)};
+    const auto share = [&](const BoxShape& box) {
+        side.selector.within = std::nullopt;
+        SurfaceDescription part_of_it = side;
+        part_of_it.selector.within = box;
+        description.surfaces = {side, part_of_it};
+        const Machine machine = build(description);
+        return machine.surfaces[1].area / machine.surfaces[0].area;
+    };
+    constexpr double everywhere = 1000;
+    // half of it, a third that ends beside the faces' edges, a strip through faces, two strips with nothing between
+    const auto right_of = [&](double x) {
+        return BoxShape{{x, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}};
+    };
+    CHECK(share(right_of(0.01)) == Approx(0.5).epsilon(1e-9));
+    CHECK(share(right_of(0.01 + 0.05 * std::cos(1.0))) == Approx(1 / pi).epsilon(1e-9));
+    const auto strip = [&](double from, double to) {
+        return BoxShape{{-everywhere, 0.02 + from, -everywhere}, {everywhere, 0.02 + to, everywhere}};
+    };
+    CHECK(share(strip(-0.05 * std::sin(0.1), 0.05 * std::sin(0.2))) == Approx(2 * 0.3 / (2 * pi)).epsilon(1e-9));
+    // the cap left out lies within one face's sagitta
+    const double cap = 0.05 * std::cos(0.06);
+    CHECK(share(strip(-0.06, cap)) == Approx(1 - 2 * 0.06 / (2 * pi)).epsilon(1e-9));
+    // along the axis, 17 of 60 mm, between the layers of cells
+    CHECK(share({{-everywhere, -everywhere, 0.013}, {everywhere, everywhere, 0.03}}) ==
+          Approx(17.0 / 60).epsilon(1e-9));
+}
+
+TEST_CASE("a box cuts planes that are inclined, and faces whose middle lies outside go by area alone")
+{
+    // the long side of a triangle of 300 x 400 mm, 100 mm thick; what of it lies left of x = 113 mm
+    MachineDescription description;
+    OutlineShape triangle{Axis::z, {{0, 0}, {0.3, 0}, {0, 0.4}}, {}, 0, 0.1};
+    description.parts = {part("wedge", "a", {add(triangle)}, 0.07)};
+    SurfaceDescription left{"left", {}};
+    left.selector.within = BoxShape{{0.001, 0.001, 0.001}, {0.113, 1, 0.099}};
+    description.surfaces = {left};
+    const Machine machine = build(description);
+    CHECK(machine.surfaces[0].area == Approx(0.112 * 5.0 / 3 * 0.098).epsilon(1e-9));
+    for (const SurfaceFace& entry : machine.surfaces[0].faces) {
+        const Face& face = machine.faces[entry.face];
+        double middle = 0;
+        for (const std::uint32_t node : face.nodes) {
+            middle += machine.nodes[node][0] / 4;
+        }
+        CHECK(entry.central == (middle < 0.113));
+    }
+}
+
+TEST_CASE("a contact clipped to half of its cylinder has half of its area")
+{
+    MachineDescription description = pin_in_bore(0, 0.06);
+    description.interfaces[0].a.within = BoxShape{{-1, 0.02 + 0.04 * std::sin(0.3), -1}, {1, 1, 1}};
+    const Machine machine = build(description);
+    CHECK(machine.interfaces[0].area == Approx((pi - 0.6) * 0.04 * 0.06).epsilon(1e-9));
+    CHECK(machine.interfaces[0].coverage() == Approx(1).epsilon(1e-9));
+}
+
 TEST_CASE("an interface joins one part to one part")
 {
     MachineDescription description;
@@ -280,7 +343,8 @@ TEST_CASE("exterior = exposed + contacts + bonds, and surfaces select")
     }
     CHECK(machine.surfaces[0].area == Approx(open).epsilon(1e-12));
     CHECK(machine.surfaces[1].area == Approx(0.09 * 0.1).epsilon(1e-12));
-    CHECK(machine.surfaces[2].area == Approx(0.09 * 0.2).epsilon(1e-12));  // the block's underside
+    // the undersides of block and eye, and of their upright faces a strip of 1 um
+    CHECK(machine.surfaces[2].area == Approx(0.095 * 0.2 + 1e-6 * 0.6).epsilon(1e-4));
 
     description.surfaces = {{"none", on_plane("block", Axis::y, 0.125)}};
     CHECK(contains(complaint(description), "surface 'none': plane y = 125 mm of part 'block' matches no face; the "

@@ -114,6 +114,8 @@ struct Surface {
     std::string select;  ///< "exposed", "all", "plane", "cylinder", "box", "group"
     std::string axis;    ///< "x", "y", "z"
     std::optional<double> position;
+    Vec3 normal{};  ///< of an inclined plane, of any length, either way; else 0
+    Vec3 point{};   ///< on an inclined plane [m]
     std::optional<Vec2> centre;
     std::optional<double> diameter;
     std::string group;

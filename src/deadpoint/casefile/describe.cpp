@@ -177,7 +177,8 @@ void describe(Visitor& v, Lubricant& l)
     choose(v,
            {"law",
             "`table`: log-linear between the points of `viscosity`, going on with the end slopes (and warned about) "
-            "beyond them; `walther`: the line of ASTM D341 through its two points; `vogel`: nu = vogel_factor "
+            "beyond them, but not beyond what flows (0.1 to 1e6 mm^2/s); `walther`: the line of ASTM D341 through its "
+            "two points; `vogel`: nu = vogel_factor "
             "exp(vogel_b / (T - vogel_pole))"},
            l.law, {"table", "walther", "vogel"});
     v.curve({"viscosity", "kinematic viscosity of `table` and `walther`", l.law == "vogel" ? optional : need},
@@ -351,10 +352,18 @@ void describe(Visitor& v, Surface& s)
            {"exposed", "all", "plane", "cylinder", "box", "group"});
     choose(v, {"axis", "normal of the plane, axis of the cylinder"}, s.axis, {"x", "y", "z"});
     v.quantity({"position", "of the plane along its normal"}, s.position, D::length, any_value);
+    v.vector({"normal", "of a plane that is inclined, of any length and either way, in place of `axis`"}, s.normal,
+             D::none);
+    const bool inclined = s.normal != Vec3{};
+    v.vector({"point", "x, y, z of a point on the plane with that normal", inclined ? required : optional}, s.point,
+             D::length);
     v.vector({"centre", across}, s.centre, D::length);
     v.quantity({"diameter", "of the cylinder"}, s.diameter, D::length, positive);
     v.text({"group", "physical group of the part's mesh or STEP file"}, s.group);
-    v.table({"within", "only what lies in this box"}, s.within);
+    v.table({"within",
+             "only what lies in this box: faces that reach out of it count by the share of their area inside, "
+             "and prescribed temperatures, supports and corners take those whose middle is inside"},
+            s.within);
     v.table({"film", "convection and radiation"}, s.film);
     v.course({"temperature", "prescribed temperature"}, s.temperature, D::temperature, absolute_temperature);
     v.text({"temperature_formula",
@@ -364,8 +373,12 @@ void describe(Visitor& v, Surface& s)
     v.flag({"insulated", "no heat passes; takes its faces from an `exposed` surface"}, s.insulated);
     const bool plane = s.select == "plane";
     const bool cylinder = s.select == "cylinder";
-    v.expect(!(plane || cylinder) || !s.axis.empty(), "select", "the selection needs an `axis`", "add axis = \"z\"");
-    v.expect(!plane || s.position, "select", "a plane needs its `position`", "add position = \"0 mm\"");
+    v.expect(!(plane || cylinder) || inclined || !s.axis.empty(), "select", "the selection needs an `axis`",
+             "add axis = \"z\"");
+    v.expect(!plane || inclined || s.position, "select", "a plane needs its `position`", "add position = \"0 mm\"");
+    v.expect(!inclined || (plane && s.axis.empty() && !s.position), "normal",
+             "a normal belongs to a plane that has neither `axis` nor `position`",
+             "keep normal = [0.6, 0.8, 0] with a point, or axis and position");
     v.expect(!cylinder || (s.centre && s.diameter), "select", "a cylinder needs `centre` and `diameter`",
              "add both, like centre = [\"0 mm\", \"0 mm\"], diameter = \"80 mm\"");
     v.expect(s.select != "box" || s.within, "select", "a box needs `within`",

@@ -21,6 +21,8 @@ std::vector<FacePlace> nodes_of(const Machine& machine, int surface)
 {
     std::vector<FacePlace> places;
     for (const auto& entry : machine.surfaces[surface].faces) {
+        if (!entry.central)
+            continue;
         const auto& face = machine.faces[entry.face];
         for (int i = 0; i < face.node_count; ++i)
             places.push_back({entry.face, machine.nodes[face.nodes[i]]});

@@ -1,5 +1,7 @@
 #include "deadpoint/exchange/face_points.hpp"
 
+#include "deadpoint/exchange/round_edges.hpp"
+
 #include <cmath>
 
 namespace deadpoint {
@@ -40,15 +42,60 @@ std::vector<FacePoint> triangle_points(const Vec3& p0, const Vec3& p1, const Vec
     return points;
 }
 
+/// The rule of a face in its local coordinates, which are the positions' first two.
+const std::vector<FacePoint>& local_rule(const Face& face)
+{
+    static const auto four = quadrilateral_points({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+    static const auto three = triangle_points({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    return face.node_count == 3 ? three : four;
+}
+
+std::vector<FacePoint> round_points(const Machine& machine, const Face& face)
+{
+    std::vector<FacePoint> points;
+    for (const auto& at : local_rule(face)) {
+        const auto place = place_on(machine, face, {at.position[0], at.position[1]});
+        points.push_back({place.position, at.weight * norm(cross(place.along_r, place.along_s))});
+    }
+    return points;
+}
+
 }  // namespace
 
 std::vector<FacePoint> face_points(const Machine& machine, const Face& face)
 {
+    if (is_round(machine, face))
+        return round_points(machine, face);
     const auto& x = machine.nodes;
     const auto& n = face.nodes;
     if (face.node_count == 3)
         return triangle_points(x[n[0]], x[n[1]], x[n[2]]);
     return quadrilateral_points(x[n[0]], x[n[1]], x[n[2]], x[n[3]]);
+}
+
+double face_area(const Machine& machine, const Face& face)
+{
+    double area = 0;
+    if (is_round(machine, face)) {
+        for (const auto& point : round_points(machine, face))
+            area += point.weight;
+        return area;
+    }
+    const auto& x = machine.nodes;
+    const auto& n = face.nodes;
+    for (int i = 2; i < face.node_count; ++i)
+        area += 0.5 * norm(cross(x[n[i - 1]] - x[n[0]], x[n[i]] - x[n[0]]));
+    return area;
+}
+
+double face_volume(const Machine& machine, const Face& face)
+{
+    double sum = 0;
+    for (const auto& at : local_rule(face)) {
+        const auto place = place_on(machine, face, {at.position[0], at.position[1]});
+        sum += at.weight * dot(place.position, cross(place.along_r, place.along_s)) / 3;
+    }
+    return sum;
 }
 
 }  // namespace deadpoint

@@ -82,6 +82,8 @@ struct PartDescription {
     double density = 0;       ///< [kg/m3], for masses only
     Vec3 translation{};       ///< applied to STEP and mesh sources after scaling [m]
     bool tetrahedra = false;  ///< mesh with tetrahedra even where hexahedra would do
+    /// Its elements are: its edges on cylinders are round then, and its contacts get the points that these need.
+    bool second_order = false;
 };
 
 /// Which exterior faces of which parts. All conditions given must hold.
@@ -91,10 +93,12 @@ struct SurfaceSelector {
     std::vector<std::string> parts;  ///< names or patterns with * ; empty: every part
     Axis axis = Axis::z;             ///< plane: its normal; cylinder: its axis
     double position = 0;             ///< plane: coordinate along its normal [m]
+    std::optional<Vec3> normal;      ///< plane: in place of `axis`, either way; exact to 1 mrad
+    Vec3 point{};                    ///< plane: on it, where `normal` is given [m]
     Vec2 centre{};                   ///< cylinder: across its axis [m]
     double diameter = 0;             ///< cylinder [m]
     std::string group;               ///< name of a physical surface of a mesh or STEP source
-    /// Only what lies in this box. Whole faces are taken by their centre; contacts are clipped exactly.
+    /// Only what lies in this box: shares of faces, and contacts clipped to it.
     std::optional<BoxShape> within;
 };
 
@@ -134,7 +138,6 @@ struct MachineDescription {
     double size = 0.03;                 ///< wanted cell size where a part gives none [m]
     double size_scale = 1;              ///< scales every size
     double seam_tolerance = 1e-5;       ///< surfaces of shapes of one part that are this close are made one [m]
-    bool second_order = false;          ///< some elements are: contacts get the integration points that these need
     bool half_model = false;            ///< keep x <= 0 only; the cut faces become the symmetry plane
     std::vector<std::string> unbonded;  ///< pairs "a|b" (patterns) of one body that touch without being bonded
 };
@@ -179,7 +182,7 @@ struct MeshPart {
     std::uint32_t first_cell = 0;
     std::uint32_t cell_count = 0;
     CellKind kind = CellKind::hexahedron;
-    double volume = 0;         ///< of the mesh [m3], this model (half of a cut part)
+    double volume = 0;         ///< of the mesh, round edges included [m3], this model (half of a cut part)
     double mass = 0;           ///< volume times density [kg]
     bool cut = false;          ///< cut by the symmetry plane
     double exterior_area = 0;  ///< [m2], without the symmetry plane
@@ -193,8 +196,8 @@ struct MeshPart {
 struct ContactPoint {
     std::uint32_t face_a = 0;
     std::uint32_t face_b = 0;
-    Vec3 position_a{};  ///< on the facet of face a
-    Vec3 position_b{};  ///< on the facet of face b
+    Vec3 position_a{};  ///< on face a: its facet, or where its edges are round the surface that they span
+    Vec3 position_b{};  ///< on face b
     Vec3 normal{};      ///< unit, out of a into b, of the true (not faceted) surface
     double weight = 0;  ///< area [m2], times the share of time it is in contact; sums to Contact::area
 };
@@ -229,7 +232,8 @@ struct Contact {
 
 struct SurfaceFace {
     std::uint32_t face = 0;
-    double fraction = 1;  ///< share of the face that is exposed (or in the selection)
+    double fraction = 1;  ///< share of the face's area that is exposed, or in the selection
+    bool central = true;  ///< its centre is in the selection: for what goes by nodes and not by area
 };
 
 struct MeshSurface {
@@ -245,9 +249,17 @@ struct Overlap {
     double depth = 0;  ///< [m]
 };
 
+/// An edge of a cylinder in a part of second order. It is the parabola through its nodes and its middle, which lies on
+/// the cylinder; faces and cells follow it as in elements with nodes in the middle of edges (exchange/round_edges).
+struct RoundEdge {
+    std::array<std::uint32_t, 2> nodes{};  ///< ascending
+    Vec3 bulge{};                          ///< from the middle of the chord to the middle of the edge [m]
+};
+
 /// The meshed machine.
 struct Machine {
     std::vector<Vec3> nodes;
+    std::vector<RoundEdge> round_edges;  ///< ascending by their nodes; edges that are not listed are straight
     std::vector<Cell> cells;
     std::vector<std::uint32_t> piece_of_cell;  ///< within its part, from 0; none where every part is one piece
     std::vector<Face> faces;

@@ -172,7 +172,7 @@ void ElasticSolver::find_supports(const Foundation& foundation)
     if (foundation.surface >= 0)
         for (const auto& foot : space_.machine.surfaces[foundation.surface].faces)
             for (const int component : {0, 1, 2})
-                if (foot_normal_[static_cast<std::size_t>(component)] != 0 || sideways)
+                if ((foot_normal_[static_cast<std::size_t>(component)] != 0 || sideways) && (elastic || foot.central))
                     collect(foot.face, component, feet);
     if (!elastic)
         held.insert(feet.begin(), feet.end());

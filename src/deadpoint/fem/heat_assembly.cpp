@@ -236,7 +236,7 @@ void HeatSolver::assemble_films(Mat stiffness) const
         const auto& condition = *film.condition;
         if (condition.kind != SurfaceCondition::Kind::film || depends_on_temperature(condition))
             continue;
-        for (const auto& [index, fraction] : space_.machine.surfaces[condition.surface].faces) {
+        for (const auto& [index, fraction, central] : space_.machine.surfaces[condition.surface].faces) {
             if (!space_.cell(space_.machine.faces[index].cell)->is_locally_owned())
                 continue;
             for (const auto& point : face_points(space_.machine, space_.machine.faces[index])) {

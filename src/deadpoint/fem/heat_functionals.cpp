@@ -288,7 +288,7 @@ void HeatSolver::prepare_body_heat()
         if (heat.surface >= 0) {
             std::vector<std::pair<PetscInt, double>> entries;
             PointShape shape;
-            for (const auto& [index, fraction] : machine.surfaces[heat.surface].faces)
+            for (const auto& [index, fraction, central] : machine.surfaces[heat.surface].faces)
                 for (const auto& point : face_points(machine, machine.faces[index])) {
                     space_.evaluate(index, point.position, false, shape);
                     append(entries, shape, fraction * point.weight);
@@ -315,7 +315,7 @@ void HeatSolver::prepare_films()
         const bool variable = condition.kind == SurfaceCondition::Kind::film && depends_on_temperature(condition);
         variable_films_ = variable_films_ || variable;
         PointShape shape;
-        for (const auto& [index, fraction] : machine.surfaces[condition.surface].faces) {
+        for (const auto& [index, fraction, central] : machine.surfaces[condition.surface].faces) {
             const bool mine = space_.cell(machine.faces[index].cell)->is_locally_owned();
             for (const auto& point : face_points(machine, machine.faces[index])) {
                 space_.evaluate(index, point.position, false, shape);
@@ -340,7 +340,9 @@ void HeatSolver::prepare_prescribed()
     for (const auto& condition : problem_->surfaces) {
         if (condition.kind != SurfaceCondition::Kind::temperature)
             continue;
-        for (const auto& [index, fraction] : space_.machine.surfaces[condition.surface].faces) {
+        for (const auto& [index, fraction, central] : space_.machine.surfaces[condition.surface].faces) {
+            if (!central)
+                continue;
             const auto cell = space_.cell(space_.machine.faces[index].cell);
             const auto& element = cell->get_fe();
             const auto& mapping = space_.mappings[cell->active_fe_index()];

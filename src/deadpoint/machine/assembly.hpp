@@ -19,7 +19,7 @@ struct Assembly {
     std::vector<std::uint32_t> part_of_geometry;
     std::vector<std::vector<std::uint32_t>> faces_of_geometry;  ///< without those on the symmetry plane
     std::vector<BoxShape> bounds;                               ///< of each part
-    bool second_order = false;                                  ///< as MachineDescription says
+    bool second_order = false;                                  ///< some part is
 };
 
 /// Appends the mesh of a part: renumbers, measures, flags the symmetry plane.

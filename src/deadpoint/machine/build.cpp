@@ -12,6 +12,7 @@
 #include "deadpoint/machine/layers.hpp"
 #include "deadpoint/machine/overlaps.hpp"
 #include "deadpoint/machine/polygon.hpp"
+#include "deadpoint/machine/round.hpp"
 #include "deadpoint/machine/seams.hpp"
 #include "deadpoint/machine/select.hpp"
 #include "deadpoint/machine/solids.hpp"
@@ -252,6 +253,18 @@ void check_imported(const MeshPart& part, Observer& observer)
     }
 }
 
+void make_round(Machine& machine, const PartDescription& part, Observer& observer)
+{
+    if (!part.second_order) {
+        return;
+    }
+    if (const std::size_t straight = add_round_edges(machine, part.density); straight > 0) {
+        observer.info(fmt::format("part '{}': {} cells are too thin for round edges and keep straight ones; make its "
+                                  "cells smaller along the circumference",
+                                  part.name, straight));
+    }
+}
+
 std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description, Assembly& assembly,
                                            Observer& observer)
 {
@@ -276,6 +289,7 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
             continue;
         }
         append(assembly, part, std::move(mesh));
+        make_round(assembly.machine, part, observer);
         if (std::holds_alternative<MeshSource>(part.source)) {
             check_imported(assembly.machine.parts.back(), observer);
         }
@@ -331,7 +345,7 @@ void connect(const MachineDescription& description, Assembly& assembly)
     machine.exposed_fraction = exposed_fractions(machine, covered);
     for (std::size_t i = 0; i < machine.faces.size(); ++i) {
         const Face& face = machine.faces[i];
-        machine.parts[face.part].exposed_area += machine.exposed_fraction[i] * area(face, machine.nodes);
+        machine.parts[face.part].exposed_area += machine.exposed_fraction[i] * area(machine, face);
     }
 }
 
@@ -386,7 +400,7 @@ Machine build_machine(const MachineDescription& description, Observer& observer)
     check(description);
     observer.stage("mesh");
     Assembly assembly;
-    assembly.second_order = description.second_order;
+    assembly.second_order = std::ranges::any_of(description.parts, &PartDescription::second_order);
     assembly.machine.half_model = description.half_model;
     const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, observer);
     inspect(assembly, description.seam_tolerance, observer);

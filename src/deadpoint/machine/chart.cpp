@@ -23,6 +23,11 @@ std::array<Vec3, 2> frame_across(const Vec3& direction)
     return {first, cross(direction, first)};
 }
 
+/// Cosines below this are 0 [-].
+constexpr double level = 1e-9;
+/// A plane so close to a face of a box lies in it [m].
+constexpr double face_slack = 1e-6;
+
 bool parallel(const Vec3& a, const Vec3& b) { return norm(cross(a, b)) < 1e-6; }
 
 }  // namespace
@@ -38,6 +43,7 @@ Chart::Chart(const FaceGeometry& geometry)
         period_ = 2 * std::numbers::pi * radius_;
     } else {
         third_ = std::get<PlaneGeometry>(geometry).normal;
+        offset_ = std::get<PlaneGeometry>(geometry).offset;
     }
     const auto frame = frame_across(third_);
     first_ = frame[0];
@@ -51,6 +57,15 @@ Vec2 Chart::parameters(const Vec3& point) const
         return {dot(arm, first_), dot(arm, second_)};
     }
     return {radius_ * std::atan2(dot(arm, second_), dot(arm, first_)), dot(arm, third_)};
+}
+
+Vec2 Chart::way(const Vec3& point, const Vec2& wanted) const
+{
+    Vec2 result = wanted - parameters(point);
+    if (cylinder_) {
+        result[0] -= period_ * std::round(result[0] / period_);
+    }
+    return result;
 }
 
 ChartFace Chart::flatten(const Face& face, std::uint32_t index, const std::vector<Vec3>& nodes) const
@@ -82,24 +97,85 @@ ChartFace Chart::flatten(const Face& face, std::uint32_t index, const std::vecto
     return result;
 }
 
-void Chart::clip(ChartFace& chart_face, const Vec3& face_centre, const BoxShape& box) const
+Vec3 Chart::position(const Vec2& point) const
 {
-    for (std::size_t i = 0; i < 3 && !chart_face.polygon.empty(); ++i) {
-        // coordinate i = constant + dot(slope, parameters), on a cylinder only along its axis
-        const Vec2 slope = cylinder_ ? Vec2{0, third_[i]} : Vec2{first_[i], second_[i]};
-        const bool linear = norm(slope) > 1e-9 && (!cylinder_ || std::abs(std::abs(third_[i]) - 1) < 1e-9);
-        if (!linear) {
-            constexpr double slack = 1e-6;
-            const bool in = face_centre[i] > box.min[i] - slack && face_centre[i] < box.max[i] + slack;
-            if (!in) {
-                chart_face.polygon.clear();
-            }
-            continue;
-        }
-        const double constant = cylinder_ ? origin_[i] : dot(face_centre, third_) * third_[i];
-        chart_face.polygon = clipped(chart_face.polygon, {slope, box.max[i] - constant});
-        chart_face.polygon = clipped(chart_face.polygon, {-1.0 * slope, constant - box.min[i]});
+    if (!cylinder_) {
+        return offset_ * third_ + point[0] * first_ + point[1] * second_;
     }
+    const double angle = point[0] / radius_;
+    return origin_ + (radius_ * std::cos(angle)) * first_ + (radius_ * std::sin(angle)) * second_ + point[1] * third_;
+}
+
+// What of polygons lies less than half a width from an angle of the cylinder.
+std::vector<Polygon> Chart::on_arc(const std::vector<Polygon>& polygons, double middle, double half_width) const
+{
+    std::vector<Polygon> pieces;
+    for (const Polygon& polygon : polygons) {
+        for (int turn = -1; turn <= 1; ++turn) {
+            const double centre = radius_ * middle + turn * period_;
+            const double reach = radius_ * half_width;
+            const Polygon below = clipped(polygon, HalfPlane{{1, 0}, centre + reach});
+            pieces.push_back(clipped(below, HalfPlane{{-1, 0}, reach - centre}));
+        }
+    }
+    std::erase_if(pieces, [](const Polygon& piece) { return piece.empty(); });
+    return pieces;
+}
+
+// x_i = origin_i + radius cos(angle - direction) where the axis lies across coordinate i; low and high by the radius.
+std::vector<Polygon> Chart::between_angles(const Polygon& polygon, std::size_t axis, double low, double high) const
+{
+    const double direction = std::atan2(second_[axis], first_[axis]);
+    if (low >= 1 || high <= -1) {
+        return {};
+    }
+    std::vector<Polygon> pieces(1, polygon);
+    if (low > -1) {
+        pieces = on_arc(pieces, direction, std::acos(low));
+    }
+    if (high < 1) {
+        pieces = on_arc(pieces, direction + std::numbers::pi, std::numbers::pi - std::acos(high));
+    }
+    return pieces;
+}
+
+std::vector<Polygon> Chart::between(const Polygon& polygon, std::size_t axis, double low, double high) const
+{
+    if (cylinder_ && std::abs(third_[axis]) < level) {
+        return between_angles(polygon, axis, (low - origin_[axis]) / radius_, (high - origin_[axis]) / radius_);
+    }
+    const auto above = [&](const Vec2& p) { return position(p)[axis] - high; };
+    const auto below = [&](const Vec2& p) { return low - position(p)[axis]; };
+    std::vector<Polygon> pieces(1, clipped_where(clipped_where(polygon, above), below));
+    std::erase_if(pieces, [](const Polygon& piece) { return piece.empty(); });
+    return pieces;
+}
+
+std::vector<Polygon> Chart::within(const Polygon& polygon, const BoxShape& box) const
+{
+    std::vector<Polygon> pieces(1, polygon);
+    for (std::size_t i = 0; i < 3 && !pieces.empty(); ++i) {
+        // a plane across coordinate i lies in the box, or not
+        const double slack = !cylinder_ && std::abs(third_[i]) > 1 - level ? face_slack : 0;
+        std::vector<Polygon> left;
+        for (const Polygon& piece : pieces) {
+            const auto found = between(piece, i, box.min[i] - slack, box.max[i] + slack);
+            left.insert(left.end(), found.begin(), found.end());
+        }
+        pieces = std::move(left);
+    }
+    return pieces;
+}
+
+double Chart::share_within(const ChartFace& face, const BoxShape& box) const
+{
+    constexpr double noise = 1e-9;
+    double area = 0;
+    for (const Polygon& piece : within(face.polygon, box)) {
+        area += signed_area(piece);
+    }
+    const double share = area / face.full_area;
+    return share > 1 - noise ? 1 : share;
 }
 
 Vec3 Chart::normal(const Vec2& point) const

@@ -14,7 +14,8 @@ struct ChartFace {
     std::uint32_t face = 0;
     int count = 4;
     std::array<Vec2, 4> corners{};
-    double full_area = 0;
+    double full_area = 0;  ///< of the polygons that stand for the face
+    double scale = 1;      ///< true area of the face over that
     Polygon polygon;
 };
 
@@ -25,9 +26,16 @@ public:
 
     /// On a cylinder the face is unrolled, with its middle in [-period/2, period/2).
     [[nodiscard]] ChartFace flatten(const Face& face, std::uint32_t index, const std::vector<Vec3>& nodes) const;
-    /// Clips the polygon of a face: exactly in a plane; on a cylinder along the axis only, whole faces by their centre
-    /// in the other directions.
-    void clip(ChartFace& chart_face, const Vec3& face_centre, const BoxShape& box) const;
+    /// What of a convex polygon lies in a box, in convex pieces: exact in a plane and on a cylinder along a coordinate
+    /// axis; on an oblique cylinder the box's faces are taken as flat across each polygon.
+    [[nodiscard]] std::vector<Polygon> within(const Polygon& polygon, const BoxShape& box) const;
+    /// Share of a face's area that lies in a box, 0..1.
+    [[nodiscard]] double share_within(const ChartFace& face, const BoxShape& box) const;
+    [[nodiscard]] Vec2 parameters(const Vec3& point) const;
+    /// From a point's parameters to these, the shorter way around.
+    [[nodiscard]] Vec2 way(const Vec3& point, const Vec2& parameters) const;
+    /// The point with the given parameters.
+    [[nodiscard]] Vec3 position(const Vec2& parameters) const;
     /// Unit normal of the true surface out of the solid.
     [[nodiscard]] Vec3 normal(const Vec2& parameters) const;
     /// A displacement of the surface in its parameters; none if it leaves the surface by more than `slack` [m]: across
@@ -37,10 +45,15 @@ public:
     [[nodiscard]] double period() const { return period_; }
 
 private:
-    [[nodiscard]] Vec2 parameters(const Vec3& point) const;
+    [[nodiscard]] std::vector<Polygon> between(const Polygon& polygon, std::size_t axis, double low, double high) const;
+    [[nodiscard]] std::vector<Polygon> between_angles(const Polygon& polygon, std::size_t axis, double low,
+                                                      double high) const;
+    [[nodiscard]] std::vector<Polygon> on_arc(const std::vector<Polygon>& polygons, double middle,
+                                              double half_width) const;
 
     bool cylinder_ = false;
-    Vec3 origin_{};
+    Vec3 origin_{};      ///< on the axis of a cylinder; of a plane 0
+    double offset_ = 0;  ///< of a plane along its normal
     Vec3 first_{};
     Vec3 second_{};
     Vec3 third_{};  ///< normal of the plane, axis of the cylinder

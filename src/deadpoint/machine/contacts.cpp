@@ -2,8 +2,11 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/pattern.hpp"
+#include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/exchange/round_edges.hpp"
 #include "deadpoint/machine/build.hpp"
 #include "deadpoint/machine/chart.hpp"
+#include "deadpoint/machine/round.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -127,6 +130,56 @@ FacesByGeometry by_geometry(const Machine& machine, const std::vector<std::uint3
     return result;
 }
 
+/// A point of the boundary of a face: local coordinates a share of the way along an edge.
+Vec2 on_edge(int node_count, int edge, double share)
+{
+    static constexpr std::array<Vec2, 4> four{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    static constexpr std::array<Vec2, 3> three{{{0, 0}, {1, 0}, {0, 1}}};
+    const auto corner = [&](int i) { return node_count == 3 ? three[i % 3] : four[i % 4]; };
+    return (1 - share) * corner(edge) + share * corner(edge + 1);
+}
+
+/// A plane face with round edges as triangles around its middle, its round edges in chords of a sixth.
+std::vector<Polygon> fan_of(const Machine& machine, const Chart& chart, const Face& face)
+{
+    constexpr int chords = 6;
+    std::vector<Vec2> outline;
+    const auto place = [&](const Vec2& local) { return chart.parameters(place_on(machine, face, local).position); };
+    for (int i = 0; i < face.node_count; ++i) {
+        const bool round = bulge(machine, face.nodes[i], face.nodes[(i + 1) % face.node_count]) != Vec3{};
+        const int pieces = round ? chords : 1;
+        for (int k = 0; k < pieces; ++k) {
+            outline.push_back(place(on_edge(face.node_count, i, static_cast<double>(k) / pieces)));
+        }
+    }
+    const Vec2 middle = place(face.node_count == 3 ? Vec2{1.0 / 3, 1.0 / 3} : Vec2{0.5, 0.5});
+    std::vector<Polygon> triangles;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        Polygon triangle{middle, outline[i], outline[(i + 1) % outline.size()]};
+        if (signed_area(triangle) < 0) {
+            std::swap(triangle[1], triangle[2]);
+        }
+        triangles.push_back(std::move(triangle));
+    }
+    return triangles;
+}
+
+/// The polygons of a face in a chart: its own, or those of its fan, which then count by the face's true area.
+std::vector<Polygon> outlines(const Machine& machine, const Chart& chart, ChartFace& chart_face)
+{
+    const Face& face = machine.faces[chart_face.face];
+    if (chart.period() > 0 || !is_round(machine, face)) {
+        return {1, chart_face.polygon};
+    }
+    std::vector<Polygon> triangles = fan_of(machine, chart, face);
+    chart_face.full_area = 0;
+    for (const Polygon& triangle : triangles) {
+        chart_face.full_area += signed_area(triangle);
+    }
+    chart_face.scale = face_area(machine, face) / chart_face.full_area;
+    return triangles;
+}
+
 std::vector<ChartFace> flattened(const Machine& machine, const Chart& chart, const std::vector<std::uint32_t>& faces,
                                  const std::optional<BoxShape>& within)
 {
@@ -134,11 +187,11 @@ std::vector<ChartFace> flattened(const Machine& machine, const Chart& chart, con
     result.reserve(faces.size());
     for (const std::uint32_t index : faces) {
         ChartFace face = chart.flatten(machine.faces[index], index, machine.nodes);
-        if (within) {
-            chart.clip(face, centre(machine.faces[index], machine.nodes), *within);
-        }
-        if (!face.polygon.empty()) {
-            result.push_back(std::move(face));
+        for (const Polygon& outline : outlines(machine, chart, face)) {
+            for (const Polygon& piece : within ? chart.within(outline, *within) : std::vector<Polygon>(1, outline)) {
+                face.polygon = piece;
+                result.push_back(face);
+            }
         }
     }
     return result;
@@ -150,13 +203,13 @@ double total_area(const Machine& machine, const FacesByGeometry& sides, const st
     for (const auto& [geometry, faces] : sides) {
         if (std::holds_alternative<FreeformGeometry>(machine.geometries[geometry])) {
             for (const std::uint32_t face : faces) {
-                sum += area(machine.faces[face], machine.nodes);
+                sum += area(machine, machine.faces[face]);
             }
             continue;
         }
         const Chart chart(machine.geometries[geometry]);
         for (const ChartFace& face : flattened(machine, chart, faces, within)) {
-            sum += signed_area(face.polygon);
+            sum += face.scale * signed_area(face.polygon);
         }
     }
     return sum;
@@ -214,6 +267,23 @@ private:
         Vec2 shift;
     };
 
+    /// The point of a face with the given parameters; where its edges are round, corrected until it has them.
+    [[nodiscard]] Vec3 place(const ChartFace& face, const Vec2& parameters) const
+    {
+        const Face& on = machine_.faces[face.face];
+        Vec2 target = parameters;
+        if (!is_round(machine_, on)) {
+            return position_on(on, machine_.nodes, local_coordinates(face, target));
+        }
+        constexpr int corrections = 8;
+        Vec3 position{};
+        for (int i = 0; i < corrections; ++i) {
+            position = place_on(machine_, on, local_coordinates(face, target)).position;
+            target = target + chart_.way(position, parameters);
+        }
+        return position;
+    }
+
     double add_pair(const ChartFace& a, const Polygon& polygon, const Vec2& shift, const Copy& copy,
                     const TravelStop& stop, const Sink& sink)
     {
@@ -222,14 +292,15 @@ private:
         if (common.empty()) {
             return 0;
         }
-        const double area = signed_area(common);
-        if (area < least_share * std::min(a.full_area, b.full_area)) {
+        const double flat = signed_area(common);
+        if (flat < least_share * std::min(a.full_area, b.full_area)) {
             return 0;
         }
         if (sink.covered) {
-            (*sink.covered)[a.face] += stop.share * area / a.full_area;
-            (*sink.covered)[b.face] += stop.share * area / b.full_area;
+            (*sink.covered)[a.face] += stop.share * flat / a.full_area;
+            (*sink.covered)[b.face] += stop.share * flat / b.full_area;
         }
+        const double area = a.scale * flat;
         if (!sink.points) {
             return area;
         }
@@ -239,12 +310,10 @@ private:
             ContactPoint contact;
             contact.face_a = a.face;
             contact.face_b = b.face;
-            contact.position_a =
-                position_on(machine_.faces[a.face], machine_.nodes, local_coordinates(a, point.position - shift));
-            contact.position_b =
-                position_on(machine_.faces[b.face], machine_.nodes, local_coordinates(b, point.position - copy.shift));
+            contact.position_a = place(a, point.position - shift);
+            contact.position_b = place(b, point.position - copy.shift);
             contact.normal = chart_.normal(point.position);
-            contact.weight = stop.share * point.weight;
+            contact.weight = a.scale * stop.share * point.weight;
             *sink.max_gap = std::max(*sink.max_gap, norm(contact.position_b - (contact.position_a + stop.offset)));
             sink.points->push_back(contact);
         }

@@ -63,6 +63,29 @@ void append_quadrilateral(const Vec2& a, const Vec2& b, const Vec2& c, const Vec
     }
 }
 
+template <typename Excess>
+Polygon kept(const Polygon& polygon, const Excess& excess)
+{
+    Polygon result;
+    result.reserve(polygon.size() + 1);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2& p = polygon[i];
+        const Vec2& q = polygon[(i + 1) % polygon.size()];
+        const double dp = excess(p);
+        const double dq = excess(q);
+        if (dp <= 0) {
+            result.push_back(p);
+        }
+        if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) {
+            result.push_back(p + (dp / (dp - dq)) * (q - p));
+        }
+    }
+    if (result.size() < 3) {
+        result.clear();
+    }
+    return result;
+}
+
 }  // namespace
 
 double signed_area(const Polygon& polygon)
@@ -76,24 +99,12 @@ double signed_area(const Polygon& polygon)
 
 Polygon clipped(const Polygon& polygon, const HalfPlane& half_plane)
 {
-    Polygon result;
-    result.reserve(polygon.size() + 1);
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec2& p = polygon[i];
-        const Vec2& q = polygon[(i + 1) % polygon.size()];
-        const double dp = dot(half_plane.normal, p) - half_plane.offset;
-        const double dq = dot(half_plane.normal, q) - half_plane.offset;
-        if (dp <= 0) {
-            result.push_back(p);
-        }
-        if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) {
-            result.push_back(p + (dp / (dp - dq)) * (q - p));
-        }
-    }
-    if (result.size() < 3) {
-        result.clear();
-    }
-    return result;
+    return kept(polygon, [&](const Vec2& p) { return dot(half_plane.normal, p) - half_plane.offset; });
+}
+
+Polygon clipped_where(const Polygon& polygon, const std::function<double(const Vec2&)>& excess)
+{
+    return kept(polygon, excess);
 }
 
 Polygon intersection(const Polygon& subject, const Polygon& window)

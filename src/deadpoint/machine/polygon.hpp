@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/vec.hpp"
 
+#include <functional>
 #include <vector>
 
 /// Convex polygons in a plane, counter-clockwise.
@@ -20,6 +21,8 @@ struct HalfPlane {
 
 /// Sutherland-Hodgman, one step: what of a convex polygon lies in the half plane; empty if less than a triangle.
 Polygon clipped(const Polygon& polygon, const HalfPlane& half_plane);
+/// The same where `excess` is at most 0, which is taken as linear along each edge.
+Polygon clipped_where(const Polygon& polygon, const std::function<double(const Vec2&)>& excess);
 /// The intersection of two convex polygons.
 Polygon intersection(const Polygon& subject, const Polygon& window);
 

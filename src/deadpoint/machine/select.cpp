@@ -2,6 +2,8 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/pattern.hpp"
+#include "deadpoint/machine/chart.hpp"
+#include "deadpoint/machine/round.hpp"
 #include "deadpoint/machine/shapes.hpp"
 
 #include <algorithm>
@@ -19,6 +21,7 @@ namespace {
 using Kind = SurfaceSelector::Kind;
 
 constexpr double position_tolerance = 1e-5;
+constexpr double normal_tolerance = 1e-3;
 constexpr double least_fraction = 1e-6;
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 
@@ -26,14 +29,24 @@ double millimetres(double length) { return std::round(length * 1e7) / 1e4; }
 
 bool along(const Vec3& direction, Axis axis) { return std::abs(std::abs(direction[index_of(axis)]) - 1) < 1e-9; }
 
+/// Whether a plane has the direction that is asked for; a normal of the user's has four digits or so.
+bool along(const PlaneGeometry& plane, const SurfaceSelector& selector)
+{
+    return selector.normal ? norm(cross(plane.normal, *selector.normal)) < normal_tolerance
+                           : along(plane.normal, selector.axis);
+}
+
 /// Distance between what is asked for and what is there [m]; infinite for another kind or direction.
 double distance(const FaceGeometry& geometry, const SurfaceSelector& selector)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (selector.kind == Kind::plane) {
         const auto* plane = std::get_if<PlaneGeometry>(&geometry);
-        if (plane == nullptr || !along(plane->normal, selector.axis)) {
+        if (plane == nullptr || !along(*plane, selector)) {
             return infinity;
+        }
+        if (selector.normal) {
+            return std::abs(dot(plane->normal, selector.point) - plane->offset);
         }
         return std::abs(plane->offset * plane->normal[index_of(selector.axis)] - selector.position);
     }
@@ -153,6 +166,39 @@ std::vector<std::uint32_t> selected_faces(const Assembly& assembly, const Surfac
     return faces;
 }
 
+namespace {
+
+/// A chart of a face: that of its surface, or of its own plane where the surface has no form.
+Chart chart_of(const Machine& machine, const Face& face)
+{
+    const FaceGeometry& geometry = machine.geometries[face.geometry];
+    if (!std::holds_alternative<FreeformGeometry>(geometry)) {
+        return Chart(geometry);
+    }
+    const Vec3 normal = normalised(area_vector(face, machine.nodes));
+    return Chart(PlaneGeometry{normal, dot(normal, centre(face, machine.nodes))});
+}
+
+double share_within(const Machine& machine, std::uint32_t index, const BoxShape& box)
+{
+    const Face& face = machine.faces[index];
+    const Chart chart = chart_of(machine, face);
+    return chart.share_within(chart.flatten(face, index, machine.nodes), box);
+}
+
+/// The share of a face that a selector's kind and box take.
+SurfaceFace selected_share(const Machine& machine, const SurfaceSelector& selector, std::uint32_t index)
+{
+    SurfaceFace result{index, selector.kind == Kind::exposed ? machine.exposed_fraction[index] : 1.0, true};
+    if (selector.within) {
+        result.fraction *= share_within(machine, index, *selector.within);
+        result.central = contains(*selector.within, centre(machine.faces[index], machine.nodes));
+    }
+    return result;
+}
+
+}  // namespace
+
 MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& description)
 {
     const Machine& machine = assembly.machine;
@@ -162,25 +208,37 @@ MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& d
     surface.name = description.name;
     bool any = false;
     for (const std::uint32_t index : selected_faces(assembly, selector, owner)) {
-        const Face& face = machine.faces[index];
-        if (selector.within && !contains(*selector.within, centre(face, machine.nodes))) {
+        const SurfaceFace face = selected_share(machine, selector, index);
+        any = any || face.central;
+        if (face.fraction < least_fraction) {
             continue;
         }
-        any = true;
-        const double fraction = selector.kind == Kind::exposed ? machine.exposed_fraction[index] : 1.0;
-        if (fraction < least_fraction) {
-            continue;
-        }
-        surface.faces.push_back({index, fraction});
-        surface.area += fraction * area(face, machine.nodes);
+        surface.faces.push_back(face);
+        surface.area += face.fraction * area(machine, machine.faces[index]);
     }
     if (!any) {
         throw InputError(fmt::format("{}: {} matches no face{}; {}", owner, describe(selector),
-                                     selector.within ? " in its box" : "",
+                                     selector.within ? " with its middle in its box" : "",
                                      alternatives(assembly, selector, selected_parts(assembly, selector, owner))));
     }
     return surface;
 }
+
+namespace {
+
+/// "of normal (0.6, 0.8, 0) through (10, 20, 0) mm", or "along x".
+std::string direction_text(const SurfaceSelector& selector)
+{
+    if (selector.kind != Kind::plane || !selector.normal) {
+        return fmt::format("along {}", axis_names[index_of(selector.axis)]);
+    }
+    const auto& n = *selector.normal;
+    const auto& p = selector.point;
+    return fmt::format("of normal ({:.4g}, {:.4g}, {:.4g}) through ({}, {}, {}) mm", n[0], n[1], n[2],
+                       millimetres(p[0]), millimetres(p[1]), millimetres(p[2]));
+}
+
+}  // namespace
 
 std::string describe(const SurfaceSelector& selector)
 {
@@ -189,6 +247,9 @@ std::string describe(const SurfaceSelector& selector)
     const char* axis = axis_names[index_of(selector.axis)];
     switch (selector.kind) {
     case Kind::plane:
+        if (selector.normal) {
+            return fmt::format("plane {} of {}", direction_text(selector), parts);
+        }
         return fmt::format("plane {} = {} mm of {}", axis, millimetres(selector.position), parts);
     case Kind::cylinder:
         return fmt::format("cylinder of diameter {} mm along {} about ({}, {}) mm of {}",
@@ -219,7 +280,7 @@ std::string alternatives(const Assembly& assembly, const SurfaceSelector& select
                              : fmt::format("named groups there are: {}", fmt::join(names, ", "));
     }
     if (selector.kind != Kind::plane && selector.kind != Kind::cylinder) {
-        return "check the box it must lie within";
+        return "check the box it must lie within, or make the cells there smaller";
     }
     std::vector<std::pair<double, std::string>> found;
     for (std::uint32_t g = 0; g < assembly.machine.geometries.size(); ++g) {
@@ -242,7 +303,7 @@ std::string alternatives(const Assembly& assembly, const SurfaceSelector& select
     }
     const char* kind = selector.kind == Kind::plane ? "planes" : "cylinders";
     if (texts.empty()) {
-        return fmt::format("there are no {} along {} there", kind, axis_names[index_of(selector.axis)]);
+        return fmt::format("there are no {} {} there", kind, direction_text(selector));
     }
     return fmt::format("the nearest there: {}", fmt::join(texts, ", "));
 }

@@ -16,8 +16,9 @@ std::vector<std::uint32_t> selected_parts(const Assembly& assembly, const Surfac
 std::vector<std::uint32_t> selected_faces(const Assembly& assembly, const SurfaceSelector& selector,
                                           const std::string& owner);
 
-/// The surface of a selector: whole faces, or exposed shares of faces.
-/// @throws InputError with a hint when no face matches (an exposed selector may be empty)
+/// The surface of a selector: faces by the shares of their areas that are exposed and lie in its box.
+/// @throws InputError with a hint when no face matches, or none has its centre in the box (an exposed selector may be
+///         empty)
 MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& description);
 
 /// "the cylinder of diameter 90 mm along z about (0, -25) mm of part 'link_3'", for messages.

@@ -80,7 +80,8 @@ void write_surfaces(std::ostream& out, const Machine& machine)
     for (const auto& surface : machine.surfaces) {
         std::set<std::uint32_t> faces;
         for (const auto& entry : surface.faces)
-            faces.insert(entry.face);
+            if (entry.central)
+                faces.insert(entry.face);
         write_surface(out, machine, set_name("SURFACE_", surface.name), faces);
     }
     for (const auto& contact : machine.interfaces)

@@ -45,7 +45,9 @@ Numbers surface_of_face(const Machine& machine)
     Numbers result(machine.faces.size(), -1);
     for (const std::size_t i : order) {
         for (const auto& face : machine.surfaces[i].faces) {
-            result.at(face.face) = static_cast<std::int32_t>(i);
+            if (face.central) {
+                result.at(face.face) = static_cast<std::int32_t>(i);
+            }
         }
     }
     return result;

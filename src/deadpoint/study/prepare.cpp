@@ -1,6 +1,7 @@
 #include "deadpoint/study/prepare.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/machine/build.hpp"
 #include "deadpoint/study/check_machine.hpp"
@@ -21,16 +22,6 @@ bool has_condition(const casefile::Surface& surface)
            surface.insulated;
 }
 
-double area_of(const Machine& machine, const SurfaceFace& entry)
-{
-    const auto& face = machine.faces[entry.face];
-    const auto& x = machine.nodes;
-    double area = 0.5 * norm(cross(x[face.nodes[1]] - x[face.nodes[0]], x[face.nodes[2]] - x[face.nodes[0]]));
-    if (face.node_count == 4)
-        area += 0.5 * norm(cross(x[face.nodes[2]] - x[face.nodes[0]], x[face.nodes[3]] - x[face.nodes[0]]));
-    return area * entry.fraction;
-}
-
 [[noreturn]] void throw_claimed_twice(const Machine& machine, std::uint32_t face, const std::string& first,
                                       const std::string& second)
 {
@@ -39,26 +30,70 @@ double area_of(const Machine& machine, const SurfaceFace& entry)
         first, second, machine.parts[machine.faces[face].part].name));
 }
 
+bool apart(const std::optional<BoxShape>& a, const std::optional<BoxShape>& b)
+{
+    constexpr double rounding = 1e-9;
+    for (std::size_t i = 0; a && b && i < 3; ++i)
+        if (a->max[i] < b->min[i] + rounding || b->max[i] < a->min[i] + rounding)
+            return true;
+    return false;
+}
+
+// Which surfaces claim a face, and which share of it they claim together. Boxes that meet share the faces between them.
+class Claims {
+public:
+    Claims(const casefile::Case& input, const Machine& machine) : input_(input), machine_(machine) {}
+    void add(const MeshSurface& surface)
+    {
+        for (const auto& entry : surface.faces) {
+            auto& [names, share] = claims_[entry.face];
+            for (const auto& other : names)
+                if (!apart(input_.surfaces.at(other).within, input_.surfaces.at(surface.name).within))
+                    throw_claimed_twice(machine_, entry.face, other, surface.name);
+            names.push_back(surface.name);
+            share += entry.fraction;
+        }
+    }
+    [[nodiscard]] double share(std::uint32_t face) const
+    {
+        const auto found = claims_.find(face);
+        return found == claims_.end() ? 0 : found->second.share;
+    }
+
+private:
+    struct Claim {
+        std::vector<std::string> names;
+        double share = 0;
+    };
+    const casefile::Case& input_;
+    const Machine& machine_;
+    std::map<std::uint32_t, Claim> claims_;
+};
+
+// Leaves to an exposed surface what nothing else claims.
+void leave_unclaimed(const Machine& machine, const Claims& claims, MeshSurface& surface)
+{
+    constexpr double rounding = 1e-9;
+    for (auto& entry : surface.faces)
+        entry.fraction *= std::max(0.0, 1 - claims.share(entry.face));
+    std::erase_if(surface.faces, [](const SurfaceFace& entry) { return entry.fraction < rounding; });
+    surface.area = 0;
+    for (const auto& entry : surface.faces)
+        surface.area += entry.fraction * face_area(machine, machine.faces[entry.face]);
+}
+
 void settle_claims(const casefile::Case& input, Machine& machine)
 {
-    std::map<std::uint32_t, std::string> by_place, by_exposure;
+    Claims by_place(input, machine), by_exposure(input, machine);
     for (const auto& surface : machine.surfaces) {
         const auto& description = input.surfaces.at(surface.name);
-        if (!has_condition(description))
-            continue;
-        auto& claims = description.select == "exposed" ? by_exposure : by_place;
-        for (const auto& entry : surface.faces)
-            if (const auto [at, added] = claims.emplace(entry.face, surface.name); !added)
-                throw_claimed_twice(machine, entry.face, at->second, surface.name);
+        if (has_condition(description))
+            (description.select == "exposed" ? by_exposure : by_place).add(surface);
     }
     for (auto& surface : machine.surfaces) {
         const auto& description = input.surfaces.at(surface.name);
-        if (description.select != "exposed" || !has_condition(description))
-            continue;
-        std::erase_if(surface.faces, [&](const SurfaceFace& entry) { return by_place.contains(entry.face); });
-        surface.area = 0;
-        for (const auto& entry : surface.faces)
-            surface.area += area_of(machine, entry);
+        if (description.select == "exposed" && has_condition(description))
+            leave_unclaimed(machine, by_place, surface);
     }
 }
 

@@ -13,6 +13,10 @@ std::optional<double> height_of(const Machine& machine, const MeshSurface& surfa
 /// Diameter of a surface that is a single cylinder [m].
 std::optional<double> cylinder_diameter(const Machine& machine, const MeshSurface& surface);
 
+/// Diameter of a disk: of the largest cylinder at which its faces end, along the normal of one of them. None where
+/// there is no such cylinder, or the surface lies on several parts or reaches beyond it [m].
+std::optional<double> disk_diameter(const Machine& machine, const MeshSurface& surface);
+
 /// Area over perimeter of a surface that is a single plane. Its perimeter runs along the edges of its faces that no
 /// other of its faces shares, the plane of symmetry left out: a half has the quotient of the whole [m].
 std::optional<double> area_over_perimeter(const Machine& machine, const MeshSurface& surface);

@@ -45,9 +45,9 @@ double height(const casefile::Film& film, const Machine& machine, const MeshSurf
 double diameter(const casefile::Film& film, const Machine& machine, const MeshSurface& surface)
 {
     const bool disk = film.law == "rotating_disk";
-    return needed_length(film.diameter, disk ? height_of(machine, surface) : cylinder_diameter(machine, surface),
-                         "diameter", disk ? "of the disk (else the height of one part's face)" : "of one cylinder",
-                         film, surface.name);
+    return needed_length(
+        film.diameter, disk ? disk_diameter(machine, surface) : cylinder_diameter(machine, surface), "diameter",
+        disk ? "of the disk (else that of the cylinder around its plane)" : "of one cylinder", film, surface.name);
 }
 
 void set_moving(SurfaceFilm& result, const casefile::Film& film, const Machine& machine, const MeshSurface& surface,

@@ -32,8 +32,9 @@ struct SurfaceFilm {
 
 /// Translates the film of a surface.
 ///
-/// Lengths that the case leaves out: the height of a surface on a single part (walls, disks, what moves, enclosed
-/// surfaces), area over perimeter of a single horizontal plane, the diameter of a single cylinder. A rotating surface
+/// Lengths that the case leaves out: the height of a surface on a single part (walls, what moves, enclosed
+/// surfaces), area over perimeter of a single horizontal plane, the diameter of a single cylinder, and of the cylinder
+/// around a disk. A rotating surface
 /// turns with the crank. A moving one has the root mean square speed of its faces over the turn by the loads, in
 /// proportion to the speed of the crank; `speed` goes before it.
 ///

@@ -44,6 +44,7 @@ PartDescription part_of(const casefile::Case& input, const std::string& name, co
     result.density = material->second.density;
     result.translation = part.position;
     result.tetrahedra = part.tetrahedra;
+    result.second_order = (part.order > 0 ? part.order : input.numerics.order) == 2;
     const int sources = (part.shapes.empty() ? 0 : 1) + (part.step.empty() ? 0 : 1) + (part.mesh.empty() ? 0 : 1);
     if (sources != 1)
         throw InputError(fmt::format("parts.{}: give exactly one of 'shapes', 'step' and 'mesh'", name));
@@ -80,6 +81,17 @@ SurfaceSelector side_of(const casefile::Case& input, const casefile::Joint& join
         fmt::format("joints: interface '{}' names '{}', which is neither a surface nor a part", name, side));
 }
 
+void set_plane(SurfaceSelector& selector, const casefile::Surface& surface, const std::string& name)
+{
+    if (surface.normal != Vec3{}) {
+        selector.normal = normalised(surface.normal);
+        selector.point = surface.point;
+        return;
+    }
+    selector.axis = axis_named(surface.axis, name);
+    selector.position = needed(surface.position, "position", surface, name);
+}
+
 }  // namespace
 
 SurfaceSelector selector_of(const casefile::Surface& surface, const std::string& name)
@@ -97,8 +109,7 @@ SurfaceSelector selector_of(const casefile::Surface& surface, const std::string&
         selector.within = needed(surface.within, "within", surface, name);
     } else if (surface.select == "plane") {
         selector.kind = Kind::plane;
-        selector.axis = axis_named(surface.axis, name);
-        selector.position = needed(surface.position, "position", surface, name);
+        set_plane(selector, surface, name);
     } else if (surface.select == "cylinder") {
         selector.kind = Kind::cylinder;
         selector.axis = axis_named(surface.axis, name);
@@ -124,8 +135,6 @@ MachineDescription describe_machine(const casefile::Case& input, double size_sca
     result.size = input.numerics.size;
     result.size_scale = size_scale;
     result.seam_tolerance = input.numerics.seam_tolerance;
-    result.second_order = input.numerics.order == 2 ||
-                          std::ranges::any_of(input.parts, [](const auto& part) { return part.second.order == 2; });
     result.half_model = input.machine.half_model;
     result.unbonded = input.machine.unbonded;
     for (const auto& [name, part] : input.parts)
