@@ -1,5 +1,6 @@
 #include "deadpoint/fem/discretisation.hpp"
 
+#include "deadpoint/fem/round_cells.hpp"
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
@@ -113,8 +114,13 @@ Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_
     for (unsigned order = 1; order <= 2; ++order) {  // see element_index()
         elements.push_back(FE_Q<3>(order));
         elements.push_back(FE_SimplexP<3>(order));
-        mappings.push_back(MappingQ<3>(1));
-        mappings.push_back(MappingFE<3>(FE_SimplexP<3>(1)));
+        if (order == 2 && !machine.round_edges.empty()) {
+            mappings.push_back(RoundHexahedra(machine));
+            mappings.push_back(RoundTetrahedra(machine));
+        } else {
+            mappings.push_back(MappingQ<3>(1));
+            mappings.push_back(MappingFE<3>(FE_SimplexP<3>(1)));
+        }
         quadratures.push_back(QGauss<3>(order + 1));
         quadratures.push_back(QGaussSimplex<3>(order + 1));
     }
@@ -140,6 +146,8 @@ Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_
     cells_.reserve(machine.cells.size());
     for (const auto& cell : dofs.active_cell_iterators())
         cells_.push_back(cell);
+    for (const auto& cell : machine.cells)
+        round_.push_back(orders[cell.part] == 2 && is_round(machine, cell));
     number_neighbours_alike();
     depth_.reserve(machine.faces.size());
     for (const auto& face : machine.faces)
@@ -200,6 +208,60 @@ void Discretisation::create_triangulation()
     triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
 }
 
+// By the vertices, and where the cell is round by all nodes of its element of second order, which is isoparametric.
+dealii::Tensor<2, 3> Discretisation::jacobian_at(std::uint32_t index, const dealii::Point<3>& unit) const
+{
+    const auto& cell = cells_[index];
+    dealii::Tensor<2, 3> jacobian;
+    const auto add = [&](const dealii::Point<3>& x, const dealii::Tensor<1, 3>& slope) {
+        for (unsigned i = 0; i < 3; ++i)
+            for (unsigned j = 0; j < 3; ++j)
+                jacobian[i][j] += x[i] * slope[j];
+    };
+    if (round_[index]) {
+        const auto& element = cell->get_fe();
+        const auto places = places_in(machine, cell, element.get_unit_support_points());
+        for (unsigned v = 0; v < places.size(); ++v)
+            add(places[v], element.shape_grad(v, unit));
+    } else if (cell->reference_cell() == dealii::ReferenceCells::Hexahedron) {
+        for (const auto v : cell->vertex_indices())
+            add(cell->vertex(v), dealii::GeometryInfo<3>::d_linear_shape_function_gradient(unit, v));
+    } else {
+        for (unsigned i = 0; i < 3; ++i)
+            for (unsigned j = 0; j < 3; ++j)
+                jacobian[i][j] = cell->vertex(j + 1)[i] - cell->vertex(0)[i];
+    }
+    return jacobian;
+}
+
+// Newton's method from the straight cell's place. The library stops its own early on tetrahedra.
+dealii::Point<3> Discretisation::unit_in_round(std::uint32_t index, const dealii::Point<3>& position) const
+{
+    constexpr int most_steps = 20;
+    constexpr double tolerance = 1e-14, largest_miss = 1e-9;  // of the cell's size
+    const auto& cell = cells_[index];
+    const auto& machine_cell = machine.cells[index];
+    const unsigned straight = element_index(machine_cell.kind == CellKind::hexahedron, 1);
+    auto unit = mappings[straight].transform_real_to_unit_cell(cell, position);
+    dealii::Tensor<1, 3> miss;
+    for (int step = 0; step < most_steps; ++step) {
+        miss = position - to_point(place_in(machine, machine_cell, {unit[0], unit[1], unit[2]}));
+        if (miss.norm() < tolerance * cell->diameter())
+            return unit;
+        unit += dealii::invert(jacobian_at(index, unit)) * miss;
+    }
+    if (!(miss.norm() < largest_miss * cell->diameter()))
+        throw dealii::Mapping<3>::ExcTransformationFailed();
+    return unit;
+}
+
+dealii::Point<3> Discretisation::unit_of(std::uint32_t index, const Vec3& position) const
+{
+    const auto& cell = cells_[index];
+    return round_[index] ? unit_in_round(index, to_point(position))
+                         : mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
+}
+
 void Discretisation::evaluate_at(std::uint32_t index, const dealii::Point<3>& unit, bool gradients,
                                  PointShape& shape) const
 {
@@ -210,21 +272,7 @@ void Discretisation::evaluate_at(std::uint32_t index, const dealii::Point<3>& un
     cell->get_dof_indices(indices);
     dealii::Tensor<2, 3> inverse;
     if (gradients) {
-        // Jacobian of the first-order map from the vertices; the library knows the shape functions of hexahedra only.
-        dealii::Tensor<2, 3> jacobian;
-        if (cell->reference_cell() == dealii::ReferenceCells::Hexahedron) {
-            for (const auto v : cell->vertex_indices()) {
-                const auto slope = dealii::GeometryInfo<3>::d_linear_shape_function_gradient(unit, v);
-                for (unsigned i = 0; i < 3; ++i)
-                    for (unsigned j = 0; j < 3; ++j)
-                        jacobian[i][j] += cell->vertex(v)[i] * slope[j];
-            }
-        } else {
-            for (unsigned i = 0; i < 3; ++i)
-                for (unsigned j = 0; j < 3; ++j)
-                    jacobian[i][j] = cell->vertex(j + 1)[i] - cell->vertex(0)[i];
-        }
-        inverse = dealii::transpose(dealii::invert(jacobian));
+        inverse = dealii::transpose(dealii::invert(jacobian_at(index, unit)));
     }
     for (int i = 0; i < shape.count; ++i) {
         shape.dof[i] = static_cast<PetscInt>(indices[i]);
@@ -239,10 +287,7 @@ void Discretisation::evaluate_at(std::uint32_t index, const dealii::Point<3>& un
 void Discretisation::evaluate(std::uint32_t face, const Vec3& position, bool gradients, PointShape& shape) const
 {
     const auto index = machine.faces[face].cell;
-    const auto& cell = cells_[index];
-    const auto& mapping = mappings[cell->active_fe_index()];
-    const auto unit = mapping.transform_real_to_unit_cell(cell, to_point(position));
-    evaluate_at(index, inside_reference_cell(*cell, unit), gradients, shape);
+    evaluate_at(index, nearest_inside(index, unit_of(index, position)), gradients, shape);
 }
 
 void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape& shape) const
@@ -285,9 +330,8 @@ double Discretisation::continue_cell(std::uint32_t index, const Vec3& position, 
 
 bool Discretisation::unit_position(std::uint32_t index, const Vec3& position, dealii::Point<3>& unit) const
 {
-    const auto& cell = cells_[index];
     try {
-        unit = mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
+        unit = unit_of(index, position);
         return true;
     } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
         return false;

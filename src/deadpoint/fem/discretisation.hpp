@@ -90,9 +90,13 @@ public:
 private:
     void create_triangulation();
     void number_neighbours_alike();
+    [[nodiscard]] dealii::Tensor<2, 3> jacobian_at(std::uint32_t cell, const dealii::Point<3>& unit) const;
+    [[nodiscard]] dealii::Point<3> unit_of(std::uint32_t cell, const Vec3& position) const;
+    [[nodiscard]] dealii::Point<3> unit_in_round(std::uint32_t cell, const dealii::Point<3>& position) const;
 
     std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells_;
     std::vector<double> depth_;
+    std::vector<bool> round_;  ///< per cell: some of its edges are, and its element can follow them
 };
 
 /// Sums over the ranks, in place.
