@@ -135,6 +135,30 @@ TEST_CASE("inches give the same as millimetres")
            largest_difference(base, inches));
 }
 
+TEST_CASE("inches give the same drift as millimetres")
+{
+    constexpr const char* starter = "../../../cases/starter/case";
+    const auto run = [](const std::string& text) {
+        auto input = read_text(text);
+        input.operation.front().duration = 900;
+        input.numerics.solver_tolerance = 1e-11;
+        input.output.fields = false;
+        return solve(input, 3);
+    };
+    const auto text = text_of(starter);
+    const auto base = run(text), inches = run(in_inches(text));
+    CHECK(base.machine.cells.size() == inches.machine.cells.size());
+    const auto& gap = base.result.drift.value().gap.value;
+    const auto& other = inches.result.drift.value().gap.value;
+    REQUIRE(gap.size() == other.size());
+    REQUIRE(std::abs(gap.back()) > 1e-7);
+    double largest = 0;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+        largest = std::max(largest, 1e6 * std::abs(gap[i] - other[i]));
+    record({"lengths in inches: largest change of the drift", "invariance", "um", 0, 1e-7, "solver tolerance"},
+           largest);
+}
+
 namespace {
 
 using Place = std::function<deadpoint::Vec3(const deadpoint::Vec3&)>;

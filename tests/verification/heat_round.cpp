@@ -13,7 +13,8 @@ TEST_CASE("rings of second order conduct as cylinders do, through a film between
     const double through = 1 / (std::log(30.0 / 20) / 50 + 2e-4 / 0.03 + std::log(50.0 / 30) / 41);
     const double inner = 60 - 40 * through * std::log(30.0 / 20) / 50;
     const double outer = 20 + 40 * through * std::log(50.0 / 30) / 41;
-    for (const char* shape : {"parts.outer_ring.tetrahedra=false", "parts.outer_ring.tetrahedra=true"}) {
+    for (const bool tetrahedra : {false, true}) {
+        const std::string shape = std::string("parts.outer_ring.tetrahedra=") + (tetrahedra ? "true" : "false");
         std::array<double, 2> errors{};
         for (std::size_t i = 0; i < 2; ++i) {
             const auto solved =
@@ -26,7 +27,7 @@ TEST_CASE("rings of second order conduct as cylinders do, through a film between
         }
         MESSAGE(shape << ": errors " << errors[0] << ", " << errors[1] << " K");
         // chords in place of arcs: some 0.1 K, and order 2
-        CHECK(errors[1] < 1e-3);
-        CHECK((std::log2(errors[0] / errors[1]) > 3 || errors[1] < 1e-5));
+        CHECK(errors[1] < 3e-4);
+        CHECK((std::log2(errors[0] / errors[1]) > 3 || tetrahedra));  // which are no halves of each other
     }
 }

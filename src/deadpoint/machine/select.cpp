@@ -207,7 +207,8 @@ MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& d
     MeshSurface surface;
     surface.name = description.name;
     bool any = false;
-    for (const std::uint32_t index : selected_faces(assembly, selector, owner)) {
+    const std::vector<std::uint32_t> faces = selected_faces(assembly, selector, owner);
+    for (const std::uint32_t index : faces) {
         const SurfaceFace face = selected_share(machine, selector, index);
         any = any || face.central;
         if (face.fraction < least_fraction) {
@@ -216,10 +217,14 @@ MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& d
         surface.faces.push_back(face);
         surface.area += face.fraction * area(machine, machine.faces[index]);
     }
-    if (!any) {
-        throw InputError(fmt::format("{}: {} matches no face{}; {}", owner, describe(selector),
-                                     selector.within ? " with its middle in its box" : "",
+    if (faces.empty()) {
+        throw InputError(fmt::format("{}: {} matches no face; {}", owner, describe(selector),
                                      alternatives(assembly, selector, selected_parts(assembly, selector, owner))));
+    }
+    if (!any) {
+        throw InputError(fmt::format("{}: {} has no face with its middle in its box; correct the box, or make the "
+                                     "cells there smaller",
+                                     owner, describe(selector)));
     }
     return surface;
 }
@@ -280,7 +285,7 @@ std::string alternatives(const Assembly& assembly, const SurfaceSelector& select
                              : fmt::format("named groups there are: {}", fmt::join(names, ", "));
     }
     if (selector.kind != Kind::plane && selector.kind != Kind::cylinder) {
-        return "check the box it must lie within, or make the cells there smaller";
+        return "check the box it must lie within";
     }
     std::vector<std::pair<double, std::string>> found;
     for (std::uint32_t g = 0; g < assembly.machine.geometries.size(); ++g) {
