@@ -242,7 +242,7 @@ private:
     void join_outlines(Axis axis)
     {
         Drawing drawing = drawing_along(axis);
-        if (drawing.rings.size() == drawing.boxes.size()) {
+        if (drawing.rings.size() == drawing.boxes.size() || drawing.rings.size() == 1) {
             return;
         }
         for (std::size_t i = 0; i < drawing.corners.size(); ++i) {
@@ -335,8 +335,9 @@ private:
     {
         const Ring& ring = *drawing.rings[r];
         std::vector<std::pair<double, Vec2>> beside;
-        for (std::size_t other = 0; other < drawing.rings.size(); ++other) {
-            for (const Vec2& point : other == r ? Ring{} : *drawing.rings[other]) {
+        for (const Ring* other : drawing.rings) {
+            for (std::size_t k = 0; k < other->size() && other != &ring; ++k) {
+                const Vec2& point = (*other)[k];
                 Vec2 foot{};
                 if (foot_on_edge(ring, i, point, foot) && norm(point - foot) > on_edge) {
                     beside.emplace_back(norm(foot - ring[i]), point);
