@@ -14,9 +14,12 @@
 #include <iterator>
 #include <limits>
 #include <new>
+#include <seccomp.h>
 #include <stdexcept>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -157,4 +160,20 @@ TEST_CASE("A child process reads its one file, under its name, and no other")
     close(open_here);
     limits.file = folder.path / "missing";
     CHECK(message_of<IoError>(limits, [] { return std::string(); }).find("cannot be opened") != std::string::npos);
+}
+
+TEST_CASE("Where the kernel gives no filters, nothing is read, and the error says why")
+{
+    const pid_t elsewhere = fork();
+    if (elsewhere == 0) {
+        auto* filter = seccomp_init(SCMP_ACT_ALLOW);
+        seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(seccomp), 0);
+        seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(prctl), 1, SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP));
+        seccomp_load(filter);
+        const auto said = message_of<IoError>(roomy, [] { return std::string("read"); });
+        _exit(said.starts_with("files of others are read only where the kernel can keep their reader from") ? 0 : 1);
+    }
+    int status = -1;
+    REQUIRE(waitpid(elsewhere, &status, 0) == elsewhere);
+    CHECK(status == 0);
 }
