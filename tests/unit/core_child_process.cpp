@@ -145,7 +145,8 @@ TEST_CASE("A child process reads its one file, under its name, and no other")
                       secret));
     // That a file is there stays unsaid; the system's own look as if missing.
     CHECK(run_in_child("work", limits, [&] { return std::to_string(std::filesystem::exists(secret)); }) == "0");
-    CHECK(run_in_child("work", limits, [] { return content("/proc/self/maps") + content("XSTEP.us"); }).empty());
+    CHECK(
+        run_in_child("work", limits, [] { return content("/usr/share/locale/C/x.mo") + content("XSTEP.us"); }).empty());
     CHECK(message_of<InputError>(limits, [] { return content("/etc/passwd"); }).find("'/etc/passwd'") !=
           std::string::npos);
     CHECK(

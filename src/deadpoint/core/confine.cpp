@@ -57,12 +57,12 @@ bool is_the_file(std::string_view path)
     return path.substr(slash == std::string_view::npos ? 0 : slash + 1) == name_of_file.data();
 }
 
-/// What libraries look for by themselves, whatever they read: facts of the system, time zones and character sets, and
-/// the settings that Open CASCADE seeks in the working folder ("XSTEP.us").
+/// What libraries look for by themselves, whatever they read: facts of the system, time zones, translations of
+/// messages and character sets, and the settings that Open CASCADE seeks in the working folder ("XSTEP.us").
 bool is_settings(std::string_view path)
 {
-    constexpr std::array<std::string_view, 5> system{"/proc/", "/sys/", "/etc/localtime", "/usr/share/zoneinfo/",
-                                                     "/usr/lib/"};
+    constexpr std::array<std::string_view, 6> system{
+        "/proc/", "/sys/", "/etc/localtime", "/usr/share/zoneinfo/", "/usr/share/locale", "/usr/lib/"};
     if (std::ranges::any_of(system, [&](std::string_view place) { return path.starts_with(place); })) {
         return true;
     }
