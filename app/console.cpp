@@ -72,7 +72,7 @@ std::string Console::styled(const char* style, std::string_view text) const
 void Console::clear_line() const
 {
     if (terminal_ && !stage_.empty() && !options_.quiet && !options_.silent) {
-        print_err("\r\033[K");
+        write_err("\r\033[K");
     }
 }
 
@@ -119,7 +119,7 @@ void Console::show(double fraction, std::string_view detail)
     while (display_width(line) >= terminal_width()) {
         line.pop_back();
     }
-    print_err("\r\033[K{}", line);
+    write_err("\r\033[K" + deadpoint::one_line(line));
 }
 
 void Console::finish()
@@ -130,7 +130,7 @@ void Console::finish()
     if (terminal_ && !options_.quiet && !options_.silent) {
         const double elapsed = seconds_since(stage_start_);
         const std::string time = elapsed < 10 ? fmt::format("{:.1f} s", elapsed) : duration_text(elapsed);
-        print_err("\r\033[K  {:<12} {}\n", stage_, styled(grey, time));
+        write_err(fmt::format("\r\033[K  {:<12} {}\n", stage_, styled(grey, time)));
     }
     stage_.clear();
 }
@@ -139,7 +139,7 @@ void Console::info(std::string_view text)
 {
     if (options_.verbose && !options_.silent) {
         clear_line();
-        log_->info("{}", text);
+        log_->info("{}", deadpoint::printable(text));
         log_->flush();
     }
 }
@@ -152,7 +152,7 @@ void Console::warn(std::string_view text)
     warnings_.emplace_back(text);
     if (!options_.silent) {
         clear_line();
-        print_err("{} {}\n", styled(yellow, "warning:"), text);
+        write_err(fmt::format("{} {}\n", styled(yellow, "warning:"), deadpoint::printable(text)));
     }
 }
 

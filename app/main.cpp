@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <fmt/format.h>
 #include <new>
 #include <string>
@@ -85,6 +86,10 @@ int run_and_explain(int argc, char** argv)
         return error.exit_code();
     } catch (const std::bad_alloc&) {
         print_err("error: out of memory\n  help: make the mesh coarser, for example with --size 1.5\n");
+    } catch (const std::filesystem::filesystem_error& error) {
+        print_err("error: {}\n  help: check the path: that it is not too long and that you may go there\n",
+                  error.what());
+        return static_cast<int>(deadpoint::ErrorKind::io);
     } catch (const std::exception& error) {
         print_err("error: {}\n  help: this is a fault of the program; please report it with the case file\n",
                   error.what());

@@ -26,7 +26,8 @@ void note_failure(bool failed)
 void write_out(std::string_view text)
 {
     errno = 0;
-    note_failure(std::fwrite(text.data(), 1, text.size(), stdout) != text.size());
+    const auto shown = deadpoint::printable(text);
+    note_failure(std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size());
 }
 
 void flush_out()

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "deadpoint/core/plain_text.hpp"
+
 #include <fmt/format.h>
 #include <string_view>
 #include <utility>
 
 /// All that the command prints goes through here. What cannot be written never ends a run: text for standard error is
 /// dropped, lost text of standard output is remembered and becomes an error when everything else is done.
+///
+/// Names and messages in it may hold what moves a cursor or changes colours: that is made visible.
 
 /// Adds text to standard output.
 void write_out(std::string_view text);
@@ -20,14 +24,14 @@ void print_out(fmt::format_string<Values...> format, Values&&... values)
 /// Shows what standard output was given so far.
 void flush_out();
 
-/// Shows text on standard error, as far as that takes it.
+/// Shows text on standard error just as it is, with codes for the terminal.
 void write_err(std::string_view text);
 
-/// The same, formatted.
+/// Shows formatted text on standard error, as far as that takes it.
 template <class... Values>
 void print_err(fmt::format_string<Values...> format, Values&&... values)
 {
-    write_err(fmt::format(format, std::forward<Values>(values)...));
+    write_err(deadpoint::printable(fmt::format(format, std::forward<Values>(values)...)));
 }
 
 /// @throws IoError if some of what standard output was given is lost

@@ -120,6 +120,30 @@ TEST_CASE("a missing case file is exit code 5, a broken one exit code 2 with its
     CHECK(has(broken.err, "help:"));
 }
 
+TEST_CASE("names of files that move the cursor are shown, not obeyed, and overlong ones are file trouble")
+{
+    const auto odd = deadpoint("check \"$(printf 'a\\033[31m.toml')\"");
+    CHECK(odd.code == 5);
+    CHECK(has(odd.err, "a\\u001b[31m.toml"));
+    CHECK_FALSE(has(odd.err, "\x1b"));
+    const Folder folder;
+    const std::string overlong(300, 'n');
+    const auto results = folder / "r";
+    REQUIRE(deadpoint("run -q " + two_blocks + " -o " + results).code == 0);
+    for (const auto& line :
+         {"check " + overlong, "run " + two_blocks + " -o " + (folder / overlong), "init " + overlong,
+          "report " + results + " -o " + (folder / overlong), "report " + overlong,
+          "run " + two_blocks + " --from " + overlong + " -o " + (folder / "s"), "view " + overlong,
+          "compare " + results + " " + overlong, "sweep " + overlong + " -o " + (folder / "t"),
+          "sweep " + overlong + " -o " + overlong}) {
+        CAPTURE(line.substr(0, 60));
+        const auto outcome = deadpoint(line);
+        CAPTURE(outcome.err);
+        CHECK(outcome.code == 5);
+        CHECK_FALSE(has(outcome.err, "fault of the program"));
+    }
+}
+
 TEST_CASE("init writes a case that passes its check, and never overwrites one")
 {
     const Folder folder;

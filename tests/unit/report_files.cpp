@@ -81,6 +81,19 @@ TEST_CASE("JSON keeps the order of its keys and turns what is not finite into nu
     CHECK(nlohmann::json::parse(text)["z"] == 1);
 }
 
+TEST_CASE("CSV: what a spreadsheet would compute is text; numbers with their units stay")
+{
+    const Folder folder;
+    const std::vector<CsvColumn> columns{
+        {"=A1", "",
+         std::vector<std::string>{"=cmd|' /C calc'!A0", "+A1", "-2+3+cmd|' /C calc'!A0", "@SUM(1)", "-5 mm", "+1e-3 K",
+                                  "-.5", "\x1b[31m", "two\nlines", "a-b"}}};
+    write_csv(folder.path / "a.csv", std::vector<std::string>{"=1", "a\x1b\nb = 1"}, columns);
+    CHECK(content(folder.path / "a.csv") == "# =1\n# a\\u001b b = 1\n"
+                                            "'=A1\n'=cmd|' /C calc'!A0\n'+A1\n'-2+3+cmd|' /C calc'!A0\n'@SUM(1)\n"
+                                            "-5 mm\n+1e-3 K\n-.5\n\\u001b[31m\ntwo lines\na-b\n");
+}
+
 TEST_CASE("a result folder appears only when it is committed")
 {
     const Folder folder;

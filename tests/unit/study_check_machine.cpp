@@ -99,3 +99,27 @@ TEST_CASE("a body of one part that is in two pieces is named too, unless another
     held.bonds.back().points = {{3, 2, {}, {}, {}, 1}, {1, 2, {}, {}, {}, 1}};
     CHECK(study::loose_bodies(held).empty());
 }
+
+TEST_CASE("a formula of the place is held against its surface and the operation: refused at 0 K, warned of below 150 K")
+{
+    Machine machine = three_cubes();
+    Face face;
+    face.nodes = {1, 2, 6, 5};  // x = 1 of the first cube
+    machine.faces.push_back(face);
+    machine.surfaces.push_back({"side", {{static_cast<std::uint32_t>(machine.faces.size() - 1), 1.0}}, 1.0});
+    casefile::Case input;
+    input.operation.resize(1);
+    input.operation[0].duration = 100;
+    const auto warnings = [&](const char* formula) {
+        input.surfaces["side"].temperature_formula = formula;
+        return study::cold_formulas(input, machine);
+    };
+    CHECK(warnings("293.15 + 10*x").empty());
+    CHECK(warnings("150 * x").empty());  // x is 0 on the other side of the cube, which is no part of the surface
+    const auto cold = warnings("20 + 10*y");
+    REQUIRE(cold.size() == 1);
+    CHECK(cold[0].find("surfaces.side.temperature_formula gives 20 K at (1, 0, 0) m, t = 0 s; if degC are meant") == 0);
+    CHECK_THROWS_WITH_AS((void)warnings("293.15*x - 3*t"), doctest::Contains("gives -6.85 K"), InputError);
+    CHECK_THROWS_WITH_AS((void)warnings("0*x"), doctest::Contains("not above absolute zero"), InputError);
+    CHECK_THROWS_AS((void)warnings("293.15/y"), DomainError);
+}

@@ -8,8 +8,10 @@
 #include "deadpoint/core/formula.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <string_view>
 
@@ -412,10 +414,55 @@ private:
         }
         try {
             const Formula formula(surface.temperature_formula);
+            if (!formula.depends_on_place()) {
+                check_course(path + ".temperature_formula", formula);
+            }
         } catch (const InputError& error) {
             const std::string text = error.what();
             report("formula", path + ".temperature_formula", text.substr(0, text.find("; write")),
                    "write it in x, y, z (metres) and t (seconds), like \"293.15 + 10*sin(pi*t/40)\"");
+        }
+    }
+
+    /// The temperatures of a formula that is the same everywhere, over the operation.
+    void check_course(const std::string& path, const Formula& formula)
+    {
+        constexpr int samples = 1000;
+        double end = 0;
+        for (const auto& segment : c_.operation) {
+            end += segment.duration;
+        }
+        double least = std::numeric_limits<double>::infinity();
+        double when = 0;
+        for (int i = 0; i <= samples; ++i) {
+            const double time = end * i / samples;
+            const double value = value_or_nan(formula, time);
+            if (!(value >= least)) {
+                least = value;
+                when = time;
+            }
+            if (!(value > 0)) {
+                break;
+            }
+        }
+        if (!(least > 0)) {
+            report("formula", path,
+                   std::isnan(least) ? fmt::format("the formula is not finite at t = {:.6g} s", when)
+                                     : fmt::format("{:.6g} K at t = {:.6g} s is not above absolute zero", least, when),
+                   "its result is in kelvin: 20 degC are 293.15");
+        } else if (least < coldest_meant) {
+            warn("cold-formula", path,
+                 fmt::format("the formula gives {:.6g} K ({:.4g} degC) at t = {:.6g} s", least, least - 273.15, when),
+                 "if degC are meant, add 273.15: the result of a formula is in kelvin");
+        }
+    }
+
+    static double value_or_nan(const Formula& formula, double time)
+    {
+        try {
+            return formula({}, time);
+        } catch (const DomainError&) {
+            return std::numeric_limits<double>::quiet_NaN();
         }
     }
 

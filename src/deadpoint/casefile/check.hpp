@@ -8,6 +8,9 @@
 
 namespace deadpoint::casefile {
 
+/// No press is colder; what a formula gives below was meant in degC [K].
+inline constexpr double coldest_meant = 150;
+
 /// A mistake in how the sections of a case refer to each other.
 struct Finding {
     std::string code;

@@ -367,7 +367,8 @@ void describe(Visitor& v, Surface& s)
     v.table({"film", "convection and radiation"}, s.film);
     v.course({"temperature", "prescribed temperature"}, s.temperature, D::temperature, absolute_temperature);
     v.text({"temperature_formula",
-            "prescribed temperature [K] in x, y, z [m] and t [s], like \"293.15 + 10*sin(pi*t/40)\""},
+            "prescribed temperature [K] in x, y, z [m] and t [s], like \"293.15 + 10*sin(pi*t/40)\"; above 0 K, and "
+            "below 150 K with a warning"},
            s.temperature_formula);
     v.course({"heat_flux", "heat into the part"}, s.heat_flux, D::heat_flux, any_value);
     v.flag({"insulated", "no heat passes; takes its faces from an `exposed` surface"}, s.insulated);

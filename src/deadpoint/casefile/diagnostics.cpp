@@ -1,5 +1,7 @@
 #include "deadpoint/casefile/diagnostics.hpp"
 
+#include "deadpoint/core/plain_text.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <sstream>
@@ -14,7 +16,7 @@ constexpr int longest_line = 600;  // [characters] that are quoted
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
-int character_count(const std::string& text) { return static_cast<int>(std::ranges::count_if(text, begins_character)); }
+int length_of(const std::string& text) { return static_cast<int>(character_count(text)); }
 
 /// Blanks as wide as the first `count` characters of the line; tabs stay tabs so that the caret stands right.
 std::string blanks(const std::string& line, int count)
@@ -38,7 +40,7 @@ std::string blanks(const std::string& line, int count)
 /// A stretch of a long line about a place, and the number of characters before it.
 std::pair<std::string, int> around(const std::string& line, int place)
 {
-    if (character_count(line) <= longest_line) {
+    if (length_of(line) <= longest_line) {
         return {line, 0};
     }
     const int begin = std::max(place - longest_line / 2, 0);
@@ -55,15 +57,15 @@ std::pair<std::string, int> around(const std::string& line, int place)
 
 }  // namespace
 
-int Sources::add(std::string shown, const std::string& text)
+int Sources::add(const std::string& shown, const std::string& text)
 {
-    File file{std::move(shown), {}};
+    File file{one_line(shown), {}};
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) {
         if (line.ends_with('\r')) {
             line.pop_back();
         }
-        file.lines.push_back(line);
+        file.lines.push_back(masked(line));  // as many characters as before, for the mark below
     }
     files_.push_back(std::move(file));
     return static_cast<int>(files_.size()) - 1;
@@ -104,7 +106,7 @@ std::string Diagnostics::quote(const Place& place) const
         return {};
     }
     const int before = std::max(place.column - 1 - left_out, 0);
-    const int room = std::max(character_count(line) - before, 1);
+    const int room = std::max(length_of(line) - before, 1);
     const auto carets = static_cast<std::size_t>(std::clamp(place.width, 1, room));
     return fmt::format("{:>6} | {}\n       | {}{}\n", place.line, line, blanks(line, before), std::string(carets, '^'));
 }
@@ -130,7 +132,7 @@ std::string Diagnostics::render(const Diagnostic& d) const
     if (!d.help.empty()) {
         text += fmt::format("  help: {}\n", d.help);
     }
-    return text;
+    return printable(text);
 }
 
 std::string Diagnostics::render_errors(std::string_view outcome) const

@@ -21,7 +21,7 @@ class Sources {
 public:
     /// @param shown  name of the text in messages
     /// @return its index
-    int add(std::string shown, const std::string& text);
+    int add(const std::string& shown, const std::string& text);
     [[nodiscard]] const std::string& name(int file) const { return files_.at(static_cast<std::size_t>(file)).shown; }
     /// @return the line's text, empty if there is none
     [[nodiscard]] std::string line(const Place& place) const;

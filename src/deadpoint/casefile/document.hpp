@@ -11,7 +11,9 @@
 
 namespace deadpoint::casefile {
 
-inline constexpr std::size_t most_names = 10'000;  ///< in one table; they are compared with each other
+inline constexpr std::size_t most_names = 10'000;    ///< in one table; they are compared with each other
+inline constexpr std::size_t longest_name = 100;     ///< [characters]; names become names of files
+inline constexpr std::size_t longest_text = 10'000;  ///< [characters]
 
 /// A TOML value with its place in the text; keeps the rest of the program free of the TOML library.
 struct Node {
@@ -53,7 +55,8 @@ bool lies_below(const std::filesystem::path& path, const std::filesystem::path& 
 ///
 /// Includes are relative to the file that names them and must be allowed by `files`; tables of
 /// several files are merged, a key stated twice is an error. An override is "path=value" with numbers for items of
-/// lists ("operation.0.speed=400 rpm"); a value that is not TOML is taken as text.
+/// lists ("operation.0.speed=400 rpm"); a value that is not TOML is taken as text. Every text and every name is checked
+/// to be one line of printable characters of a sensible length, so that files and terminals can show it.
 ///
 /// @throws IoError if the case file itself cannot be read; all else goes to `diagnostics`
 Document load_document(const std::filesystem::path& path, const std::vector<std::string>& overrides,

@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/document.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/read_file.hpp"
 
 #include <algorithm>
@@ -274,6 +275,52 @@ private:
     Place value_;
 };
 
+/// Checks that texts and names can be shown and written: one line each, printable, of a sensible length.
+class TextCheck {
+public:
+    explicit TextCheck(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    void run(const Node& node, const std::string& path)
+    {
+        if (node.kind == Node::Kind::string) {
+            check(node.text, longest_text, node.place, path);
+        }
+        for (std::size_t i = 0; i < node.children.size(); ++i) {
+            const Node& child = node.children[i];
+            const bool named = node.kind == Node::Kind::table;
+            const std::string step = named ? one_line(child.key) : std::to_string(i);
+            const std::string below = path.empty() ? step : path + "." + step;
+            if (named) {
+                check(child.key, longest_name, child.key_place.file >= 0 ? child.key_place : child.place, below);
+            }
+            run(child, below);
+        }
+    }
+
+private:
+    void check(const std::string& text, std::size_t longest, const Place& place, const std::string& path)
+    {
+        if (const auto strange = first_unprintable(text); !strange.empty()) {
+            report("bad-text", place, path, fmt::format("the text holds {}, which is not printable", strange),
+                   "write one line of printable characters; within three quotes, a \\ at the end of a line joins it "
+                   "with the next one");
+        } else if (character_count(text) > longest) {
+            report(
+                "too-long", place, path.substr(0, longest_name),
+                fmt::format("the {} is longer than {} characters", longest == longest_name ? "name" : "text", longest),
+                "write a shorter one");
+        }
+    }
+
+    void report(std::string code, const Place& place, const std::string& path, std::string message, std::string help)
+    {
+        diagnostics_.add(
+            {Severity::error, std::move(code), place, path, std::move(message), std::move(help), std::nullopt, ""});
+    }
+
+    Diagnostics& diagnostics_;
+};
+
 }  // namespace
 
 Place place_of(const Node& root, const std::string& path)
@@ -318,6 +365,7 @@ Document load_document(const fs::path& path, const std::vector<std::string>& ove
         document.paths.push_back(main);
         Override(text, file, diagnostics).apply(document.root);
     }
+    TextCheck(diagnostics).run(document.root, "");
     return document;
 }
 

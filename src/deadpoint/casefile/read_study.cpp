@@ -2,6 +2,7 @@
 #include "deadpoint/casefile/reader.hpp"
 #include "deadpoint/casefile/study_file.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/plain_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -225,6 +226,10 @@ private:
                        axis.labels[i].empty() ? "the label is empty"
                                               : fmt::format("two steps are called '{}'", axis.labels[i]),
                        "give each step its own label");
+            }
+            if (character_count(axis.labels[i]) > longest_name) {
+                report("too-long", fmt::format("{}.labels.{}", at, i),
+                       fmt::format("the label is longer than {} characters", longest_name), "write a shorter one");
             }
         }
     }

@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/reader.hpp"
 
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/suggest.hpp"
 
 #include <algorithm>
@@ -65,10 +66,11 @@ std::string_view type_help(Node::Kind wanted)
 
 bool is_plain_name(const std::string& name)
 {
-    return !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
-        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-' ||
-               c == '+';
-    });
+    const auto begins = [](unsigned char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
+    return !name.empty() && begins(static_cast<unsigned char>(name.front())) &&
+           std::ranges::all_of(name, [&](unsigned char c) { return begins(c) || c == '-' || c == '+'; });
 }
 
 }  // namespace
@@ -301,8 +303,15 @@ void Reader::text(const Key& key, std::string& value)
     if (node == nullptr) {
         return;
     }
-    if (node->text.empty() && key.need == Need::required) {
-        report(*node, "empty", path_of(key.name), "the text is empty", fmt::format("write here: {}", key.meaning));
+    if (node->text.empty()) {
+        report(
+            *node, "empty", path_of(key.name), "the text is empty",
+            fmt::format("{}write here: {}", key.need == Need::required ? "" : "leave the key out, or ", key.meaning));
+    }
+    if (key.name == "name" && character_count(node->text) > longest_name) {
+        report(*node, "too-long", path_of(key.name), fmt::format("the name is longer than {} characters", longest_name),
+               "write a shorter one");
+        return;
     }
     value = node->text;
 }
@@ -442,7 +451,7 @@ bool Reader::begin_member(const std::string& name)
     }
     if (!is_plain_name(name)) {
         report_key(*node, "bad-name", path, fmt::format("'{}' cannot be a name", name),
-                   "use letters, digits, '_', '-' and '+' only");
+                   "use letters, digits, '_', '-' and '+' only, and begin with none of the last two");
     }
     push(*node, path);
     return true;

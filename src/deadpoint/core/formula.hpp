@@ -9,8 +9,8 @@ namespace deadpoint {
 
 /// A formula of place and time typed by a user, such as "293.15 + 100*sin(pi*t/40)*x".
 ///
-/// Known names: x, y, z [m], t [s], pi, e; functions and operators are those of muParser (sin, exp, min, ?: ...).
-/// Not for concurrent calls on one object.
+/// Known names: x, y, z [m], t [s], pi, e; functions and operators are those of muParser (sin, exp, min, ?: ...)
+/// without assignments. A formula has one result: "293,15" has two. Not for concurrent calls on one object.
 class Formula {
 public:
     /// @throws InputError if the text is no formula, with the place of the mistake
@@ -20,6 +20,9 @@ public:
 
     /// @throws DomainError if the value is not finite
     double operator()(const Vec3& position, double time) const;
+
+    /// Whether x, y or z stands in it.
+    [[nodiscard]] bool depends_on_place() const;
 
 private:
     struct Parser;

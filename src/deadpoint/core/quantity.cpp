@@ -201,6 +201,12 @@ std::string_view trim(std::string_view text)
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
+/// Whether what follows a number goes on with a comma and a digit: "293,15 K", "1,000 mm".
+bool has_decimal_comma(std::string_view rest)
+{
+    return rest.size() > 1 && rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9';
+}
+
 bool is_angular(Dimension d) { return d == D::angle || d == D::angular_velocity; }
 
 /// Refuses what UDUNITS-2 would take as arithmetic or as a shifted origin ("5 mm", "m @ 3", "K from 273").
@@ -346,6 +352,11 @@ std::variant<double, QuantityProblem> try_parse_quantity(std::string_view text, 
         return QuantityProblem{"not-finite", fmt::format("'{}' is not a finite number", text), example};
     }
     const std::string_view unit = trim(body.substr(static_cast<std::size_t>(end - body.data())));
+    if (has_decimal_comma(unit)) {
+        return QuantityProblem{
+            "decimal-comma", fmt::format("'{}' has a comma in its number", text),
+            fmt::format("write decimals with a point and thousands without any mark, like \"{}\"", wanted.example)};
+    }
     if (dimension == D::none) {
         if (unit.empty()) {
             return number;

@@ -59,7 +59,8 @@ std::span<const DimensionInfo> all_dimensions();
 
 /// Why a text is not the quantity wanted.
 struct QuantityProblem {
-    std::string code;     ///< "missing-unit", "unknown-unit", "unit-mismatch", "not-a-quantity", "not-finite"
+    std::string
+        code;  ///< "missing-unit", "unknown-unit", "unit-mismatch", "not-a-quantity", "decimal-comma", "not-finite"
     std::string message;  ///< what is wrong
     std::string help;     ///< what to write instead
 };

@@ -1,6 +1,7 @@
 #include "deadpoint/core/vtu.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/write_file.hpp"
 
 #include <algorithm>
@@ -19,39 +20,11 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are written as they st
 constexpr std::size_t block_size = std::size_t{1} << 20;  // bytes compressed at a time
 constexpr int compression_level = 3;                      // fields hardly shrink further, at several times the effort
 
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
-        }
-    }
-    return result;
-}
-
-/// The comments, one per line; "--" may not stand in an XML comment.
 std::string comment_lines(const VtuNotes& notes)
 {
     std::string result;
-    for (std::string text : notes.comments) {
-        for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--")) {
-            text.replace(at, 2, "- -");
-        }
-        result += fmt::format("<!-- {} -->\n", text);
+    for (const auto& text : notes.comments) {
+        result += xml_comment(text);
     }
     return result;
 }
@@ -104,7 +77,7 @@ public:
         std::string line =
             fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)"
                         "\n",
-                        type_name<T>(), escaped(name), components, bytes_.size());
+                        type_name<T>(), xml_text(name), components, bytes_.size());
         bytes_ += compressed(data, count * sizeof(T));
         return line;
     }
@@ -190,7 +163,7 @@ std::string declared_at(VtuArray::Place place, std::span<const VtuDeclaration> a
     for (const auto& array : arrays) {
         if (array.place == place) {
             result += fmt::format("<PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n",
-                                  names[static_cast<int>(array.type)], escaped(array.name), array.components);
+                                  names[static_cast<int>(array.type)], xml_text(array.name), array.components);
         }
     }
     return result;
@@ -226,7 +199,7 @@ void write_pvtu(const std::filesystem::path& path, std::span<const std::string> 
                        "</PCellData>\n<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" "
                        "NumberOfComponents=\"3\"/>\n</PPoints>\n";
     for (const auto& piece : pieces) {
-        text += fmt::format("<Piece Source=\"{}\"/>\n", escaped(piece));
+        text += fmt::format("<Piece Source=\"{}\"/>\n", xml_text(piece));
     }
     text += "</PUnstructuredGrid>\n</VTKFile>\n";
     write_file(path, text);
@@ -237,7 +210,7 @@ void write_pvd(const std::filesystem::path& path, std::span<const PvdEntry> entr
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
                        "byte_order=\"LittleEndian\">\n<Collection>\n";
     for (const auto& entry : entries) {
-        text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", entry.time, escaped(entry.file));
+        text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", entry.time, xml_text(entry.file));
     }
     text += "</Collection>\n</VTKFile>\n";
     write_file(path, text);

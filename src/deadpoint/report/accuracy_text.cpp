@@ -1,5 +1,6 @@
 #include "deadpoint/report/accuracy_text.hpp"
 
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/quantity.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/csv.hpp"
@@ -150,7 +151,7 @@ void write_accuracy_files(const std::filesystem::path& folder, const AccuracyRep
     write_csv(folder / "accuracy.csv", lines, columns);
     std::string sizes;
     for (const auto& line : lines)
-        sizes += "# " + line + "\n";
+        sizes += "# " + one_line(line) + "\n";
     for (const auto& part : accuracy.parts)
         if (!part.fixed)
             sizes +=

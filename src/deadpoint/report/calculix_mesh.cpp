@@ -1,5 +1,6 @@
 #include "deadpoint/report/calculix_mesh.hpp"
 
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/write_file.hpp"
 
 #include <algorithm>
@@ -102,7 +103,7 @@ void write_calculix_mesh(const std::filesystem::path& path, const Machine& machi
 {
     write_file(path, [&](std::ostream& out) {
         for (const auto& comment : comments)
-            fmt::print(out, "** {}\n", comment);
+            fmt::print(out, "** {}\n", one_line(comment));
         out << "*NODE, NSET=ALL\n";
         for (std::size_t n = 0; n < machine.nodes.size(); ++n) {
             const auto& x = machine.nodes[n];

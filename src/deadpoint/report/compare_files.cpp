@@ -1,5 +1,6 @@
 #include "deadpoint/report/compare_files.hpp"
 
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/json_file.hpp"
@@ -148,12 +149,21 @@ std::string table_text(const Sheet& sheet)
     return table.text();
 }
 
-/// A bar would end the cell of a table.
-std::string escaped(const std::string& text)
+/// Text of a page that is Markdown, where '<' would begin HTML.
+std::string markdown_text(const std::string& text)
 {
     std::string result;
-    for (const char c : text)
-        result += c == '|' ? std::string("\\|") : c == '\n' ? std::string(" ") : std::string(1, c);
+    for (const char c : one_line(text))
+        result += c == '<' ? std::string("&lt;") : std::string(1, c);
+    return result;
+}
+
+/// A bar would end the cell of a table.
+std::string markdown_cell(const std::string& text)
+{
+    std::string result;
+    for (const char c : markdown_text(text))
+        result += c == '|' ? std::string("\\|") : std::string(1, c);
     return result;
 }
 
@@ -162,7 +172,7 @@ std::string table_markdown(const Sheet& sheet)
     const auto line = [](const std::vector<std::string>& cells) {
         std::string text = "|";
         for (const auto& cell : cells)
-            text += fmt::format(" {} |", escaped(cell));
+            text += fmt::format(" {} |", markdown_cell(cell));
         return text + "\n";
     };
     std::string text = line(sheet.titles) + "|";
@@ -319,13 +329,13 @@ std::string compare_text(const study::RunRecord& run, const Comparison& c)
 
 std::string compare_page(const study::RunRecord& run, const Comparison& c)
 {
-    std::string text = fmt::format("<!-- deadpoint {}, case {}, hash {} -->\n# {}\n\nReference: {}\n", version,
-                                   escaped(run.machine), run.hash, title(run, c), c.source);
+    std::string text = xml_comment(fmt::format("deadpoint {}, case {}, hash {}", version, run.machine, run.hash));
+    text += fmt::format("# {}\n\nReference: {}\n", markdown_text(title(run, c)), markdown_text(c.source));
     if (!c.note.empty())
-        text += fmt::format("\n{}\n", c.note);
+        text += fmt::format("\n{}\n", markdown_text(c.note));
     for (const auto& warning : c.warnings)
-        text += fmt::format("\n**Warning:** {}\n", warning);
-    text += fmt::format("\n{}\n", how_to_read(run, c));
+        text += fmt::format("\n**Warning:** {}\n", markdown_text(warning));
+    text += fmt::format("\n{}\n", markdown_text(how_to_read(run, c)));
     if (const auto figures = figure_sheet(c); !figures.rows.empty())
         text += fmt::format("\n## Errors\n{}", table_markdown(figures));
     if (const auto values = value_sheet(c); !values.rows.empty())
@@ -339,7 +349,7 @@ std::string compare_page(const study::RunRecord& run, const Comparison& c)
     if (const auto lines = notes(c); !lines.empty()) {
         text += "\n## Notes\n";
         for (const auto& line : lines)
-            text += fmt::format("- {}\n", line);
+            text += fmt::format("- {}\n", markdown_text(line));
     }
     return text;
 }

@@ -1,9 +1,9 @@
 #include "deadpoint/report/csv.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/write_file.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
@@ -16,9 +16,21 @@ std::size_t length(const CsvColumn& column)
     return std::visit([](const auto& v) { return v.size(); }, column.values);
 }
 
-std::string quoted(const std::string& text)
+/// Whether a spreadsheet would compute the cell: it begins like a formula and is not merely a number with a unit.
+bool is_formula(std::string_view text)
 {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    if (text.empty() || std::string_view("=+-@").find(text[0]) == std::string_view::npos) {
+        return false;
+    }
+    const bool is_signed = (text[0] == '+' || text[0] == '-') && text.size() > 1 &&
+                           std::string_view("0123456789.").find(text[1]) != std::string_view::npos;
+    return !is_signed || text.find_first_of("()|!@=&'\"") != std::string_view::npos;
+}
+
+std::string quoted(const std::string& given)
+{
+    const std::string text = (is_formula(given) ? "'" : "") + one_line(given);
+    if (text.find_first_of(",\"") == std::string::npos) {
         return text;
     }
     std::string result = "\"";
@@ -37,13 +49,6 @@ std::string cell(const CsvColumn& column, std::size_t row)
     return quoted(std::get<std::vector<std::string>>(column.values)[row]);
 }
 
-std::string single_line(std::string text)
-{
-    std::ranges::replace_if(
-        text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    return text;
-}
-
 }  // namespace
 
 void write_csv(const std::filesystem::path& path, std::span<const std::string> comments,
@@ -58,7 +63,7 @@ void write_csv(const std::filesystem::path& path, std::span<const std::string> c
     }
     std::string text;
     for (const auto& comment : comments) {
-        text += "# " + single_line(comment) + '\n';
+        text += "# " + one_line(comment) + '\n';
     }
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const auto& column = columns[i];

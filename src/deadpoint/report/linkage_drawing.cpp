@@ -1,6 +1,7 @@
 #include "deadpoint/report/linkage_drawing.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/report/table.hpp"
 
 #include <algorithm>
@@ -20,14 +21,6 @@ constexpr double panel_height = 460;
 constexpr double widest_panel = 420;
 constexpr double margin = 26;
 constexpr double narrowest_pitch = 140;  // room for the panel's title
-
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text)
-        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return result;
-}
 
 Vec2 turned(const PlanarPose& pose, const Vec2& point)
 {
@@ -296,7 +289,7 @@ private:
                                "opacity=\"0.6\"/>\n<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" "
                                "fill=\"{}\">{}</text>\n",
                                label.from[0], label.from[1], x - 4, label.y, label.colour, x, label.y + 4, label.colour,
-                               escaped(label.text));
+                               xml_text(label.text));
         return svg;
     }
 
@@ -349,7 +342,7 @@ std::string linkage_drawing(const std::string& title, const Linkage& linkage, co
                     "{0:.0f} {1:.0f}\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', "
                     "sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<text x=\"20\" "
                     "y=\"30\" font-size=\"17\" font-weight=\"bold\" fill=\"#222222\">{2}</text>\n",
-                    width, height, escaped(title));
+                    width, height, xml_text(title));
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const double left = inset + static_cast<double>(i) * (drawing.width() + gap);
         const double degrees = (history.angle[positions[i]] - history.angle.front()) * 180 / std::numbers::pi;

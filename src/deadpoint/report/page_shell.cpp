@@ -1,5 +1,6 @@
 #include "deadpoint/report/page_shell.hpp"
 
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/page_parts.hpp"
@@ -33,18 +34,10 @@ std::string embedded(const Json& json)
 
 }  // namespace
 
-std::string escaped(std::string_view text)
-{
-    std::string result;
-    for (const char c : text)
-        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-    return result;
-}
-
 void write_page(const fs::path& file, const PageContent& content, std::span<const std::string_view> scripts,
                 IfThere if_there)
 {
-    const auto title = escaped(content.title);
+    const auto title = xml_text(content.title);
     const auto fill = [&](std::ostream& out) {
         out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
             << "<meta http-equiv=\"Content-Security-Policy\" content=\"" << policy << "\">\n"

@@ -11,9 +11,6 @@
 /// Internal to report/: what the pages of a run and of a study have in common.
 namespace deadpoint::report {
 
-/// Text as it may stand in HTML, also within quotes.
-std::string escaped(std::string_view text);
-
 struct PageContent {
     std::string title;
     nlohmann::ordered_json data;

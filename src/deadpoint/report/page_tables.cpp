@@ -1,6 +1,6 @@
 #include "deadpoint/report/page_tables.hpp"
 
-#include "deadpoint/report/page_shell.hpp"
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/report/table.hpp"
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ std::string html_row(const std::vector<std::string>& cells, bool heading)
                            heading  ? "scope=\"col\""
                            : i == 0 ? "scope=\"row\""
                                     : "",
-                           escaped(cells[i]), tag);
+                           xml_text(cells[i]), tag);
     }
     return row + "</tr>\n";
 }
@@ -32,7 +32,7 @@ std::string html_table(const std::string& caption, const std::vector<std::string
     if (rows.empty())
         return {};
     std::string text = fmt::format("<div class=\"wide\"><table>\n<caption>{}</caption>\n<thead>{}</thead>\n<tbody>\n",
-                                   escaped(caption), html_row(titles, true));
+                                   xml_text(caption), html_row(titles, true));
     for (const auto& row : rows)
         text += html_row(row, false);
     return text + "</tbody></table></div>\n";
@@ -75,14 +75,14 @@ std::string warnings_list(const Json& warnings)
         return "<p>There are no warnings.</p>\n";
     std::string text = "<ul class=\"warnings\">\n";
     for (const auto& warning : warnings)
-        text += "<li>" + escaped(warning.get<std::string>()) + "</li>\n";
+        text += "<li>" + xml_text(warning.get<std::string>()) + "</li>\n";
     return text + "</ul>\n";
 }
 
 std::string cite(const std::string& version, const std::string& what)
 {
     return fmt::format("<p>Cite as: deadpoint {}, thermal drift of mechanical presses at bottom dead point; {}.</p>\n",
-                       escaped(version), escaped(what));
+                       xml_text(version), xml_text(what));
 }
 
 }  // namespace
@@ -93,8 +93,8 @@ std::string run_tables(const Json& run)
     const auto machine = facts.value("case", Json::object());
     const auto hash = machine.value("hash", "-");
     std::string text = fmt::format("<h2>{}</h2>\n<p>deadpoint {}, case hash {}</p>\n",
-                                   escaped(machine.value("name", run.value("name", ""))),
-                                   escaped(facts.value("version", "-")), escaped(hash));
+                                   xml_text(machine.value("name", run.value("name", ""))),
+                                   xml_text(facts.value("version", "-")), xml_text(hash));
     if (facts.contains("drift_um"))
         text += gap_table(facts.at("drift_um"));
     if (facts.contains("gaps"))
@@ -123,7 +123,7 @@ std::string sweep_tables(const Json& sweep, const CsvTable& points)
     const auto study = sweep.value("study", Json::object());
     const auto version = sweep.value("version", "-");
     std::string text =
-        fmt::format("<p>deadpoint {}, base case {}</p>\n", escaped(version), escaped(study.value("base", "-")));
+        fmt::format("<p>deadpoint {}, base case {}</p>\n", xml_text(version), xml_text(study.value("base", "-")));
     std::vector<std::vector<std::string>> windows;
     for (const auto& set : sweep.value("sets", Json::array()))
         if (set.contains("window") && set.at("window").is_object())

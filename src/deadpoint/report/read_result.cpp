@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/csv_table.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/report/json_file.hpp"
 
 #include <algorithm>
@@ -59,7 +60,7 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, do
 
 void read_summary(const Json& json, study::RunRecord& run)
 {
-    run.machine = json.at("case").at("name").get<std::string>();
+    run.machine = one_line(json.at("case").at("name").get<std::string>());
     run.hash = json.at("case").at("hash").get<std::string>();
     run.interrupted = json.at("interrupted").get<bool>();
     run.initial_temperature = json.at("initial_temperature_degC").get<double>() + zero_celsius;

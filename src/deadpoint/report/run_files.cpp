@@ -1,6 +1,7 @@
 #include "deadpoint/report/run_files.hpp"
 
 #include "deadpoint/casefile/write.hpp"
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/accuracy_text.hpp"
@@ -401,7 +402,7 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
     const auto comments = head(input, result, warnings);
     std::string resolved;
     for (const auto& line : comments)
-        resolved += "# " + line + "\n";
+        resolved += "# " + one_line(line) + "\n";
     resolved += casefile::write_case(input);
     write_file(folder / "case.toml", [&](std::ostream& out) { out << resolved; });
     write_history(folder / "history.csv", input, result, comments);

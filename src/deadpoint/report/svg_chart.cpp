@@ -1,5 +1,6 @@
 #include "deadpoint/report/svg_chart.hpp"
 
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/write_file.hpp"
 #include "deadpoint/report/table.hpp"
 
@@ -46,15 +47,6 @@ struct Frame {
         return bottom - (value - y.low) / (y.high - y.low) * (bottom - top);
     }
 };
-
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text) {
-        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    }
-    return result;
-}
 
 /// A tick's number with just the decimals that its step needs, and a true minus sign.
 std::string tick_text(double value, double step)
@@ -286,7 +278,7 @@ std::vector<double> nice_ticks(double low, double high, int wanted)
 std::string svg_text(double x, double y, const std::string& anchor, const std::string& style, const std::string& text)
 {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, style,
-                       escaped(text));
+                       xml_text(text));
 }
 
 std::string svg_head(double width, double height, const std::string& title, const std::string& subtitle)
@@ -324,11 +316,8 @@ std::string svg_chart(const Chart& chart)
 std::string svg_comments(const std::vector<std::string>& comments)
 {
     std::string head;
-    for (std::string text : comments) {
-        for (auto at = text.find("--"); at != std::string::npos; at = text.find("--")) {
-            text.replace(at, 2, "- -");
-        }
-        head += "<!-- " + text + " -->\n";
+    for (const auto& text : comments) {
+        head += xml_comment(text);
     }
     return head;
 }

@@ -1,6 +1,8 @@
 #include "deadpoint/study/check_machine.hpp"
 
+#include "deadpoint/casefile/check.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/core/formula.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace deadpoint::study {
 namespace {
@@ -61,6 +64,43 @@ std::string piece_name(const MeshPart& part, std::size_t piece)
     return part.pieces == 1 ? part.name : fmt::format("{} (piece {} of {})", part.name, piece + 1, part.pieces);
 }
 
+/// Where and when a formula is coldest.
+struct Coldest {
+    double value = std::numeric_limits<double>::infinity();  ///< [K]
+    Vec3 place{};
+    double time = 0;  ///< [s]
+};
+
+double end_of(const casefile::Case& input)
+{
+    double end = 0;
+    for (const auto& segment : input.operation)
+        end += segment.duration;
+    return end;
+}
+
+Coldest coldest_of(const Formula& formula, const Machine& machine, const MeshSurface& surface, double end)
+{
+    constexpr int times = 20;
+    std::set<std::uint32_t> nodes;
+    for (const auto& entry : surface.faces) {
+        const auto& face = machine.faces[entry.face];
+        nodes.insert(face.nodes.begin(), face.nodes.begin() + face.node_count);
+    }
+    Coldest coldest;
+    for (const auto node : nodes)
+        for (int i = 0; i <= times; ++i)
+            if (const double value = formula(machine.nodes[node], end * i / times); value < coldest.value)
+                coldest = {value, machine.nodes[node], end * i / times};
+    return coldest;
+}
+
+std::string cold_text(const std::string& surface, const Coldest& coldest)
+{
+    return fmt::format("surfaces.{}.temperature_formula gives {:.4g} K at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.4g} s",
+                       surface, coldest.value, coldest.place[0], coldest.place[1], coldest.place[2], coldest.time);
+}
+
 }  // namespace
 
 void require_probes_on_parts(const casefile::Case& input, const Machine& machine)
@@ -82,6 +122,24 @@ void require_probes_on_parts(const casefile::Case& input, const Machine& machine
     }
     if (!faults.empty())
         throw InputError(faults + "\n  help: move the probe onto the part, or name the part it lies on");
+}
+
+std::vector<std::string> cold_formulas(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<std::string> warnings;
+    for (const auto& surface : machine.surfaces) {
+        const auto found = input.surfaces.find(surface.name);
+        if (found == input.surfaces.end() || found->second.temperature_formula.empty())
+            continue;
+        const auto coldest = coldest_of(Formula(found->second.temperature_formula), machine, surface, end_of(input));
+        if (coldest.value <= 0)
+            throw InputError(fmt::format("{}, which is not above absolute zero\n  help: the result of a formula is in "
+                                         "kelvin: 20 degC are 293.15",
+                                         cold_text(surface.name, coldest)));
+        if (coldest.value < casefile::coldest_meant)
+            warnings.push_back(fmt::format("{}; if degC are meant, add 273.15", cold_text(surface.name, coldest)));
+    }
+    return warnings;
 }
 
 std::vector<std::string> loose_bodies(const Machine& machine)

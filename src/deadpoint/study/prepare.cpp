@@ -119,6 +119,8 @@ Machine prepare_machine(const casefile::Case& input, double size_scale, Observer
     auto machine = machine::build_machine(describe_machine(input, size_scale), observer);
     settle_claims(input, machine);
     require_probes_on_parts(input, machine);
+    for (const auto& warning : cold_formulas(input, machine))
+        observer.warn(warning);
     for (const auto& warning : loose_bodies(machine))
         observer.warn(warning);
     return machine;

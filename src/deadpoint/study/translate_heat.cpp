@@ -247,6 +247,20 @@ SurfaceCondition film_condition(const casefile::Case& input, const Machine& mach
     return condition;
 }
 
+/// @throws DomainError, when it is called, where the formula is not above absolute zero
+std::function<double(const Vec3&, double)> formula_course(const std::string& surface, const std::string& text)
+{
+    return [surface, formula = std::make_shared<Formula>(text)](const Vec3& position, double time) {
+        const double value = (*formula)(position, time);
+        if (!(value > 0))
+            throw DomainError(fmt::format("surfaces.{}.temperature_formula gives {:.6g} K at ({:.4g}, {:.4g}, {:.4g}) "
+                                          "m, t = {:.6g} s, which is not "
+                                          "above absolute zero\n  help: its result is in kelvin: 20 degC are 293.15",
+                                          surface, value, position[0], position[1], position[2], time));
+        return value;
+    };
+}
+
 std::vector<SurfaceCondition> surface_conditions(const casefile::Case& input, const Machine& machine,
                                                  const LoadsResult* loads)
 {
@@ -262,8 +276,7 @@ std::vector<SurfaceCondition> surface_conditions(const casefile::Case& input, co
             };
         } else if (!surface.temperature_formula.empty()) {
             condition.kind = SurfaceCondition::Kind::temperature;
-            condition.temperature = [formula = std::make_shared<Formula>(surface.temperature_formula)](
-                                        const Vec3& position, double time) { return (*formula)(position, time); };
+            condition.temperature = formula_course(name, surface.temperature_formula);
         } else if (surface.heat_flux) {
             condition.kind = SurfaceCondition::Kind::flux;
             condition.flux = time_course(*surface.heat_flux, 0);
