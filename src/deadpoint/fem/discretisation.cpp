@@ -8,6 +8,7 @@
 #include <deal.II/fe/mapping_q.h>
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <limits>
 
 namespace deadpoint::fem {
@@ -89,6 +90,30 @@ double face_area(const Machine& machine, const Face& face)
 
 }  // namespace
 
+namespace {
+
+std::string reason_text(KSPConvergedReason reason)
+{
+    switch (reason) {
+    case KSP_DIVERGED_ITS:
+        return "it is not there yet";
+    case KSP_DIVERGED_DTOL:
+        return "its residual grew";
+    case KSP_DIVERGED_INDEFINITE_MAT:
+        return "its matrix is not positive definite";
+    case KSP_DIVERGED_INDEFINITE_PC:
+        return "its preconditioner is not positive definite";
+    case KSP_DIVERGED_NANORINF:
+        return "a value became infinite or not a number";
+    case KSP_DIVERGED_PC_FAILED:
+        return "its preconditioner could not be built";
+    default:
+        return KSPConvergedReasons[reason];
+    }
+}
+
+}  // namespace
+
 int solve(KSP solver, Vec rhs, Vec solution, const char* what)
 {
     DEADPOINT_PETSC(KSPSolve(solver, rhs, solution));
@@ -96,11 +121,14 @@ int solve(KSP solver, Vec rhs, Vec solution, const char* what)
     PetscInt iterations = 0;
     DEADPOINT_PETSC(KSPGetConvergedReason(solver, &reason));
     DEADPOINT_PETSC(KSPGetIterationNumber(solver, &iterations));
+    const auto failure = fmt::format("the linear solver did not converge for {}: {} after {} iterations", what,
+                                     reason_text(reason), iterations);
+    if (reason == KSP_DIVERGED_NANORINF || reason == KSP_DIVERGED_PC_FAILED)
+        throw NotFinite(failure);
     if (reason < 0)
-        throw ConvergenceError(
-            std::string("the linear solver did not converge for ") + what + " (reason " + std::to_string(reason) +
-            " after " + std::to_string(iterations) +
-            " iterations); look for badly shaped cells with `deadpoint check`, or for material values far apart");
+        throw ConvergenceError(failure +
+                               "\n  help: look for badly shaped cells with 'deadpoint check', or for material "
+                               "values far apart");
     return static_cast<int>(iterations);
 }
 

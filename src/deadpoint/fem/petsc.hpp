@@ -17,6 +17,12 @@ inline void petsc_check(PetscErrorCode code, const char* call)
 }
 #define DEADPOINT_PETSC(call) ::deadpoint::fem::petsc_check((call), #call)
 
+/// A linear solve in which a value became infinite or not a number, or whose matrix holds such values.
+class NotFinite : public ConvergenceError {
+public:
+    using ConvergenceError::ConvergenceError;
+};
+
 template <class Handle, PetscErrorCode (*destroy)(Handle*)>
 class Owned {
 public:
@@ -53,6 +59,7 @@ using OwnedScatter = Owned<VecScatter, VecScatterDestroy>;
 using OwnedNullSpace = Owned<MatNullSpace, MatNullSpaceDestroy>;
 
 /// Solves, checks that it converged, and returns the number of iterations.
+/// @throws ConvergenceError that says why it did not; NotFinite where a value is not finite
 int solve(KSP solver, Vec rhs, Vec solution, const char* what);
 
 }  // namespace deadpoint::fem
