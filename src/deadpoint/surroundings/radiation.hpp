@@ -2,6 +2,8 @@
 
 #include "deadpoint/exchange/laws.hpp"
 
+#include <vector>
+
 namespace deadpoint::surroundings {
 
 /// Stefan-Boltzmann constant [W/m2/K4] (CODATA 2018).
@@ -12,7 +14,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///   h = eps sigma (T_s^2 + T_a^2)(T_s + T_a)
 ///
 /// exact, not linearised about a temperature: h (T_s - T_a) = eps sigma (T_s^4 - T_a^4) (Incropera et al., Fundamentals
-/// of Heat and Mass Transfer, eq. 1.9). Left out: surfaces that see each other.
+/// of Heat and Mass Transfer, eq. 1.9). Surfaces that see each other: enclosure_exchange().
 ///
 /// @param emissivity           eps, 0..1 [-]
 /// @param surface_temperature  T_s > 0 [K]
@@ -20,6 +22,26 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// @return coefficient [W/m2/K] and its derivative by T_s [W/m2/K2]
 /// @throws DomainError if the emissivity leaves 0..1 or a temperature is not positive
 LawValue radiation_coefficient(double emissivity, double surface_temperature, double ambient_temperature);
+
+/// Radiation among the grey, diffuse surfaces of a closed room, as areas X_ij by which they exchange it: surface i
+/// gives off
+///
+///   Q_i = sum over j of X_ij sigma (T_i^4 - T_j^4)        [W]
+///   X = diag(eps A) (1 - F diag(1 - eps))^-1 F diag(eps)                                   (net radiosities)
+///   F_ij = S u_i u_j / A_i,    u_i (1 - u_i) S = A_i,    sum of u_i = 1                    (view factors)
+///
+/// X is symmetric and its row i sums to eps_i A_i (Hottel and Sarofim, Radiative Transfer, ch. 3). The view factors are
+/// those of Carroll (ASHRAE Trans. 86, 1980): reciprocal, and those of a surface sum to 1. They count surfaces as plane
+/// and spread around the room; where each is is not asked. Where one is larger than all others together, these see
+/// nothing but it, and it sees itself by what is left. Exact for two large parallel plates, two concentric spheres or
+/// long cylinders, any surface that does not see itself inside one other, and surfaces of equal size that see each
+/// other alike.
+///
+/// @param areas         A_i > 0 [m2]
+/// @param emissivities  eps_i of each, above 0 and at most 1 [-]
+/// @return X_ij [m2], row after row; for a surface that is alone X_11 = eps A
+/// @throws DomainError if an argument leaves its range
+std::vector<double> enclosure_exchange(const std::vector<double>& areas, const std::vector<double>& emissivities);
 
 /// Convection with a constant coefficient and radiation to the room as one curve of the surface temperature.
 /// @param coefficient  >= 0 [W/m2/K]
