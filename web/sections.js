@@ -272,7 +272,7 @@ function trustSection(run) {
             "The dimension chain is that of the unloaded press at bottom dead point.",
             left.length ? `Left out: ${left.join(", ")}.` : null,
         ].filter(Boolean).map((text) => make("li", {}, text))),
-        run.summary?.energy_J ? make("p", {}, "The energy balance closes to "
+        run.summary?.energy_J?.relative_mismatch != null ? make("p", {}, "The energy balance closes to "
             + `${run.summary.energy_J.relative_mismatch.toExponential(0)} of the heat.`) : null,
         check ? make("p", {}, `The gap by the chain and by the deformation solved at ${duration(check.time_s)}: `
             + `${fixed(check.E_SW_um_by_adjoint, 3, true)} and ${fixed(check.E_SW_um_by_deformation, 3, true)} µm.`) : null);

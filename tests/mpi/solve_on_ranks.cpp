@@ -79,7 +79,7 @@ void write(const std::string& path, const study::RunResult& result)
         for (const auto& series : *group)
             file << series.value.back() << '\n';
     for (const auto& air : history.enclosures)
-        file << air.temperature.back() << '\n';
+        file << air.temperature.value.back() << '\n';
     for (const double highest : history.part_highest)
         file << highest << '\n';
     // forces in kN and stress in MPa, of the size of the temperatures

@@ -17,13 +17,17 @@ TEST_CASE(
     study::RunResult result;
     result.whole = 2;
     result.enclosures = {"crank_case"};
-    result.thermal.enclosures = {{{293.15, 313.15}, {0, 40}, {30, 30}, {0, 65}}};
+    result.thermal.enclosures = {{{{293.15, 313.15}, {0, 0}}, {0, 40}, {30, 30}, {0, 65}}};
     std::vector<report::CsvColumn> columns;
-    report::add_heat_flow_columns(columns, result, [](std::vector<double> values, double factor, double offset) {
+    const auto at_steps = [](std::vector<double> values, double factor, double offset) {
         for (double& value : values)
             value = factor * value + offset;
         return values;
-    });
+    };
+    report::add_heat_flow_columns(
+        columns, result,
+        [&](const Series& series, double factor, double offset) { return at_steps(series.value, factor, offset); },
+        at_steps);
     REQUIRE(columns.size() == 4);
     CHECK(columns[0].name == "air crank_case temperature");
     CHECK(columns[0].unit == "degC");

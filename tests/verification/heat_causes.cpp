@@ -92,7 +92,18 @@ TEST_CASE(
                 return deadpoint::LawValue{heat, -0.02 * heat, true};
             };
     }
-    problem.initial_temperature = [](const deadpoint::Vec3& x) { return zero_celsius + 22 + 30 * x[0]; };
+    problem.initial_temperature = [](int, const deadpoint::Vec3& x) { return zero_celsius + 22 + 30 * x[0]; };
+    check_sums(bench, problem);
+}
+
+TEST_CASE("causes add up: bodies of different temperatures that radiate to each other in an enclosure")
+{
+    Bench bench(
+        read("warm-box",
+             {"bodies.inner.initial_temperature=150 degC", "surfaces.block_faces.film.emissivity=0.8",
+              "surfaces.wall_inside.film.emissivity=0.4", "operation.0.duration=4 h", "numerics.max_step=1800 s"}));
+    const auto problem = bench.problem();
+    REQUIRE(problem.radiation.size() == 1);
     check_sums(bench, problem);
 }
 
@@ -131,7 +142,7 @@ HeatProblem silenced(HeatProblem problem, double reference)
         if (condition.kind == SurfaceCondition::Kind::flux)
             condition.flux = [](double) { return 0.0; };
     }
-    problem.initial_temperature = [reference](const deadpoint::Vec3&) { return reference; };
+    problem.initial_temperature = [reference](int, const deadpoint::Vec3&) { return reference; };
     return problem;
 }
 
@@ -152,7 +163,7 @@ TEST_CASE("each cause is what a run with it alone gives")
     // While the press stands, the joints part.
     for (auto& law : all.segments[1].interfaces)
         law.film_a *= 0.2;
-    all.initial_temperature = [](const deadpoint::Vec3& x) { return zero_celsius + 22 + 30 * x[0]; };
+    all.initial_temperature = [](int, const deadpoint::Vec3& x) { return zero_celsius + 22 + 30 * x[0]; };
     bench.run(all);
     const auto row = static_cast<std::size_t>(3 * (900 / 60 + 1) - 1);
     const auto causes = bench.model.heat_causes(bench.weights, row);

@@ -71,7 +71,7 @@ WaveRun run_wave(const Case& input, const Wave& wave, double fixed_step)
     auto problem = deadpoint::study::describe_heat(input, machine, silent);
     problem.fixed_step = fixed_step;
     problem.solver_tolerance = 1e-12;
-    problem.initial_temperature = [&](const deadpoint::Vec3& x) { return wave.at(x, 0); };
+    problem.initial_temperature = [&](int, const deadpoint::Vec3& x) { return wave.at(x, 0); };
     for (auto& condition : problem.surfaces)
         condition.temperature = [&](const deadpoint::Vec3& x, double time) { return wave.at(x, time); };
     model.assemble_heat(problem);

@@ -57,7 +57,7 @@ TEST_CASE("a cooled circuit agrees with the exchanger formulas at the joints' te
         {solved.history().source_temperature[0].back(), solved.history().source_temperature[1].back()});
     // Oil and films agree to a thousandth of the step's tolerance of 0.01 K, times h A of 13 W/K.
     CHECK(circuit(solved).heat.back() == doctest::Approx(state.total_heat).epsilon(1e-5));
-    CHECK(circuit(solved).outlet.back() == doctest::Approx(state.return_temperature).epsilon(1e-7));
+    CHECK(circuit(solved).outlet.value.back() == doctest::Approx(state.return_temperature).epsilon(1e-7));
     CHECK(circuit(solved).cooler.back() == doctest::Approx(state.cooler_power).epsilon(1e-5));
     CHECK(circuit(solved).heat.back() > 20);
     CHECK(solved.history().to_oil.back() == doctest::Approx(circuit(solved).heat.back()).epsilon(1e-5));
@@ -68,7 +68,8 @@ TEST_CASE("oil takes all heat of joints in still air, and warms the later joint"
 {
     const auto both = solve(in_still_air(on_one_circuit()));
     // 130 W over 19 W/K
-    CHECK(circuit(both).outlet.back() - circuit(both).inlet.back() == doctest::Approx(130.0 / 19).epsilon(1e-6));
+    CHECK(circuit(both).outlet.value.back() - circuit(both).inlet.value.back() ==
+          doctest::Approx(130.0 / 19).epsilon(1e-6));
     auto alone = in_still_air(on_one_circuit());
     alone.friction.at("one").load_part = 0;
     const auto second = solve(alone);
@@ -102,14 +103,14 @@ TEST_CASE("a sump warms with its own time constant to where it loses what the jo
     for (std::size_t i = 1; i < history.time.size(); ++i) {
         const double exact = 130.0 / 20 * (1 - std::exp(-history.time[i] / constant));
         // The blocks keep part of the heat at first: their 6e4 J/K by a few kelvins, over 20 W/K and the sump's 1.9e7.
-        CHECK(std::abs(circuit(solved).sump[i] - zero_celsius - 20 - exact) < 0.005 * 130 / 20);
+        CHECK(std::abs(circuit(solved).sump.value[i] - zero_celsius - 20 - exact) < 0.005 * 130 / 20);
     }
     // What the joints gave is in the sump or lost from it: trapezoids of smooth curves.
     double lost = 0;
     for (std::size_t i = 1; i < history.time.size(); ++i)
         lost += 0.5 * 20 * (history.time[i] - history.time[i - 1]) *
-                (circuit(solved).sump[i] + circuit(solved).sump[i - 1] - 2 * (zero_celsius + 20));
-    const double kept = 1.9e7 * (circuit(solved).sump.back() - zero_celsius - 20);
+                (circuit(solved).sump.value[i] + circuit(solved).sump.value[i - 1] - 2 * (zero_celsius + 20));
+    const double kept = 1.9e7 * (circuit(solved).sump.value.back() - zero_celsius - 20);
     CHECK(kept + lost == doctest::Approx(history.energy.to_oil).epsilon(2e-3));
 }
 
@@ -120,9 +121,9 @@ TEST_CASE("a sump without volume follows at once")
     oil.inlet_temperature.reset();
     oil.sump_loss = 5;
     const auto solved = solve(input);
-    CHECK(5 * (circuit(solved).sump.back() - zero_celsius - 20) ==
+    CHECK(5 * (circuit(solved).sump.value.back() - zero_celsius - 20) ==
           doctest::Approx(circuit(solved).heat.back()).epsilon(1e-5));
-    CHECK(circuit(solved).inlet.back() == circuit(solved).sump.back());
+    CHECK(circuit(solved).inlet.value.back() == circuit(solved).sump.value.back());
 }
 
 TEST_CASE("oil stands while the press does, unless it is told to flow")
@@ -335,12 +336,12 @@ TEST_CASE("a run goes on from a saved state")
 
     CHECK(second.thermal.interface_a[0].value.front() ==
           doctest::Approx(first.thermal.interface_a[0].value.back()).epsilon(1e-14));
-    CHECK(second.thermal.oil[0].sump.front() == first.thermal.oil[0].sump.back());
-    CHECK(first.thermal.oil[0].sump.back() > zero_celsius + 20.5);
+    CHECK(second.thermal.oil[0].sump.value.front() == first.thermal.oil[0].sump.value.back());
+    CHECK(first.thermal.oil[0].sump.value.back() > zero_celsius + 20.5);
     // Other steps, each within 0.01 K.
     for (std::size_t i = 0; i < 2; ++i)
         CHECK(std::abs(second.thermal.interface_a[i].value.back() - both.thermal.interface_a[i].value.back()) < 0.03);
-    CHECK(std::abs(second.thermal.oil[0].sump.back() - both.thermal.oil[0].sump.back()) < 0.03);
+    CHECK(std::abs(second.thermal.oil[0].sump.value.back() - both.thermal.oil[0].sump.value.back()) < 0.03);
 
     SUBCASE("but not on another mesh")
     {

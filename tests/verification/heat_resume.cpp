@@ -108,9 +108,10 @@ Columns columns(const deadpoint::ThermalHistory& history)
          {&history.source_heat, &history.source_temperature, &history.body_heat, &history.contributions})
         all.insert(all.end(), group->begin(), group->end());
     for (const auto& oil : history.oil)
-        all.insert(all.end(), {oil.inlet, oil.outlet, oil.sump, oil.heat, oil.cooler});
+        all.insert(all.end(), {oil.inlet.value, oil.inlet.rate, oil.outlet.value, oil.outlet.rate, oil.sump.value,
+                               oil.sump.rate, oil.heat, oil.cooler});
     for (const auto& air : history.enclosures)
-        all.insert(all.end(), {air.temperature, air.from_surfaces, air.power, air.to_room});
+        all.insert(all.end(), {air.temperature.value, air.temperature.rate, air.from_surfaces, air.power, air.to_room});
     const auto& energy = history.energy;
     all.push_back({energy.generated, energy.to_air, energy.to_oil, energy.from_surfaces, energy.stored});
     all.push_back({static_cast<double>(history.rejected_steps), static_cast<double>(history.linear_iterations),

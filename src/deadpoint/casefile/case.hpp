@@ -49,7 +49,8 @@ struct Body {
     std::optional<Vec2> centre_of_mass;
     std::optional<double> inertia;
     bool ground = false;
-    bool mirror = false;        ///< exists twice: its image at x = 0 takes part in the loads
+    bool mirror = false;                        ///< exists twice: its image at x = 0 takes part in the loads
+    std::optional<double> initial_temperature;  ///< else the machine's [K]
     bool thermal_only = false;  ///< bearing rings: part of the heat problem, but of no dimension chain link
 };
 
@@ -62,6 +63,7 @@ struct Part {
     std::string mesh;
     std::optional<double> unit;  ///< of the file's lengths
     Vec3 position{};
+    std::optional<double> initial_temperature;  ///< else the body's [K]
     bool tetrahedra = false;
     int order = 0;  ///< of its elements; 0: that of [numerics]
 };
@@ -161,7 +163,7 @@ struct Numerics {
     double seam_tolerance = 1e-5;  ///< between shapes of one part [m]
     double deformation_size = 0;   ///< cell sizes of the deformation's mesh relative to the heat's; 0: automatic
     int deformation_order = 0;     ///< of the deformation's elements; 0: that of the heat's
-    double time_tolerance = 0.02;  ///< of a step, at probes and joints [K]
+    double time_tolerance = 0.02;  ///< at probes and joints, in sumps and enclosed air [K]
     double initial_step = 1;
     double max_step = 1800;
     double solver_tolerance = 1e-6;

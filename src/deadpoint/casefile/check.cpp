@@ -41,6 +41,11 @@ public:
         check_oil_circuits();
         for (const auto& [name, source] : c_.heat_sources) {
             check_heat_source("heat_sources." + name, source);
+            if (c_.joints.contains(name)) {
+                report("ambiguous-name", "heat_sources." + name,
+                       fmt::format("'{}' is a joint as well as a source of heat", name),
+                       fmt::format("rename one of the two: both are the column '{} heat' of history.csv", name));
+            }
         }
         for (const auto& [name, enclosure] : c_.enclosures) {
             for (std::size_t i = 0; i < enclosure.surfaces.size(); ++i) {
@@ -315,9 +320,41 @@ private:
         }
     }
 
+    /// Steps that the operation takes at least [-]: they double from the first one to the largest.
+    [[nodiscard]] double least_steps() const
+    {
+        double steps = 0;
+        for (const auto& segment : c_.operation) {
+            double reached = 0, length = c_.numerics.initial_step;
+            for (; length < c_.numerics.max_step && reached < segment.duration; length *= 2, ++steps) {
+                reached += length;
+            }
+            steps += std::ceil(std::max(0.0, segment.duration - reached) / c_.numerics.max_step);
+        }
+        return steps;
+    }
+
+    /// Each step is kept until the end of the run.
+    void check_step_count()
+    {
+        constexpr double most_steps = 1e6, many_steps = 1e5;
+        const double steps = c_.parts.empty() ? 0 : least_steps();
+        const auto help = "lengthen `max_step`, or shorten the `duration` of the operation";
+        if (steps > most_steps) {
+            report("too-many", "numerics.max_step",
+                   fmt::format("the run would take {:.3g} time steps or more, but may take at most {:.0e}", steps,
+                               most_steps),
+                   help);
+        } else if (steps > many_steps) {
+            warn("many-steps", "numerics.max_step", fmt::format("the run takes {:.3g} time steps or more", steps),
+                 help);
+        }
+    }
+
     void check_operation()
     {
         check_row_count();
+        check_step_count();
         for (std::size_t i = 0; i < c_.operation.size(); ++i) {
             if (!c_.parts.empty() && c_.operation[i].duration == 0) {
                 report("missing-key", fmt::format("operation.{}", i), "'duration' is missing",

@@ -16,13 +16,30 @@ std::optional<Finding> check_film(const std::string& path, const std::string& na
     if (surface.film->ambient)
         return wrong(fmt::format("the film of surface '{}' states its own `ambient`", name),
                      "remove it: the enclosure says how warm the air is");
-    if (surface.film->emissivity > 0)
-        return wrong(fmt::format("surface '{}' radiates, but inside an enclosure surfaces see each other", name),
-                     "remove `emissivity` from its film");
     if (surface.film->law == "enclosed")
         return wrong(fmt::format("the film of surface '{}' counts its enclosure's air by itself", name),
                      "take a law of open air, like \"vertical\"");
     return {};
+}
+
+// A surface that radiates inside an enclosure, where no other does.
+std::optional<Finding> check_radiation(const Case& c, const std::string& name, const Enclosure& enclosure)
+{
+    std::string last;
+    int count = 0;
+    for (const auto& surface : enclosure.surfaces)
+        if (const auto found = c.surfaces.find(surface);
+            found != c.surfaces.end() && found->second.film && found->second.film->emissivity > 0) {
+            last = surface;
+            ++count;
+        }
+    if (count != 1)
+        return {};
+    return Finding{
+        "unused", fmt::format("surfaces.{}.film.emissivity", last),
+        fmt::format("surface '{}' radiates to nothing: no other surface of enclosure '{}' states an emissivity", last,
+                    name),
+        "give the others theirs, or remove it", true};
 }
 
 }  // namespace
@@ -31,7 +48,9 @@ std::vector<Finding> check_enclosures(const Case& c)
 {
     std::vector<Finding> findings;
     std::map<std::string, std::string> faced;
-    for (const auto& [name, enclosure] : c.enclosures)
+    for (const auto& [name, enclosure] : c.enclosures) {
+        if (auto finding = check_radiation(c, name, enclosure))
+            findings.push_back(std::move(*finding));
         for (std::size_t i = 0; i < enclosure.surfaces.size(); ++i) {
             const auto found = c.surfaces.find(enclosure.surfaces[i]);
             if (found == c.surfaces.end())
@@ -45,6 +64,7 @@ std::vector<Finding> check_enclosures(const Case& c)
                                     fmt::format("surface '{}' faces two enclosures", found->first),
                                     fmt::format("name it once; enclosure '{}' has it already", other->second)});
         }
+    }
     return findings;
 }
 

@@ -118,8 +118,9 @@ void describe(Visitor& v, MachineSection& m)
     v.text({"name", "name in reports", required}, m.name);
     v.text({"description", "a sentence for reports"}, m.description);
     v.flag({"half_model", "model x <= 0 only; the plane x = 0 is the plane of symmetry"}, m.half_model);
-    v.quantity({"initial_temperature", "of everything at the start"}, m.initial_temperature, D::temperature,
-               absolute_temperature);
+    v.quantity({"initial_temperature",
+                "of everything at the start that states no other; dimensions hold at it, and rises count from it"},
+               m.initial_temperature, D::temperature, absolute_temperature);
     v.quantity({"ambient", "of the air, where neither the operation nor a film says otherwise"}, m.ambient,
                D::temperature, absolute_temperature);
     v.vector({"gravity_direction", "in which weights act, of links and crankshaft and, with `gravity` in [foundation], "
@@ -205,6 +206,8 @@ void describe(Visitor& v, Body& b)
                b.mass, D::mass, positive);
     v.vector({"centre_of_mass", "x and y at bottom dead point"}, b.centre_of_mass, D::length);
     v.quantity({"inertia", "about the centre of mass, about z"}, b.inertia, D::inertia, positive);
+    v.quantity({"initial_temperature", "of its parts at the start; else that of the machine"}, b.initial_temperature,
+               D::temperature, absolute_temperature);
     v.flag({"ground", "stands still"}, b.ground);
     v.flag({"mirror", "the body exists twice; its image at x = 0 and the images of its joints take part in the loads"},
            b.mirror);
@@ -225,6 +228,8 @@ void describe(Visitor& v, Part& p)
     v.path({"mesh", "Gmsh mesh file (MSH 2 or 4), relative to the file that names it"}, p.mesh);
     v.quantity({"unit", "length of one unit of the STEP or mesh file"}, p.unit, D::length, positive);
     v.vector({"position", "moves the STEP or mesh file's origin there"}, p.position, D::length);
+    v.quantity({"initial_temperature", "at the start; else that of its body"}, p.initial_temperature, D::temperature,
+               absolute_temperature);
     v.flag({"tetrahedra", "mesh with tetrahedra even where hexahedra would do"}, p.tetrahedra);
     v.integer({"order", "of its finite elements; 0: that of [numerics]"}, p.order, {0, 2, false});
     const int sources = (p.shapes.empty() ? 0 : 1) + (p.step.empty() ? 0 : 1) + (p.mesh.empty() ? 0 : 1);
@@ -467,8 +472,10 @@ void describe(Visitor& v, Numerics& n)
         n.deformation_size, non_negative);
     v.integer({"deformation_order", "of the deformation's finite elements; 0: those of the heat"}, n.deformation_order,
               {0, 2, false});
-    v.quantity({"time_tolerance", "largest error of a time step at probes and joints"}, n.time_tolerance,
-               D::temperature_difference, positive);
+    v.quantity({"time_tolerance", "wanted of the time steps, at probes and joints, in sumps and enclosed air; each "
+                                  "step's error is held to it, below "
+                                  "0.02 K to its power 3/2, so that the errors of a run stay near it together"},
+               n.time_tolerance, D::temperature_difference, positive);
     v.quantity({"initial_step", "first time step"}, n.initial_step, D::time, positive);
     v.quantity({"max_step", "largest time step"}, n.max_step, D::time, positive);
     v.number({"solver_tolerance",

@@ -179,7 +179,10 @@ void describe(Visitor& v, Film& f)
                D::thermal_conductance, non_negative);
     choose(v, {"constant", "of the paper: 5 W/m2/K for the frame, 9.7 W/m2/K for crankshaft and linkage"}, f.constant,
            {"frame", "crankshaft"});
-    v.number({"emissivity", "for radiation to surroundings at ambient temperature"}, f.emissivity, fraction);
+    v.number(
+        {"emissivity",
+         "for radiation to surroundings at ambient temperature; of a surface of an enclosure, to its other surfaces"},
+        f.emissivity, fraction);
     v.course({"ambient", "temperature of the air there; else that of the operation"}, f.ambient, D::temperature,
              positive);
     v.expect(f.coefficient || !f.law.empty(), "", "the film is not given", "give its `coefficient`, or a `law`");
@@ -195,7 +198,7 @@ void describe(Visitor& v, Film& f)
     rules.needed(f.exchange.has_value(), "exchange", {"enclosed"});
     rules.needed(!f.constant.empty(), "constant", {"paper"});
     v.expect(f.law != "enclosed" || f.emissivity == 0, "emissivity", "enclosed surfaces see each other, not the room",
-             "remove `emissivity`");
+             "remove `emissivity`, or name the surfaces in [enclosures]");
 }
 
 }  // namespace deadpoint::casefile

@@ -48,7 +48,7 @@ void describe(Visitor& v, Enclosure& e)
 {
     v.about(
         "Air inside the machine, well mixed: the films of its surfaces see its temperature instead of the room's. Its "
-        "balance is part of the solution.");
+        "balance is part of the solution. Those whose film states an emissivity radiate to each other.");
     v.texts({"surfaces", "surfaces with a `film` that face it", required}, e.surfaces);
     v.quantity({"volume", "of the air, in the whole press"}, e.volume, D::volume, positive);
     v.quantity({"heat_capacity", "of the air and what warms with it, of the whole press; instead of `volume`"},

@@ -13,6 +13,13 @@ double EnergyBalance::mismatch() const
     return scale > nothing ? std::abs(generated + from_surfaces - to_air - to_oil - stored) / scale : 0;
 }
 
+bool nothing_happens(const ThermalHistory& history, double tolerance)
+{
+    if (history.energy.generated != 0 || history.part_lowest.empty())
+        return false;
+    return std::ranges::max(history.part_highest) - std::ranges::min(history.part_lowest) <= tolerance;
+}
+
 double interpolate(const std::vector<double>& time, const Series& series, double at)
 {
     if (at <= time.front())

@@ -81,11 +81,18 @@ struct SurfaceCondition {
     Kind kind = Kind::film;
     double coefficient = 0;       ///< film [W/m2/K]
     std::vector<FilmLawAt> laws;  ///< film: one per segment, convection only; empty: the constant coefficient
-    double emissivity = 0;
-    TimeCourse ambient;  ///< film: if empty, the segment's
-    int enclosure = -1;  ///< film: index into HeatProblem::enclosures, whose air it faces instead
+    double emissivity = 0;  ///< film: radiates to its ambient, or to the other surfaces of its HeatProblem::radiation
+    TimeCourse ambient;     ///< film: if empty, the segment's
+    int enclosure = -1;     ///< film: index into HeatProblem::enclosures, whose air it faces instead
     std::function<double(const Vec3&, double time)> temperature;
     TimeCourse flux;  ///< [W/m2] into the part
+};
+
+/// Surfaces that radiate to each other only: heat i gives off = sum over j of exchange_ij sigma (mean of T_i^4 - mean
+/// of T_j^4), whose irradiation is even over each surface.
+struct RadiantRoom {
+    std::vector<int> surfaces;     ///< indices into HeatProblem::surfaces, films
+    std::vector<double> exchange;  ///< row after row; symmetric, row i sums to emissivity times area of i [m2]
 };
 
 /// A stretch of operation during which the laws hold.
@@ -114,10 +121,11 @@ struct HeatProblem {
     std::vector<OilCourse> oil;
     std::vector<Enclosure> enclosures;
     std::vector<SurfaceCondition> surfaces;
+    std::vector<RadiantRoom> radiation;
     std::vector<HeatSegment> segments;
     std::vector<HeatProbe> probes;
-    std::function<double(const Vec3&)> initial_temperature;
-    double time_tolerance = 0.005;   ///< error of one step at probes and interfaces [K]
+    std::function<double(int part, const Vec3&)> initial_temperature;
+    double time_tolerance = 0.005;   ///< wanted of the run at probes, interfaces, sumps and enclosed air [K]
     double initial_step = 1;         ///< [s]
     double max_step = 1800;          ///< [s]
     double fixed_step = 0;           ///< [s]; > 0 switches the step control off
@@ -133,16 +141,16 @@ struct Series {
 
 /// One oil circuit at the accepted steps, in this model.
 struct OilHistory {
-    std::vector<double> inlet;   ///< at the first joint [K]
-    std::vector<double> outlet;  ///< after the last one [K]
-    std::vector<double> sump;    ///< [K]
+    Series inlet;                ///< at the first joint [K]
+    Series outlet;               ///< after the last one [K]
+    Series sump;                 ///< [K]
     std::vector<double> heat;    ///< taken from the joints [W]
     std::vector<double> cooler;  ///< taken by the cooler [W]
 };
 
 /// The air of one enclosure at the accepted steps, in this model.
 struct EnclosureHistory {
-    std::vector<double> temperature;    ///< [K]
+    Series temperature;                 ///< [K]
     std::vector<double> from_surfaces;  ///< [W]
     std::vector<double> power;          ///< [W]
     std::vector<double> to_room;        ///< [W]
@@ -182,6 +190,10 @@ struct ThermalHistory {
     std::vector<double> part_lowest, part_highest;  ///< nodal temperature of each part over the run [K]
     bool interrupted = false;
 };
+
+/// Whether a run has no heat of its own and all its temperatures stay together within `tolerance` [K]: its balance then
+/// consists of what solvers and rounding leave.
+bool nothing_happens(const ThermalHistory& history, double tolerance);
 
 /// Value of a series at any time within the history (cubic Hermite between the steps).
 double interpolate(const std::vector<double>& time, const Series& series, double at);

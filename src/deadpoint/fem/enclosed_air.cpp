@@ -70,8 +70,8 @@ void EnclosedAir::multiply(Vec in, Vec out) const
 {
     for (std::size_t k = 0; k < air_.size(); ++k) {
         PetscScalar product = 0;
-        VecDot(air_[k].load, in, &product);
-        VecAXPY(out, -factor_ * factor_ * product / pivot(k), air_[k].load);
+        DEADPOINT_PETSC(VecDot(air_[k].load, in, &product));
+        DEADPOINT_PETSC(VecAXPY(out, -factor_ * factor_ * product / pivot(k), air_[k].load));
     }
 }
 
@@ -130,19 +130,14 @@ double EnclosedAir::move(const std::vector<double>& residual, Vec field_solution
     return largest;
 }
 
-// From the second stage's own formula.
-double EnclosedAir::end_slope(const Air& air, double dt)
-{
-    return (air.now - bdf_middle * air.middle + bdf_now * air.start) / (diagonal * dt);
-}
+double EnclosedAir::slope_at_end(const Air& air, double dt) { return end_slope(air.start, air.middle, air.now, dt); }
 
 double EnclosedAir::error(double dt) const
 {
     double largest = 0;
     for (const auto& air : air_) {
         const double middle = (air.middle - air.start) / (diagonal * dt) - air.slope;
-        largest = std::max(largest, std::abs(dt * (error_weights[0] * air.slope + error_weights[1] * middle +
-                                                   error_weights[2] * end_slope(air, dt))));
+        largest = std::max(largest, std::abs(step_error(dt, air.slope, middle, slope_at_end(air, dt))));
     }
     return largest;
 }
@@ -162,7 +157,7 @@ double EnclosedAir::accept(double dt)
     for (std::size_t k = 0; k < air_.size(); ++k) {
         auto& air = air_[k];
         stored += (*enclosures_)[k].capacity * (air.now - air.start);
-        air.slope = end_slope(air, dt);
+        air.slope = slope_at_end(air, dt);
         air.start = air.now;
     }
     return stored;

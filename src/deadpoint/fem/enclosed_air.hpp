@@ -71,7 +71,7 @@ private:
         double known = 0;              ///< of the stage being solved [J]
     };
     [[nodiscard]] double pivot(std::size_t enclosure) const;
-    [[nodiscard]] static double end_slope(const Air& air, double dt);
+    [[nodiscard]] static double slope_at_end(const Air& air, double dt);
 
     const std::vector<Enclosure>* enclosures_;
     std::vector<Air> air_;

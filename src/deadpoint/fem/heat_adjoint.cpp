@@ -21,6 +21,8 @@ HeatAdjoint::HeatAdjoint(HeatSolver& solver)
     solver_.shell_slopes_.clear();  // the heat is as booked and no longer follows the temperature
     for (std::size_t k = 0; k < solver_.air_->count(); ++k)  // nor do the enclosures
         DEADPOINT_PETSC(VecSet(solver_.air_->load(k), 0));
+    for (auto& room : solver_.rooms_)  // nor radiation inside them
+        room.coupling.clear();
     solver_.system_factor_ = -1;
 }
 
@@ -90,8 +92,20 @@ void HeatAdjoint::step_back(const StepRecord& step)
     DEADPOINT_PETSC(VecAXPY(solution_, 1 / diagonal, change_));
 }
 
-double HeatAdjoint::surroundings(const SurfaceCondition& condition, const StageRecord& stage) const
+bool HeatAdjoint::radiates_inside(std::size_t film) const
 {
+    const auto& condition = *solver_.films_[film].condition;
+    return condition.enclosure >= 0 && condition.emissivity > 0;
+}
+
+// Of what a surface faces. Where it radiates to other surfaces and gives heat to enclosed air too: the temperature
+// against which its coefficient makes what it lost.
+double HeatAdjoint::surroundings(std::size_t film, const StageRecord& stage) const
+{
+    const auto& condition = *solver_.films_[film].condition;
+    if (radiates_inside(film))
+        return stage.film_mean[film] - stage.variable_to_air[solver_.films_[film].index] /
+                                           (mean_coefficient(film, stage) * solver_.films_[film].area);
     return condition.enclosure >= 0 ? stage.air[static_cast<std::size_t>(condition.enclosure)].temperature
                                     : solver_.ambient(condition, stage.time);
 }
@@ -100,8 +114,12 @@ double HeatAdjoint::surroundings(const SurfaceCondition& condition, const StageR
 double HeatAdjoint::mean_coefficient(std::size_t film, const StageRecord& stage) const
 {
     const auto& condition = *solver_.films_[film].condition;
-    const double air = surroundings(condition, stage);
-    const double mean = stage.film_mean[film], rise = mean - air;
+    const double mean = stage.film_mean[film];
+    if (radiates_inside(film)) {
+        const double inside = stage.air[static_cast<std::size_t>(condition.enclosure)].temperature;
+        return HeatSolver::film_slope(solver_.film_at(condition, inside)(mean), condition.emissivity, mean, inside);
+    }
+    const double air = surroundings(film, stage), rise = mean - air;
     const double squares = mean * mean + air * air;
     const double by_law =
         solver_.film_at(condition, air)(mean).value + condition.emissivity * stefan_boltzmann * squares * (mean + air);
@@ -151,7 +169,8 @@ void HeatAdjoint::solve_stage(double factor, const StageRecord& stage, Vec weigh
     solver_.clear_prescribed(solution);
     DEADPOINT_PETSC(KSPSetTolerances(solver_.solver_, relative_tolerance, 1e-300, 1e10, 2000));
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_.solver_, PETSC_TRUE));
-    iterations_ += solve(solver_.solver_, mass_product_, solution, "the weights of the heat");
+    iterations_ +=
+        solver_.shell_->use([&] { return solve(solver_.solver_, mass_product_, solution, "the weights of the heat"); });
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_.solver_, PETSC_FALSE));
     if (!solver_.some_prescribed_)
         return;
@@ -228,7 +247,7 @@ void HeatAdjoint::add_load(const std::vector<double>& products, double factor, c
         else if (solver_.films_[i].area > 0)
             density =
                 (HeatSolver::depends_on_temperature(condition) ? mean_coefficient(i, stage) : condition.coefficient) *
-                (surroundings(condition, stage) - solver_.reference_);
+                (surroundings(i, stage) - solver_.reference_);
         causes_.surfaces[solver_.films_[i].index] += factor * density * of_film[i];
     }
     for (std::size_t k = 0; k < causes_.body_heat.size(); ++k)

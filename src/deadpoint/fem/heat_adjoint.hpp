@@ -38,7 +38,8 @@ private:
     void enter(std::size_t segment);
     void step_back(const StepRecord& step);
     void use_films(const StageRecord& stage);
-    [[nodiscard]] double surroundings(const SurfaceCondition& condition, const StageRecord& stage) const;
+    [[nodiscard]] bool radiates_inside(std::size_t film) const;
+    [[nodiscard]] double surroundings(std::size_t film, const StageRecord& stage) const;
     [[nodiscard]] double mean_coefficient(std::size_t film, const StageRecord& stage) const;
     void apply_stiffness(Vec in, Vec out);
     void solve_stage(double factor, const StageRecord& stage, Vec weights, Vec solution);

@@ -54,8 +54,8 @@ namespace fem {
 
 constexpr auto members(const OilFlow*)
 {
-    return std::tuple{&OilFlow::inlet,     &OilFlow::outlet, &OilFlow::sump,
-                      &OilFlow::sump_rate, &OilFlow::heat,   &OilFlow::cooler};
+    return std::tuple{&OilFlow::inlet,           &OilFlow::outlet, &OilFlow::sump,  &OilFlow::sump_rate,
+                      &OilFlow::sump_relaxation, &OilFlow::heat,   &OilFlow::cooler};
 }
 constexpr auto members(const AirFlow*)
 {

@@ -29,7 +29,7 @@ std::vector<Field> HeatSolver::duals(double time, const Field& temperature, cons
             load[i] = time * weight.owned[i];
         DEADPOINT_PETSC(VecRestoreArray(work_, &load));
         clear_prescribed(work_);
-        iterations_ += solve(solver_, work_, work2_, "the dual of the temperature field");
+        solve_system(work_, work2_, "the dual of the temperature field");
         const double* values = nullptr;
         DEADPOINT_PETSC(VecGetArrayRead(work2_, &values));
         result.push_back({{values, values + weight.owned.size()}});

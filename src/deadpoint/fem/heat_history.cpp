@@ -80,9 +80,42 @@ std::vector<double> HeatSolver::observed(Vec vector, bool is_rate) const
     return values;
 }
 
+namespace {
+
+// Takes up the value of a scalar at the end of a step of length `dt`; without one its slope is left open.
+void append(Series& series, double middle, double end, double dt)
+{
+    series.rate.push_back(dt > 0 ? end_slope(series.value.back(), middle, end, dt) : 0);
+    series.value.push_back(end);
+}
+
+}  // namespace
+
+void HeatSolver::record_media(ThermalHistory& history, const HeatRate& rate, double dt) const
+{
+    for (std::size_t c = 0; c < rate.oil.size(); ++c) {
+        auto& circuit = history.oil[c];
+        const auto& middle = dt > 0 ? rate_middle_.oil[c] : rate.oil[c];
+        append(circuit.inlet, middle.inlet, rate.oil[c].inlet, dt);
+        append(circuit.outlet, middle.outlet, rate.oil[c].outlet, dt);
+        append(circuit.sump, middle.sump, rate.oil[c].sump, dt);
+        circuit.heat.push_back(rate.oil[c].heat);
+        circuit.cooler.push_back(rate.oil[c].cooler);
+    }
+    for (std::size_t e = 0; e < rate.air.size(); ++e) {
+        auto& enclosure = history.enclosures[e];
+        const auto& middle = dt > 0 ? rate_middle_.air[e] : rate.air[e];
+        append(enclosure.temperature, middle.temperature, rate.air[e].temperature, dt);
+        enclosure.from_surfaces.push_back(rate.air[e].from_surfaces);
+        enclosure.power.push_back(rate.air[e].power);
+        enclosure.to_room.push_back(rate.air[e].to_room);
+    }
+}
+
 void HeatSolver::record(ThermalHistory& history, double time, const HeatRate& rate)
 {
     note_extremes();
+    record_media(history, rate, have_previous_ ? time - history.time.back() : 0);
     const auto values = observed(now_, false);
     const auto rates = have_previous_ ? observed(slope_now_, true) : std::vector<double>(values.size(), 0.0);
     history.time.push_back(time);
@@ -102,21 +135,6 @@ void HeatSolver::record(ThermalHistory& history, double time, const HeatRate& ra
     }
     for (std::size_t b = 0; b < rate.body_heat.size(); ++b)
         history.body_heat[b].push_back(rate.body_heat[b]);
-    for (std::size_t c = 0; c < rate.oil.size(); ++c) {
-        auto& circuit = history.oil[c];
-        circuit.inlet.push_back(rate.oil[c].inlet);
-        circuit.outlet.push_back(rate.oil[c].outlet);
-        circuit.sump.push_back(rate.oil[c].sump);
-        circuit.heat.push_back(rate.oil[c].heat);
-        circuit.cooler.push_back(rate.oil[c].cooler);
-    }
-    for (std::size_t e = 0; e < rate.air.size(); ++e) {
-        auto& enclosure = history.enclosures[e];
-        enclosure.temperature.push_back(rate.air[e].temperature);
-        enclosure.from_surfaces.push_back(rate.air[e].from_surfaces);
-        enclosure.power.push_back(rate.air[e].power);
-        enclosure.to_room.push_back(rate.air[e].to_room);
-    }
     history.to_air.push_back(rate.to_air);
     history.to_oil.push_back(rate.to_oil);
     history.law_out_of_range = history.law_out_of_range || !rate.in_range;
@@ -131,10 +149,17 @@ void HeatSolver::fill_first_rates(ThermalHistory& history, std::size_t start)
     if (start + 1 >= history.time.size())
         return;
     const double dt = history.time[start + 1] - history.time[start];
+    const auto fill = [&](Series& series) {
+        series.rate[start] = (series.value[start + 1] - series.value[start]) / dt;
+    };
     for (auto* group :
          {&history.probes, &history.interface_a, &history.interface_b, &history.part_means, &history.functionals})
-        for (auto& series : *group)
-            series.rate[start] = (series.value[start + 1] - series.value[start]) / dt;
+        std::ranges::for_each(*group, fill);
+    for (auto& circuit : history.oil)
+        for (auto* series : {&circuit.inlet, &circuit.outlet, &circuit.sump})
+            fill(*series);
+    for (auto& enclosure : history.enclosures)
+        fill(enclosure.temperature);
 }
 
 void HeatSolver::add_energy(EnergyBalance& energy, double dt, double from_prescribed)

@@ -97,7 +97,7 @@ void HeatSolver::prepare_tangents()
         DEADPOINT_PETSC(MatDuplicate(mass_, MAT_COPY_VALUES, scaled_mass_.out()));
     if (conduction_varies_)
         DEADPOINT_PETSC(MatDuplicate(conduction_, MAT_COPY_VALUES, scaled_conduction_.out()));
-    for (Mat matrix : {Mat(system_), Mat(shell_), Mat(conduction_), Mat(scaled_mass_), Mat(scaled_conduction_)})
+    for (Mat matrix : {Mat(system_), Mat(*shell_), Mat(conduction_), Mat(scaled_mass_), Mat(scaled_conduction_)})
         if (matrix)
             DEADPOINT_PETSC(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_FALSE));
     DEADPOINT_PETSC(KSPSetType(solver_, KSPBCGS));

@@ -1,4 +1,6 @@
+#include "deadpoint/exchange/step_tolerance.hpp"
 #include "deadpoint/fem/heat_solver.hpp"
+#include "deadpoint/fem/tr_bdf2.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,16 +47,18 @@ std::vector<double> HeatSolver::follow_oil(HeatRate& rate, double time, double f
         const double flow = segment_->oil_flow[k], loss = circuit.sump_loss, capacity = circuit.sump_capacity;
         const double step = capacity > 0 ? factor : 1;
         const double gains = capacity * known[k] + step * loss * segment_->ambient(time);
-        double losses = capacity + step * (loss + flow);
+        double leaving = loss + flow;  // of the sump, per kelvin
         auto& state = rate.oil[k];
         if (circuit.cooled) {
             state.inlet = circuit.inlet_temperature;
             state.outlet = oil_outlet(k, state.inlet, rate, reaches);
+            const double losses = capacity + step * leaving;
             state.sump = losses > 0 ? (gains + step * flow * state.outlet) / losses : known[k];
         } else {
             const double at_known = oil_outlet(k, known[k], rate, reaches);
             const double slope = oil_outlet(k, known[k] + 1, rate, reaches) - at_known;
-            losses -= step * flow * slope;
+            leaving -= flow * slope;
+            const double losses = capacity + step * leaving;
             const double sources = gains + step * flow * (at_known - slope * known[k]);
             state.sump = losses > 0 ? sources / losses : known[k];
             state.inlet = state.sump;
@@ -64,8 +68,28 @@ std::vector<double> HeatSolver::follow_oil(HeatRate& rate, double time, double f
         state.cooler = circuit.cooled ? flow * (state.sump - state.inlet) : 0;
         const double kept = flow * (state.outlet - state.sump) - loss * (state.sump - segment_->ambient(time));
         state.sump_rate = capacity > 0 ? kept / capacity : 0;
+        state.sump_relaxation = capacity > 0 ? leaving / capacity : 0;
     }
     return reaches;
+}
+
+// Largest of the sumps' errors of the step [K], as estimate_error(). Their slopes are known from the start; in the
+// first step of a segment the estimate is filtered by the stage's own equation, as that of the field is. A sump forgets
+// an error with its own relaxation only: those of as many steps add up, and together they must keep to the time
+// tolerance.
+double HeatSolver::oil_error(double dt) const
+{
+    const double of_a_step = step_tolerance(problem_->time_tolerance) / problem_->time_tolerance;
+    double largest = 0;
+    for (std::size_t k = 0; k < rate_now_.oil.size(); ++k) {
+        const double relaxation = rate_next_.oil[k].sump_relaxation;
+        const double filter = have_previous_ ? 1 : 1 + diagonal * dt * relaxation;
+        const double forgotten = std::max(-std::expm1(-dt * relaxation), dt / segment_->duration);
+        const double error =
+            step_error(dt, rate_now_.oil[k].sump_rate, rate_middle_.oil[k].sump_rate, rate_next_.oil[k].sump_rate);
+        largest = std::max(largest, std::abs(error) / filter * std::max(1.0, of_a_step / forgotten));
+    }
+    return largest;
 }
 
 // Takes over where the oil reaches each interface; returns the largest change [K].

@@ -57,19 +57,25 @@ double& taker(HeatRate& rate, const SurfaceCondition& condition)
 void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature) const
 {
     const double* values = everywhere_->gather(temperature);
+    const auto received = irradiation(values);
     const std::size_t count = problem_->surfaces.size();
-    std::vector<double> sums(2 * count, 0.0);  // untested area per condition, then the heat lost
+    std::vector<double> sums(3 * count,
+                             0.0);  // untested area per condition, the heat lost, what went to other surfaces
     for (const auto& film : films_) {
         if (film.points.empty())
             continue;
         const double surroundings = ambient(*film.condition, time);
         const auto law = film_at(*film.condition, surroundings);
+        const bool in_room = received[film.index] > 0;
         for (const auto& point : film.points) {
-            const double at = value_at(point.shape, values);
+            const double at = value_at(point.shape, values), emissivity = film.condition->emissivity;
             const LawValue value = law(at);
-            const double flow = point.weight * film_flux(value, film.condition->emissivity, at, surroundings);
+            const double to_surfaces = in_room ? point.weight * film_flux({}, emissivity, at, received[film.index]) : 0;
+            const double flow =
+                to_surfaces + point.weight * film_flux(value, in_room ? 0 : emissivity, at, surroundings);
             sums[film.index] += value.in_range ? 0 : point.weight;
             sums[count + film.index] += flow;
+            sums[2 * count + film.index] += to_surfaces;
             for (int i = 0; i < point.shape.count; ++i)
                 DEADPOINT_PETSC(VecSetValue(rate.vector, point.shape.dof[i], -flow * point.shape.value[i], ADD_VALUES));
         }
@@ -77,9 +83,10 @@ void HeatSolver::add_variable_films(HeatRate& rate, double time, Vec temperature
     DEADPOINT_PETSC(VecAssemblyBegin(rate.vector));
     DEADPOINT_PETSC(VecAssemblyEnd(rate.vector));
     sum_over_ranks(sums);
-    rate.variable_to_air.assign(sums.begin() + static_cast<std::ptrdiff_t>(count), sums.end());
+    rate.variable_to_air.assign(sums.begin() + static_cast<std::ptrdiff_t>(count),
+                                sums.begin() + static_cast<std::ptrdiff_t>(2 * count));
     for (std::size_t i = 0; i < count; ++i)
-        taker(rate, problem_->surfaces[i]) += sums[count + i];
+        taker(rate, problem_->surfaces[i]) += sums[count + i] - sums[2 * count + i];
     sums.resize(count);
     rate.films_untested = std::move(sums);
 }

@@ -10,11 +10,12 @@ namespace deadpoint::fem {
 
 /// An oil circuit at one time.
 struct OilFlow {
-    double inlet = 0;   ///< [K]
-    double outlet = 0;  ///< [K]
-    double sump = 0;    ///< [K]
-    double sump_rate = 0;
-    double heat = 0;  ///< from the joints [W]
+    double inlet = 0;            ///< [K]
+    double outlet = 0;           ///< [K]
+    double sump = 0;             ///< [K]
+    double sump_rate = 0;        ///< dT/dt of the sump; 0 if it follows at once [K/s]
+    double sump_relaxation = 0;  ///< -d(sump_rate)/d(sump) [1/s]
+    double heat = 0;             ///< from the joints [W]
     double cooler = 0;
 };
 
@@ -34,8 +35,9 @@ struct StageRecord {
     std::vector<double> body_heat;        ///< [W]
     std::vector<double> oil_temperature;  ///< per interface, as the solve took it [K]
     std::vector<double> film_mean;        ///< per film of HeatSolver: mean temperature of its surface [K]
-    std::vector<double> variable_to_air;  ///< per surface condition whose film follows the temperature [W]
-    std::vector<AirFlow> air;             ///< per enclosure
+    std::vector<double>
+        variable_to_air;       ///< per surface condition whose film follows the temperature: all it loses [W]
+    std::vector<AirFlow> air;  ///< per enclosure
 };
 
 /// Everything that enters the heat balance at one time: the rate vector F(t, T) - K T and its parts.

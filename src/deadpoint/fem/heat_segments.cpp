@@ -42,6 +42,8 @@ bool HeatSolver::adopt(const HeatProblem& problem)
                       problem.oil.size() == problem_->oil.size() &&
                       problem.enclosures.size() == problem_->enclosures.size() &&
                       std::ranges::equal(problem.surfaces, problem_->surfaces, same_condition) &&
+                      std::ranges::equal(problem.radiation, problem_->radiation, {}, &RadiantRoom::exchange,
+                                         &RadiantRoom::exchange) &&
                       std::ranges::equal(problem.body_heat, problem_->body_heat, same_place) &&
                       std::ranges::equal(laws, *laws_, same_films);
     if (!same)
@@ -52,6 +54,8 @@ bool HeatSolver::adopt(const HeatProblem& problem)
         film.condition = &problem.surfaces[film.index];
     for (auto& [position, condition] : prescribed_at_)
         condition = &problem.surfaces[static_cast<std::size_t>(condition - problem_->surfaces.data())];
+    for (std::size_t r = 0; r < rooms_.size(); ++r)
+        rooms_[r].room = &problem.radiation[r];
     problem_ = &problem;
     air_->adopt(problem.enclosures);
     laws_ = &laws;

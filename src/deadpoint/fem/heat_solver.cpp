@@ -1,8 +1,10 @@
+#include "deadpoint/exchange/step_tolerance.hpp"
 #include "deadpoint/fem/heat_checkpoint.hpp"
 #include "deadpoint/fem/tr_bdf2.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numeric>
 #include <optional>
 
@@ -70,6 +72,7 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
     if (variable_films_)
         everywhere_ = std::make_unique<Everywhere>(now_);
     air_ = std::make_unique<EnclosedAir>(problem_->enclosures, now_);
+    prepare_rooms();
 
     prepare_solver();
 }
@@ -121,7 +124,7 @@ HeatRate HeatSolver::solve_stage(double time, double factor, const std::vector<d
         const auto of_air = air_->residual(current);
         air_->take_out(of_air, work_);
         set_tolerance(1e-13, problem_->solver_tolerance);
-        iterations_ += solve(solver_, work_, work2_, "the temperature field");
+        solve_system(work_, work2_, "the temperature field");
         ++solves_;
         DEADPOINT_PETSC(VecAXPY(temperature, -1, work2_));
         require_finite(temperature, time);
@@ -146,7 +149,7 @@ HeatRate HeatSolver::solve_stage(double time, double factor, const std::vector<d
             oil_change = std::max(oil_change, std::abs(reaches[i] - oil_temperature_[i]));
         current = std::move(updated);
         if (curvature <= largest_curvature * total && change < 1e-7 &&
-            oil_change <= oil_share_of_tolerance * problem_->time_tolerance) {
+            oil_change <= oil_share_of_tolerance * step_tolerance(problem_->time_tolerance)) {
             correct_heat(current, corrections);
             finish_stage(factor, temperature, current, stored);
             return current;
@@ -220,7 +223,7 @@ HeatSolver::Step HeatSolver::step(double time, double dt)
 
     if (problem_->fixed_step > 0)
         return result;
-    result.error = estimate_error(dt);
+    result.error = std::max(estimate_error(dt), oil_error(dt));
     for (const double e : evaluate(watched_, error_))
         result.error = std::max(result.error, std::abs(e));
     return result;
@@ -243,8 +246,8 @@ double HeatSolver::estimate_error(double dt)
     const auto of_air = air_->first_error(dt, {&rate_now_, &rate_middle_, &rate_next_});
     air_->take_out(of_air, work_);
     // sharp enough that all numbers of ranks take the same steps
-    set_tolerance(1e-4, 1e-4 * problem_->time_tolerance);
-    iterations_ += solve(solver_, work_, error_, "the error of a time step");
+    set_tolerance(1e-4, 1e-4 * step_tolerance(problem_->time_tolerance));
+    solve_system(work_, error_, "the error of a time step");
     double largest = 0;
     for (const double e : air_->solution(of_air, error_))
         largest = std::max(largest, std::abs(e));
@@ -308,6 +311,7 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
         while (!history.interrupted && place.time < end * (1 - 1e-14)) {
             if (!try_step(place, end, history, on_field))
                 continue;
+            warn_of_many_steps(place, observer);
             if (on_step)
                 on_step(place.time);
             history.interrupted = any_rank(observer.cancelled());
@@ -325,13 +329,32 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
     return history;
 }
 
+// Steps may stay short for a reason that no check of the case sees.
+void HeatSolver::warn_of_many_steps(const RunPlace& place, Observer& observer) const
+{
+    constexpr std::size_t judged_after = 1000;
+    constexpr double many = 1e5;
+    if (steps_.size() != judged_after)
+        return;
+    double left = -place.time;
+    for (const auto& segment : problem_->segments)
+        left += segment.duration;
+    const double more = left / steps_.back().duration;
+    if (more > many)
+        observer.warn(
+            fmt::format("after {} time steps the run is at t = {:.3g} s of {:.3g} s; at the present {:.2g} s a "
+                        "step, {:.2g} more follow; loosen numerics.time_tolerance, or look for a law or a "
+                        "course that changes fast",
+                        judged_after, place.time, place.time + left, steps_.back().duration, more));
+}
+
 // One step towards the end of the segment; false where it was too long and a shorter one is wanted.
 bool HeatSolver::try_step(RunPlace& place, double end, ThermalHistory& history, const FieldCallback& on_field)
 {
     const double dt = fit_step(place.wanted, end - place.time);
     const Step outcome = step(place.time, dt);
     const bool controlled = problem_->fixed_step <= 0;
-    if (controlled && outcome.error > problem_->time_tolerance) {
+    if (controlled && outcome.error > step_tolerance(problem_->time_tolerance)) {
         ++history.rejected_steps;
         place.wanted = dt * rungs(outcome.error, -20, -1);
         if (dt < 1e-6)
@@ -376,7 +399,7 @@ void HeatSolver::accept_step(double dt, const Step& outcome, ThermalHistory& his
 // The factor by which a step may grow or must shrink, in whole rungs of the ladder of step sizes.
 double HeatSolver::rungs(double error, int least, int most) const
 {
-    const double allowed = 0.9 * std::cbrt(problem_->time_tolerance / std::max(error, 1e-30));
+    const double allowed = 0.9 * std::cbrt(step_tolerance(problem_->time_tolerance) / std::max(error, 1e-30));
     return std::pow(ladder, std::clamp(std::floor(std::log(allowed) / std::log(ladder)), 1.0 * least, 1.0 * most));
 }
 

@@ -7,6 +7,7 @@
 #include "deadpoint/fem/heat_surfaces.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/fem/run_place.hpp"
+#include "deadpoint/fem/shell_matrix.hpp"
 
 /// Internal to fem/: transient heat conduction with joint films.
 namespace deadpoint::fem {
@@ -44,6 +45,10 @@ private:
     void for_each_point(int part, const std::function<void(const Vec3&, double, const PointShape&)>& visit) const;
     void prepare_body_heat();
     void prepare_films();
+    void prepare_rooms();
+    [[nodiscard]] std::vector<double> irradiation(const double* values) const;
+    void build_room_loads(const double* values);
+    void multiply_rooms(Vec in, Vec out) const;
     void prepare_prescribed();
     void prepare_materials();
     void prepare_tangents();
@@ -90,6 +95,7 @@ private:
     double oil_outlet(std::size_t circuit, double inlet, const HeatRate& rate, std::vector<double>& reaches) const;
     void settle_oil(double time);
     double set_oil(const std::vector<double>& temperature);
+    [[nodiscard]] double oil_error(double dt) const;
     void add_variable_films(HeatRate& rate, double time, Vec temperature) const;
     void add_enclosures(HeatRate& rate, double time) const;
     void build_air_loads(double factor, const double* values);
@@ -110,6 +116,7 @@ private:
     [[nodiscard]] std::vector<double> first_known_sump(double factor) const;
     [[nodiscard]] std::vector<double> second_known_sump() const;
     Step step(double time, double dt);
+    void warn_of_many_steps(const RunPlace& place, Observer& observer) const;
     bool try_step(RunPlace& place, double end, ThermalHistory& history, const FieldCallback& on_field);
     void accept_step(double dt, const Step& outcome, ThermalHistory& history);
     static void hermite(Vec start, Vec start_slope, Vec end, Vec end_slope, double h, double s, Vec result);
@@ -119,6 +126,7 @@ private:
     [[nodiscard]] ThermalHistory empty_history() const;
     static void fill_first_rates(ThermalHistory& history, std::size_t start);
     void record(ThermalHistory& history, double time, const HeatRate& rate);
+    void record_media(ThermalHistory& history, const HeatRate& rate, double dt) const;
     [[nodiscard]] std::vector<double> observed(Vec vector, bool is_rate) const;
     void write_fields_until(double from, double dt, const FieldCallback& on_field);
     [[nodiscard]] std::vector<double> tangent_less_law(const HeatRate& before, const HeatRate& after) const;
@@ -132,7 +140,11 @@ private:
     [[nodiscard]] FilmLaw film_at(const SurfaceCondition& condition, double surroundings) const;
     static double film_flux(const LawValue& film, double emissivity, double surface, double surroundings);
     static double film_slope(const LawValue& film, double emissivity, double surface, double surroundings);
-    static PetscErrorCode multiply(Mat shell, Vec in, Vec out);
+    void multiply(Vec in, Vec out) const;
+    /// Solves with the system of the stage and counts iterations.
+    void solve_system(Vec right, Vec solution, const char* what);
+    /// The largest term of the heat balance of a stage of `factor`, in words.
+    [[nodiscard]] std::string largest_term() const;
 
     const Discretisation& space_;
     const std::vector<Material>& materials_;
@@ -152,12 +164,14 @@ private:
     std::vector<double> sump_;                    ///< per circuit, at the start of the step [K]
     std::unique_ptr<EnclosedAir> air_;
     std::vector<Film> films_;
+    std::vector<HeatRoom> rooms_;
     bool variable_films_ = false;
     bool some_prescribed_ = false;      ///< on any rank
     std::vector<PetscInt> prescribed_;  ///< owned unknowns with given temperature, global numbers
     std::vector<std::pair<Vec3, const SurfaceCondition*>> prescribed_at_;
 
-    OwnedMat mass_, stiffness_, variable_, system_, shell_;
+    OwnedMat mass_, stiffness_, variable_, system_;
+    std::unique_ptr<ShellMatrix> shell_;
     OwnedMat conduction_;  ///< of parts whose conductivity follows the temperature
     OwnedMat scaled_mass_, scaled_conduction_;
     OwnedVec mapped_;

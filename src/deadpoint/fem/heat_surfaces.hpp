@@ -39,6 +39,14 @@ struct HeatFilm {
     std::size_t index = 0;          ///< into HeatProblem::surfaces
 };
 
+/// Surfaces that radiate to each other; see heat_radiation.cpp.
+struct HeatRoom {
+    const RadiantRoom* room = nullptr;
+    std::vector<std::size_t> films;  ///< indices into HeatSolver's
+    std::vector<OwnedVec> loads;     ///< b, per surface
+    std::vector<double> coupling;    ///< row after row; empty: none for the time being [W/K]
+};
+
 /// Adds factor * rows x columns to a matrix.
 void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns, double factor);
 

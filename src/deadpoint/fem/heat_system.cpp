@@ -3,6 +3,8 @@
 #include "deadpoint/fem/tr_bdf2.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 #include <ml_utils.h>
 
 // The linear system of a stage and its solver.
@@ -45,9 +47,8 @@ void HeatSolver::prepare_solver()
     DEADPOINT_PETSC(MatSetOption(system_, MAT_SYMMETRIC, PETSC_TRUE));
 
     const PetscInt rows = space_.last - space_.first;
-    DEADPOINT_PETSC(MatCreateShell(PETSC_COMM_WORLD, rows, rows, space_.total, space_.total, this, shell_.out()));
-    DEADPOINT_PETSC(MatShellSetOperation(shell_, MATOP_MULT, reinterpret_cast<void (*)(void)>(&HeatSolver::multiply)));
-    DEADPOINT_PETSC(MatSetOption(shell_, MAT_SYMMETRIC, PETSC_TRUE));
+    shell_ = std::make_unique<ShellMatrix>(rows, space_.total, [this](Vec in, Vec out) { multiply(in, out); });
+    DEADPOINT_PETSC(MatSetOption(*shell_, MAT_SYMMETRIC, PETSC_TRUE));
 
     DEADPOINT_PETSC(KSPCreate(PETSC_COMM_WORLD, solver_.out()));
     DEADPOINT_PETSC(KSPSetType(solver_, KSPCG));
@@ -70,28 +71,84 @@ void HeatSolver::prepare_solver()
     default_option("-heat_mg_levels_esteig_ksp_type", "cg");
     DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "heat_"));
     DEADPOINT_PETSC(KSPSetFromOptions(solver_));
-    DEADPOINT_PETSC(KSPSetOperators(solver_, shell_, system_));
+    DEADPOINT_PETSC(KSPSetOperators(solver_, *shell_, system_));
     build_aggregates();
 }
 
 // y = (M + factor (K + K_films)) x - factor sum of dH/dT b (b .
 // x): heat that falls with temperature adds to the matrix, as a
 // few rank-one terms that the preconditioner need not know.
-PetscErrorCode HeatSolver::multiply(Mat shell, Vec in, Vec out)
+void HeatSolver::multiply(Vec in, Vec out) const
 {
-    HeatSolver* self = nullptr;
-    MatShellGetContext(shell, &self);
-    MatMult(self->system_, in, out);
-    self->air_->multiply(in, out);
-    if (self->shell_slopes_.empty())
-        return 0;
+    DEADPOINT_PETSC(MatMult(system_, in, out));
+    air_->multiply(in, out);
+    multiply_rooms(in, out);
+    if (shell_slopes_.empty())
+        return;
     std::vector<const SparseFunctional*> loads;
-    for (const auto& load : self->shell_loads_)
+    for (const auto& load : shell_loads_)
         loads.push_back(&load);
     const auto products = evaluate(loads, in);
     for (std::size_t r = 0; r < products.size(); ++r)
-        add_to(out, self->shell_loads_[r], -self->system_factor_ * self->shell_slopes_[r] * products[r]);
-    return 0;
+        add_to(out, shell_loads_[r], -system_factor_ * shell_slopes_[r] * products[r]);
+}
+
+void HeatSolver::solve_system(Vec right, Vec solution, const char* what)
+{
+    const auto with_term = [this](const Error& error) {
+        return fmt::format("{}\n  the largest term of the heat balance at t = {:.6g} s is {}", error.what(), time_,
+                           largest_term());
+    };
+    try {
+        iterations_ += shell_->use([&] { return solve(solver_, right, solution, what); });
+    } catch (const NotFinite& error) {
+        throw DomainError(with_term(error) + "\n  help: give it a value that can be meant");
+    } catch (const ConvergenceError& error) {
+        throw ConvergenceError(with_term(error));
+    }
+}
+
+namespace {
+
+struct Term {
+    std::string text;
+    double size = 0;  ///< what it comes to, roughly [W]
+};
+
+}  // namespace
+
+// What each quantity of the case comes to for a kelvin, or at the present temperatures; one that is not finite counts
+// as the largest.
+std::string HeatSolver::largest_term() const
+{
+    std::vector<Term> terms;
+    const auto add = [&](const char* table, const std::string& name, const char* meaning, double value,
+                         const char* unit, double factor = 1) {
+        terms.push_back({fmt::format("the {} of {}.{}: {:.3g} {}", meaning, table, name, value, unit), value * factor});
+    };
+    const auto& parts = space_.machine.parts;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        add("parts", parts[p].name, "heat capacity",
+            materials_[p].density * materials_[p].specific_heat * part_volume_[p], "J/K");
+        add("parts", parts[p].name, "conductivity", materials_[p].conductivity, "W/m/K");
+    }
+    for (std::size_t i = 0; i < interfaces_.size(); ++i)
+        add("joints", space_.machine.interfaces[i].name, "conductance", interfaces_[i].sum * interfaces_[i].area,
+            "W/K");
+    for (std::size_t r = 0; r < problem_->sources.size() && r < rate_now_.source_heat.size(); ++r)
+        if (segment_ && segment_->heat[r])
+            add("friction", problem_->sources[r].name, "heat", segment_->heat[r](rate_now_.source_temperature[r]).value,
+                "W");
+    for (std::size_t k = 0; k < problem_->body_heat.size(); ++k)
+        if (segment_ && segment_->body_heat[k])
+            add("heat_sources", problem_->body_heat[k].name, "power", segment_->body_heat[k](time_), "W");
+    for (const auto& film : films_)
+        if (film.condition->kind == SurfaceCondition::Kind::flux)
+            add("surfaces", film.condition->name, "heat flux", film.condition->flux(time_), "W/m2", film.area);
+        else
+            add("surfaces", film.condition->name, "film", film.condition->coefficient, "W/m2/K", film.area);
+    const auto size = [](const Term& term) { return std::isfinite(term.size) ? std::abs(term.size) : 1e308; };
+    return terms.empty() ? "none" : std::ranges::max_element(terms, {}, size)->text;
 }
 
 void HeatSolver::set_tolerance(double relative, double absolute)
@@ -106,6 +163,7 @@ void HeatSolver::build_system(double factor, Vec temperature)
         return;
     const double* values = variable_films_ ? everywhere_->gather(temperature) : nullptr;
     build_air_loads(factor, values);
+    build_room_loads(values);
     if (variable_films_)
         assemble_variable_films([&](const Film& film) -> PointCoefficient {
             const double surroundings = ambient(*film.condition, time_);

@@ -210,7 +210,12 @@ void Model::assemble_heat(const HeatProblem& problem)
     auto& heat = implementation_->heat;
     if (!heat || !heat->adopt(problem))
         heat = std::make_unique<HeatSolver>(implementation_->space, implementation_->materials, problem);
-    heat->start_from(start_of(problem, interpolate_field(problem.initial_temperature)));
+    Field start;
+    const auto points = implementation_->space.support_points();
+    const auto parts = implementation_->space.part_of_unknown();
+    for (std::size_t i = 0; i < points.size(); ++i)
+        start.owned.push_back(problem.initial_temperature(static_cast<int>(parts[i]), points[i]));
+    heat->start_from(start_of(problem, std::move(start)));
 }
 
 ThermalHistory Model::heat(const std::vector<Adjoint>& adjoints, double reference_temperature, Attribution attribution,

@@ -12,10 +12,11 @@
 /// whole press.
 namespace deadpoint::report {
 
-/// Brings a quantity of the steps to the rows of a table: factor * value + offset.
+/// Brings a quantity that is known at the steps only to the rows of a table: factor * value + offset.
 using Sampler = std::function<std::vector<double>(const std::vector<double>& values, double factor, double offset)>;
 
-void add_heat_flow_columns(std::vector<CsvColumn>& columns, const study::RunResult& result, const Sampler& sample);
+void add_heat_flow_columns(std::vector<CsvColumn>& columns, const study::RunResult& result,
+                           const SeriesSampler& sample_series, const Sampler& sample);
 
 /// State at the end by circuit, enclosure and source; null where there is none of them.
 nlohmann::ordered_json heat_flows_json(const study::RunResult& result);

@@ -1,6 +1,7 @@
 #include "deadpoint/study/refine.hpp"
 
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/exchange/step_tolerance.hpp"
 #include "deadpoint/study/prepare.hpp"
 #include "deadpoint/study/translate_heat.hpp"
 
@@ -146,7 +147,9 @@ private:
         const auto start = Clock::now();
         for (int i = 0; i < time_rounds && !result_.thermal.interrupted; ++i) {
             auto half = input_;
-            half.numerics.time_tolerance /= 8;  // third order
+            constexpr double of_third_order = 8;
+            half.numerics.time_tolerance =
+                time_tolerance_of(step_tolerance(half.numerics.time_tolerance) / of_third_order);
             half.numerics.max_step /= 2;
             half.numerics.initial_step /= 2;
             observer_.stage("accuracy: the same with time steps half as long");

@@ -75,16 +75,17 @@ std::vector<JointHistory> joint_histories(const casefile::Case& input, const Mac
     std::vector<JointHistory> result;
     std::size_t contact = 0;
     for (const auto& [name, joint] : input.joints) {
-        JointHistory entry{name, std::vector<double>(history.time.size(), 0.0), {}};
-        entry.heat = entry.temperature;
+        const std::vector<double> zeros(history.time.size(), 0.0);
+        JointHistory entry{name, {zeros, zeros}, zeros};
         double area = 0;
         for (const auto& interface : joint.interfaces) {
             (void)interface;
             const auto& law = problem.interfaces[contact];
             const double here = machine.interfaces[contact].area;
             for (std::size_t i = 0; i < history.time.size(); ++i) {
-                entry.temperature[i] +=
-                    0.5 * here * (history.interface_a[contact].value[i] + history.interface_b[contact].value[i]);
+                for (auto of : {&Series::value, &Series::rate})
+                    (entry.temperature.*of)[i] +=
+                        0.5 * here * ((history.interface_a[contact].*of)[i] + (history.interface_b[contact].*of)[i]);
                 if (law.source >= 0)
                     entry.heat[i] +=
                         whole * history.source_heat[law.source][i] * law.heat_weight * here / row_area[law.source];
@@ -94,8 +95,9 @@ std::vector<JointHistory> joint_histories(const casefile::Case& input, const Mac
         }
         if (area == 0)
             continue;
-        for (double& value : entry.temperature)
-            value /= area;
+        for (auto of : {&Series::value, &Series::rate})
+            for (double& value : entry.temperature.*of)
+                value /= area;
         result.push_back(std::move(entry));
     }
     return result;
@@ -180,7 +182,7 @@ void warn_about(const ThermalHistory& history, const HeatProblem& problem, Obser
             observer.warn(fmt::format("surfaces.{}: its film law was used outside its tested range; 'deadpoint heat' "
                                       "shows where it is",
                                       problem.surfaces[i].name));
-    if (history.energy.mismatch() > 1e-6)
+    if (history.energy.mismatch() > 1e-6 && !nothing_happens(history, problem.time_tolerance))
         observer.warn(fmt::format("the energy balance closes to {:.1e} only; lower numerics.solver_tolerance",
                                   history.energy.mismatch()));
 }

@@ -36,8 +36,8 @@ struct AdjointCheck {
 /// A name and its value over the steps, for files and tables.
 struct JointHistory {
     std::string name;
-    std::vector<double> temperature;  ///< area mean of both sides of its interfaces [K]
-    std::vector<double> heat;         ///< friction heat, whole press [W]
+    Series temperature;        ///< area mean of both sides of its interfaces [K]
+    std::vector<double> heat;  ///< friction heat, whole press [W]
 };
 
 struct RunResult {

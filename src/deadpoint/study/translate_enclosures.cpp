@@ -1,8 +1,10 @@
 #include "deadpoint/study/translate_enclosures.hpp"
 
 #include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/surroundings/radiation.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace deadpoint::study {
 namespace {
@@ -35,6 +37,26 @@ int enclosure_of(const casefile::Case& input, const std::string& surface)
         ++index;
     }
     return -1;
+}
+
+std::vector<RadiantRoom> radiation_inside(const std::vector<SurfaceCondition>& surfaces, const Machine& machine)
+{
+    std::map<int, RadiantRoom> rooms;
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        if (surfaces[i].enclosure >= 0 && surfaces[i].emissivity > 0)
+            rooms[surfaces[i].enclosure].surfaces.push_back(static_cast<int>(i));
+    std::vector<RadiantRoom> result;
+    for (auto& [enclosure, room] : rooms) {
+        std::vector<double> areas, emissivities;
+        for (const int i : room.surfaces) {
+            const auto& surface = surfaces[static_cast<std::size_t>(i)];
+            areas.push_back(machine.surfaces[static_cast<std::size_t>(surface.surface)].area);
+            emissivities.push_back(surface.emissivity);
+        }
+        room.exchange = surroundings::enclosure_exchange(areas, emissivities);
+        result.push_back(std::move(room));
+    }
+    return result;
 }
 
 std::vector<TimeCourse> enclosure_power(const casefile::Case& input, const Machine& machine,

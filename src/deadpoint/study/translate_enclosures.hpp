@@ -16,6 +16,10 @@ std::vector<Enclosure> enclosures(const casefile::Case& input, const Machine& ma
 /// Index of the enclosure that a surface faces, or -1.
 int enclosure_of(const casefile::Case& input, const std::string& surface);
 
+/// Radiation among the surfaces of each enclosure, of those whose film states an emissivity. @param surfaces  of the
+/// heat problem, with their enclosures
+std::vector<RadiantRoom> radiation_inside(const std::vector<SurfaceCondition>& surfaces, const Machine& machine);
+
 /// Heat into each enclosure's air in a segment, in this model [W].
 std::vector<TimeCourse> enclosure_power(const casefile::Case& input, const Machine& machine,
                                         const casefile::Segment& segment);

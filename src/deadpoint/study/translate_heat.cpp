@@ -305,6 +305,18 @@ std::vector<HeatProbe> heat_probes(const casefile::Case& input, const Machine& m
     return probes;
 }
 
+std::vector<double> initial_temperatures(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<double> result;
+    for (const auto& mesh : machine.parts) {
+        const auto part = input.parts.find(mesh.name);
+        const auto of_body = input.bodies.at(mesh.body).initial_temperature;
+        const auto own = part == input.parts.end() ? std::nullopt : part->second.initial_temperature;
+        result.push_back(own ? *own : of_body.value_or(input.machine.initial_temperature));
+    }
+    return result;
+}
+
 void warn_about(const casefile::Case& input, Observer& observer)
 {
     std::set<std::string> used;
@@ -383,11 +395,14 @@ HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, O
     problem.enclosures = enclosures(input, machine);
     problem.body_heat = body_heats(input, machine);
     problem.surfaces = surface_conditions(input, machine, loads);
+    problem.radiation = radiation_inside(problem.surfaces, machine);
     Segments segments(input, machine, friction, loads, observer);
     problem.interfaces = segments.interfaces(0);
     segments.describe(problem);
     problem.probes = heat_probes(input, machine);
-    problem.initial_temperature = [value = input.machine.initial_temperature](const Vec3&) { return value; };
+    problem.initial_temperature = [start = initial_temperatures(input, machine)](int part, const Vec3&) {
+        return start[static_cast<std::size_t>(part)];
+    };
     problem.time_tolerance = input.numerics.time_tolerance;
     problem.initial_step = input.numerics.initial_step;
     problem.max_step = input.numerics.max_step;
