@@ -264,6 +264,29 @@ TEST_CASE("parts without a common axis, or on request, become tetrahedra")
     CHECK(half.parts[0].exterior_area == Approx(2 * 0.2 * 0.4 + 2 * 0.2 * 0.1 + 0.4 * 0.1).epsilon(1e-9));
 }
 
+TEST_CASE("a way that gives bad cells is not the last one that is tried")
+{
+    // Gmsh's frontal algorithm leaves quadrilaterals in each other around this bore, at each of the sizes.
+    MachineDescription column;
+    column.half_model = true;
+    column.parts = {part("column", "frame",
+                         {add(BoxShape{{-0.72, -1.8284324, 0.1}, {-0.52, -0.9, 0.3}}),
+                          cut(cylinder(Axis::y, {-0.62, 0.1745}, 0.1, -1.8284324, -0.9))},
+                         0.23),
+                    part("elsewhere", "frame", {add(BoxShape{{-0.03, -0.2, -0.3}, {0, 0.2, -0.2}})}, 0.1)};
+    const Machine bored = build(column);
+    CHECK(bored.parts[0].kind == CellKind::hexahedron);
+    CHECK(bored.parts[0].min_quality > 0.1);  // the tetrahedra that it fell back to had 0.001
+
+    // A sliver of quality 0.014 at the size itself.
+    MachineDescription bar;
+    bar.parts = {part("bar", "frame", {add(BoxShape{{0, 0, 0}, {0.1, 0.45, 0.08}})}, 0.0589)};
+    bar.parts[0].tetrahedra = true;
+    const Machine tetrahedra = build(bar);
+    CHECK(tetrahedra.parts[0].min_quality > 0.1);
+    CHECK(tetrahedra.parts[0].volume == Approx(0.1 * 0.45 * 0.08));
+}
+
 TEST_CASE("equal descriptions give identical machines")
 {
     MachineDescription description = single(

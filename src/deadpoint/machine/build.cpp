@@ -31,23 +31,6 @@ namespace {
 /// Good enough not to try another axis.
 constexpr double good_quality = 0.3;
 
-struct Worst {
-    double quality = 1;
-    Vec3 where{};
-};
-
-Worst worst_cell(const PartMesh& mesh)
-{
-    Worst worst;
-    for (const Cell& cell : mesh.cells) {
-        const double own = quality(cell, mesh.nodes);
-        if (own < worst.quality) {
-            worst = {own, centre(cell, mesh.nodes)};
-        }
-    }
-    return worst;
-}
-
 std::string place(const Vec3& p)
 {
     return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);

@@ -224,6 +224,18 @@ double quality(const Cell& cell, const std::vector<Vec3>& nodes)
     return cell.kind == CellKind::hexahedron ? hexahedron_quality(cell, nodes) : tetrahedron_quality(cell, nodes);
 }
 
+Worst worst_cell(const PartMesh& mesh)
+{
+    Worst worst;
+    for (const Cell& cell : mesh.cells) {
+        const double own = quality(cell, mesh.nodes);
+        if (own < worst.quality) {
+            worst = {own, centre(cell, mesh.nodes)};
+        }
+    }
+    return worst;
+}
+
 Vec3 position_on(const Face& face, const std::vector<Vec3>& nodes, const Vec2& local)
 {
     const auto& n = face.nodes;

@@ -56,6 +56,12 @@ bool inside(const Cell& cell, const std::vector<Vec3>& nodes, const Vec3& point)
 /// Smallest scaled Jacobian over the corners of a hexahedron, or three times inradius over circumradius of a
 /// tetrahedron; 1 is best, 0 or less is degenerate.
 double quality(const Cell& cell, const std::vector<Vec3>& nodes);
+/// The cell of least quality of a mesh.
+struct Worst {
+    double quality = 1;
+    Vec3 where{};  ///< its centre [m]
+};
+Worst worst_cell(const PartMesh& mesh);
 
 /// Position on the bilinear (4 nodes) or linear (3 nodes) facet at the local coordinates; a triangle uses (r, s) as its
 /// second and third barycentric coordinate, a quadrilateral r and s in 0..1.

@@ -23,11 +23,24 @@ constexpr int least_segments = 24;
 constexpr int splitting = 2;
 /// Smallest sine of a corner that is good enough not to try another way.
 constexpr double good_corner = 0.3;
+/// The same, good enough not to try another algorithm for the triangles.
+constexpr double fair_corner = 0.1;
 
 /// Ways to quadrilaterals, the usually best one first.
 enum class Recombination { full_quads, blossom_split, simple_split };
+constexpr std::array<Recombination, 3> recombinations{Recombination::full_quads, Recombination::blossom_split,
+                                                      Recombination::simple_split};
 /// A slightly other division often avoids a bad corner.
 constexpr std::array<double, 3> size_factors{1.0, 0.93, 0.86};
+/// Gmsh's numbers of its algorithms for the triangles: frontal, Delaunay, mesh adaptation. The first one gives the best
+/// quadrilaterals; around some bores it makes triangles that lie in each other, where the second one does not.
+constexpr std::array<int, 3> algorithms{6, 5, 1};
+/// One way to mesh the arrangement.
+struct Way {
+    int algorithm = algorithms.front();
+    double size_factor = 1;
+    Recombination recombination = Recombination::full_quads;
+};
 constexpr double two_pi = 2 * std::numbers::pi;
 
 /// How finely to mesh: cell size, and segments per full circle at least.
@@ -239,16 +252,18 @@ std::map<int, CurveData> curves_of(const LayeredPart& part, const SurfaceGroups&
     return curves;
 }
 
-void choose(Recombination way, double size)
+void choose(const Way& way, double size)
 {
-    const bool full = way == Recombination::full_quads;
+    const bool full = way.recombination == Recombination::full_quads;
+    const bool blossom = way.recombination == Recombination::blossom_split;
+    gmsh::option::setNumber("Mesh.Algorithm", way.algorithm);
     gmsh::option::setNumber("Mesh.MeshSizeMax", to_gmsh(splitting * size));
     gmsh::option::setNumber("Mesh.RecombineAll", 1);
-    gmsh::option::setNumber("Mesh.RecombinationAlgorithm", full ? 2 : (way == Recombination::blossom_split ? 1 : 0));
+    gmsh::option::setNumber("Mesh.RecombinationAlgorithm", full ? 2 : (blossom ? 1 : 0));
     gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", full ? 0 : 1);
 }
 
-PlaneMesh generate(const LayeredPart& part, const Fineness& fine, Recombination way)
+PlaneMesh generate(const LayeredPart& part, const Fineness& fine, const Way& way)
 {
     reset_gmsh();
     const SurfaceGroups groups = build_arrangement(part);
@@ -257,7 +272,7 @@ PlaneMesh generate(const LayeredPart& part, const Fineness& fine, Recombination 
     for (const auto& [tag, data] : curves) {
         const double thin = data.curve.circle ? ring_aspect * clearance(data, curves) : fine.size;
         const double own = std::clamp(thin, least_refinement * fine.size, fine.size);
-        divide_curve(tag, data.curve, data.samples, {own, fine.segments}, way);
+        divide_curve(tag, data.curve, data.samples, {own, fine.segments}, way.recombination);
     }
     choose(way, fine.size);
     gmsh::model::mesh::generate(2);
@@ -300,6 +315,20 @@ bool folded(const PlaneMesh& mesh)
     return false;
 }
 
+/// In the order in which they are tried.
+std::vector<Way> all_ways()
+{
+    std::vector<Way> ways;
+    for (const int algorithm : algorithms) {
+        for (const double factor : size_factors) {
+            for (const auto recombination : recombinations) {
+                ways.push_back({algorithm, factor, recombination});
+            }
+        }
+    }
+    return ways;
+}
+
 }  // namespace
 
 PlaneMesh mesh_plane(const std::string& name, const LayeredPart& part, double size)
@@ -307,8 +336,8 @@ PlaneMesh mesh_plane(const std::string& name, const LayeredPart& part, double si
     PlaneMesh best;
     double best_corner = -2;
     std::string failure;
-    const auto attempt = [&](Recombination way, double factor) {
-        PlaneMesh mesh = generate(part, {factor * size, least_segments / factor}, way);
+    const auto attempt = [&](const Way& way) {
+        PlaneMesh mesh = generate(part, {way.size_factor * size, least_segments / way.size_factor}, way);
         if (folded(mesh)) {
             throw std::runtime_error("its quadrilaterals lie in each other");
         }
@@ -319,16 +348,14 @@ PlaneMesh mesh_plane(const std::string& name, const LayeredPart& part, double si
             best = std::move(mesh);
         }
     };
-    for (const double factor : size_factors) {
-        for (const auto way : {Recombination::full_quads, Recombination::blossom_split, Recombination::simple_split}) {
-            if (best_corner > good_corner) {
-                return best;
-            }
-            try {
-                guard_gmsh(name, "meshing its cross-section with quadrilaterals", [&] { attempt(way, factor); });
-            } catch (const InputError& error) {
-                failure = error.what();
-            }
+    for (const Way& way : all_ways()) {
+        if (best_corner > (way.algorithm == algorithms.front() ? good_corner : fair_corner)) {
+            return best;
+        }
+        try {
+            guard_gmsh(name, "meshing its cross-section with quadrilaterals", [&] { attempt(way); });
+        } catch (const InputError& error) {
+            failure = error.what();
         }
     }
     if (best.quads.empty() && !failure.empty()) {

@@ -9,6 +9,7 @@
 #include "deadpoint/machine/step_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <gmsh.h>
 
@@ -170,15 +171,14 @@ double volume_of(const Tags& solids)
     return sum * gmsh_unit * gmsh_unit * gmsh_unit;
 }
 
-/// Meshes the solids in Gmsh's model; lengths in the model are millimetres.
-PartMesh generate(const std::string& part, double size, Observer& observer)
+/// Good enough not to try another size.
+constexpr double fair_quality = 0.1;
+/// A slightly other size often avoids a sliver.
+constexpr std::array<double, 4> size_factors{1.0, 0.93, 0.86, 0.8};
+
+PartMesh generate_at(double size)
 {
-    Tags volumes;
-    gmsh::model::getEntities(volumes, 3);
-    if (volumes.empty()) {
-        return {};
-    }
-    check_cell_count(part, about_tetrahedra(volume_of(volumes), size), size, observer);
+    gmsh::model::mesh::clear();
     gmsh::option::setNumber("Mesh.MeshSizeMax", to_gmsh(size));
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", segments_per_circle);
     gmsh::model::mesh::generate(3);
@@ -188,6 +188,28 @@ PartMesh generate(const std::string& part, double size, Observer& observer)
         throw std::runtime_error("no tetrahedra were made");
     }
     return mesh;
+}
+
+/// Meshes the solids in Gmsh's model; lengths in the model are millimetres.
+PartMesh generate(const std::string& part, double size, Observer& observer)
+{
+    Tags volumes;
+    gmsh::model::getEntities(volumes, 3);
+    if (volumes.empty()) {
+        return {};
+    }
+    check_cell_count(part, about_tetrahedra(volume_of(volumes), size), size, observer);
+    PartMesh best;
+    for (const double factor : size_factors) {
+        PartMesh mesh = generate_at(factor * size);
+        if (best.cells.empty() || worst_cell(mesh).quality > worst_cell(best).quality) {
+            best = std::move(mesh);
+        }
+        if (worst_cell(best).quality >= fair_quality) {
+            break;
+        }
+    }
+    return best;
 }
 
 /// The solids of a STEP file in Gmsh's model, in millimetres.
