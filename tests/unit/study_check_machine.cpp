@@ -98,6 +98,18 @@ TEST_CASE("a body of one part that is in two pieces is named too, unless another
     held.bonds.push_back(held.bonds.front());
     held.bonds.back().points = {{3, 2, {}, {}, {}, 1}, {1, 2, {}, {}, {}, 1}};
     CHECK(study::loose_bodies(held).empty());
+
+    Machine plates = three_cubes();  // a is two plates that turn on one pin of b
+    plates.parts[1].body = plates.parts[2].body = "pin";
+    plates.parts[0].pieces = 2;
+    plates.cells.push_back(plates.cells.front());
+    plates.piece_of_cell = {0, 0, 0, 1};
+    plates.faces.push_back(face);
+    plates.bonds.front().points = {{1, 2, {}, {}, {}, 1}};
+    CHECK(study::loose_bodies(plates).size() == 1);
+    plates.interfaces.push_back({});
+    plates.interfaces.back().points = {{0, 1, {}, {}, {}, 1}, {3, 1, {}, {}, {}, 1}};
+    CHECK(study::loose_bodies(plates).empty());
 }
 
 TEST_CASE("a formula of the place is held against its surface and the operation: refused at 0 K, warned of below 150 K")

@@ -101,6 +101,33 @@ std::string cold_text(const std::string& surface, const Coldest& coldest)
                        surface, coldest.value, coldest.place[0], coldest.place[1], coldest.place[2], coldest.time);
 }
 
+/// For each piece of all parts a number that it shares with the pieces it is held to: by a bond, or, within a part, by
+/// an interface of a joint, as the two plates of a link that turn on one pin.
+std::vector<std::size_t> pieces_held_together(const Machine& machine, const std::vector<std::size_t>& ends)
+{
+    std::vector<std::size_t> group(ends.back());
+    std::iota(group.begin(), group.end(), 0);
+    const auto hold = [&](std::uint32_t face_a, std::uint32_t face_b) {
+        const auto piece = [&](std::uint32_t f) {
+            const Face& face = machine.faces[f];
+            return ends[face.part] + (machine.piece_of_cell.empty() ? 0 : machine.piece_of_cell[face.cell]);
+        };
+        const std::size_t kept = group[piece(face_a)];
+        const std::size_t joined = group[piece(face_b)];
+        if (kept != joined)
+            std::replace(group.begin(), group.end(), joined, kept);
+    };
+    for (const auto& bond : machine.bonds)
+        for (const auto& point : bond.points)
+            hold(point.face_a, point.face_b);
+    for (const auto& interface : machine.interfaces)
+        for (const auto& point : interface.points) {
+            hold(interface.points.front().face_a, point.face_a);
+            hold(interface.points.front().face_b, point.face_b);
+        }
+    return group;
+}
+
 }  // namespace
 
 void require_probes_on_parts(const casefile::Case& input, const Machine& machine)
@@ -145,18 +172,7 @@ std::vector<std::string> cold_formulas(const casefile::Case& input, const Machin
 std::vector<std::string> loose_bodies(const Machine& machine)
 {
     const auto ends = ends_of_parts(machine);
-    std::vector<std::size_t> group(ends.back());
-    std::iota(group.begin(), group.end(), 0);
-    const auto piece = [&](std::uint32_t f) {
-        const Face& face = machine.faces[f];
-        return ends[face.part] + (machine.piece_of_cell.empty() ? 0 : machine.piece_of_cell[face.cell]);
-    };
-    for (const auto& bond : machine.bonds)
-        for (const auto& point : bond.points)
-            if (group[piece(point.face_a)] != group[piece(point.face_b)])
-                std::replace(group.begin(), group.end(), std::size_t{group[piece(point.face_b)]},
-                             std::size_t{group[piece(point.face_a)]});
-
+    const auto group = pieces_held_together(machine, ends);
     std::map<std::string, std::map<std::size_t, std::vector<std::string>>> bodies;
     for (std::size_t p = 0; p < machine.parts.size(); ++p)
         for (std::size_t i = ends[p]; i < ends[p + 1]; ++i) {

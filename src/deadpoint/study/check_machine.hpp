@@ -17,7 +17,8 @@ void require_probes_on_parts(const casefile::Case& input, const Machine& machine
 /// @throws InputError where a formula is not above absolute zero; DomainError where it is not finite
 std::vector<std::string> cold_formulas(const casefile::Case& input, const Machine& machine);
 
-/// Bodies that fall into pieces which no bond holds together: each piece would expand by itself. A part may be several.
+/// Bodies that fall into pieces which no bond holds together: each piece would expand by itself. A part may be several
+/// pieces; those that meet the same interface of a joint are held by it.
 std::vector<std::string> loose_bodies(const Machine& machine);
 
 }  // namespace deadpoint::study
