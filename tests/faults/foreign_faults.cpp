@@ -104,8 +104,23 @@ std::map<std::string, std::uintmax_t> listing(const fs::path& folder)
     return result;
 }
 
+/// While it lives, orphans of what a test starts become children of the tests. Other tests leave theirs to the system.
+class Adoption {
+public:
+    Adoption()
+    {
+        REQUIRE(prctl(PR_SET_CHILD_SUBREAPER, 1) == 0);
+        while (waitpid(-1, nullptr, WNOHANG) > 0) {
+        }
+    }
+    ~Adoption() { prctl(PR_SET_CHILD_SUBREAPER, 0); }
+    Adoption(const Adoption&) = delete;
+    Adoption& operator=(const Adoption&) = delete;
+};
+
 /// A folder with a home for attacks, in which `check` runs.
 struct Target {
+    Adoption adoption;
     ScratchFolder folder;
     fs::path home = folder.path / "home";
 
@@ -132,9 +147,6 @@ struct Target {
     }
 };
 
-/// Orphans of what the tests start become children of the tests.
-const int adopts = prctl(PR_SET_CHILD_SUBREAPER, 1);
-
 struct Attack {
     std::string file;
     std::string content;
@@ -143,7 +155,6 @@ struct Attack {
 
 void expect_refused(const std::string& key, const std::vector<Attack>& attacks)
 {
-    REQUIRE(adopts == 0);
     const Target target;
     for (const auto& attack : attacks) {
         CAPTURE(attack.file);
@@ -161,7 +172,6 @@ void expect_refused(const std::string& key, const std::vector<Attack>& attacks)
 /// What is only unusual is the same cube.
 void expect_read(const std::vector<Attack>& oddities)
 {
-    REQUIRE(adopts == 0);
     const Target target;
     const double mass = plate_mass(target.check("mesh", "good.msh").text);
     REQUIRE(mass > 0);
