@@ -36,7 +36,7 @@ private:
     }
 };
 
-/// The integral over a surface of weight(x) times a displacement component.
+/// The integral over a surface of weight(x) times a displacement component, faces by their share in the surface.
 inline deadpoint::Functional integral_over(const deadpoint::Machine& machine, const std::string& surface,
                                            std::size_t component,
                                            const std::function<double(const deadpoint::Vec3&)>& weight)
@@ -45,7 +45,7 @@ inline deadpoint::Functional integral_over(const deadpoint::Machine& machine, co
     for (const auto& entry : machine.surfaces[deadpoint::study::surface_index(machine, surface)].faces)
         for (const auto& point : deadpoint::face_points(machine, machine.faces[entry.face])) {
             deadpoint::PointWeight at{entry.face, point.position, {}};
-            at.weight[component] = point.weight * weight(point.position);
+            at.weight[component] = entry.fraction * point.weight * weight(point.position);
             result.points.push_back(at);
         }
     return result;
@@ -58,7 +58,7 @@ inline deadpoint::Functional mean_over(const deadpoint::Machine& machine, const 
     double area = 0;
     for (const auto& entry : machine.surfaces[deadpoint::study::surface_index(machine, surface)].faces)
         for (const auto& point : deadpoint::face_points(machine, machine.faces[entry.face]))
-            area += point.weight;
+            area += entry.fraction * point.weight;
     return integral_over(machine, surface, component, [=](const deadpoint::Vec3&) { return 1 / area; });
 }
 
