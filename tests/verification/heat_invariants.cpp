@@ -8,6 +8,7 @@
 #include <map>
 #include <regex>
 #include <sstream>
+#include <tuple>
 
 // What must not change the answer, and limits that are known exactly.
 
@@ -132,6 +133,98 @@ TEST_CASE("inches give the same as millimetres")
     // Lengths differ in their last digit only.
     record({"lengths in inches: largest change", "invariance", "K", 0, 1e-7, "lengths differ in their last digit"},
            largest_difference(base, inches));
+}
+
+TEST_CASE("inches give the same drift as millimetres")
+{
+    constexpr const char* starter = "../../../cases/starter/case";
+    const auto run = [](const std::string& text) {
+        auto input = read_text(text);
+        input.operation.front().duration = 300;
+        input.numerics.time_tolerance = 0.5;
+        input.numerics.solver_tolerance = 1e-11;
+        input.output.fields = false;
+        return solve(input, 3);
+    };
+    const auto text = text_of(starter);
+    const auto base = run(text), inches = run(in_inches(text));
+    CHECK(base.machine.cells.size() == inches.machine.cells.size());
+    const auto& gap = base.result.drift.value().gap.value;
+    const auto& other = inches.result.drift.value().gap.value;
+    REQUIRE(gap.size() == other.size());
+    REQUIRE(std::abs(gap.back()) > 1e-7);
+    double largest = 0;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+        largest = std::max(largest, 1e6 * std::abs(gap[i] - other[i]));
+    CHECK(largest < 1e-7);
+}
+
+namespace {
+
+using deadpoint::operator+;
+
+using Place = std::function<deadpoint::Vec3(const deadpoint::Vec3&)>;
+
+/// A machine of boxes and of cylinders along z, its joints about z too, with every place taken elsewhere.
+Case with_places(Case input, const Place& moved)
+{
+    for (auto& [name, part] : input.parts)
+        for (auto& shape : part.shapes)
+            if (auto* box = std::get_if<deadpoint::BoxShape>(&shape.form)) {
+                const auto a = moved(box->min), b = moved(box->max);
+                for (std::size_t i = 0; i < 3; ++i)
+                    std::tie(box->min[i], box->max[i]) = std::minmax(a[i], b[i]);
+            } else {
+                auto& round = std::get<deadpoint::CylinderShape>(shape.form);
+                const auto from = moved({round.centre[0], round.centre[1], round.from});
+                round.to = moved({round.centre[0], round.centre[1], round.to})[2];
+                round.centre = {from[0], from[1]};
+                round.from = from[2];
+            }
+    for (auto& [name, joint] : input.joints) {
+        const auto centre = moved({joint.centre[0], joint.centre[1], 0});
+        joint.centre = {centre[0], centre[1]};
+    }
+    for (auto& [name, probe] : input.probes)
+        probe.position = moved(probe.position);
+    return input;
+}
+
+}  // namespace
+
+TEST_CASE("a machine elsewhere, or turned by 90 degrees, keeps its temperatures")
+{
+    const auto base = solve(shaft_in_block);
+    const std::map<std::string, Place> places{{"moved by more than a metre",
+                                               [](const deadpoint::Vec3& x) {
+                                                   return x + deadpoint::Vec3{1.2345678, -0.7654321, 2.1};
+                                               }},
+                                              {"turned by 90 degrees",
+                                               [](const deadpoint::Vec3& x) {
+                                                   return deadpoint::Vec3{-x[1], x[0], x[2]};
+                                               }},
+                                              {"turned by 180 degrees", [](const deadpoint::Vec3& x) {
+                                                   return deadpoint::Vec3{-x[0], -x[1], x[2]};
+                                               }}};
+    for (const auto& [what, moved] : places) {
+        CAPTURE(what);
+        const auto other = solve(with_places(base.input, moved));
+        CHECK(other.machine.cells.size() == base.machine.cells.size());
+        // within what the solver leaves of its residual
+        CHECK(largest_difference(base, other) < 1e-7);
+    }
+}
+
+TEST_CASE("the names of parts, and so their order, do not matter")
+{
+    auto text = text_of(shaft_in_block);
+    // "block" comes before "shaft"; as "yoke" it comes after.
+    text = std::regex_replace(text, std::regex("parts\\.block"), "parts.yoke");
+    text = std::regex_replace(text, std::regex("a = \"block\""), "a = \"yoke\"");
+    text = std::regex_replace(text, std::regex("part = \"block\""), "part = \"yoke\"");
+    const auto base = solve(shaft_in_block), other = solve(read_text(text));
+    CHECK(other.machine.parts.back().name == "yoke");
+    CHECK(largest_difference(base, other) < 1e-7);
 }
 
 TEST_CASE("a segment of operation cut in two gives the same")
