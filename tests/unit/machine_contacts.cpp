@@ -260,6 +260,67 @@ TEST_CASE("a box cuts planes that are inclined, and faces whose middle lies outs
     }
 }
 
+namespace {
+
+/// The long side of a triangle of 300 x 400 mm, 100 mm thick, as a surface that a normal and a point select.
+MachineDescription wedge(const Vec3& normal, const Vec3& point)
+{
+    MachineDescription description;
+    OutlineShape triangle{Axis::z, {{0, 0}, {0.3, 0}, {0, 0.4}}, {}, 0, 0.1};
+    description.parts = {part("wedge", "a", {add(triangle)}, 0.07)};
+    SurfaceDescription slope{"slope", {}};
+    slope.selector.kind = SurfaceSelector::Kind::plane;
+    slope.selector.normal = normalised(normal);
+    slope.selector.point = point;
+    description.surfaces = {slope};
+    return description;
+}
+
+/// The normal of that side, turned by an angle within the paper and out of it.
+Vec3 tilted(double within, double out)
+{
+    const double angle = std::atan2(0.3, 0.4) + within;
+    return {std::cos(angle), std::sin(angle), std::tan(out)};
+}
+
+}  // namespace
+
+TEST_CASE("a plane that is inclined is selected by its normal and a point")
+{
+    const auto area = [](const Vec3& normal, const Vec3& point) {
+        return build(wedge(normal, point)).surfaces.at(0).area;
+    };
+    const double side = 0.5 * 0.1;
+    CHECK(area(tilted(0, 0), {0.3, 0, 0}) == Approx(side).epsilon(1e-9));
+    CHECK(area(-1.0 * tilted(0, 0), {0.15, 0.2, 0.07}) == Approx(side).epsilon(1e-9));
+    // of the plane, though outside of the face
+    CHECK(area(tilted(0, 0), {0.6, -0.4, -3}) == Approx(side).epsilon(1e-9));
+    // a direction within 1 mrad and a point within 10 um
+    for (const double angle : {-0.9e-3, 0.9e-3}) {
+        CHECK(area(tilted(angle, 0), {0, 0.4, 0}) == Approx(side).epsilon(1e-9));
+        CHECK(area(tilted(0, angle), {0, 0.4, 0}) == Approx(side).epsilon(1e-9));
+    }
+    CHECK(area(tilted(0, 0), Vec3{0.3, 0, 0} + 9e-6 * tilted(0, 0)) == Approx(side).epsilon(1e-9));
+}
+
+TEST_CASE("a plane of another direction or place than those of the parts is not found, and the message says what is")
+{
+    for (const double angle : {-1.1e-3, 1.1e-3}) {
+        for (const Vec3& normal : {tilted(angle, 0), tilted(0, angle)}) {
+            const std::string text = complaint(wedge(normal, {0.3, 0, 0}));
+            CAPTURE(text);
+            CHECK(contains(text, "surface 'slope': plane of normal (0."));
+            CHECK(contains(text, "through (300, 0, 0) mm of any part matches no face; there are no planes of normal"));
+        }
+    }
+    for (const double away : {-11e-6, 11e-6}) {
+        const std::string text = complaint(wedge(tilted(0, 0), Vec3{0.3, 0, 0} + away * tilted(0, 0)));
+        CAPTURE(text);
+        CHECK(contains(text, "matches no face; the nearest there: plane of normal (0.8000, 0.6000, 0.0000) through "
+                             "(192, 144, 0) mm of 'wedge'"));
+    }
+}
+
 TEST_CASE("a contact clipped to half of its cylinder has half of its area")
 {
     MachineDescription description = pin_in_bore(0, 0.06);

@@ -55,6 +55,21 @@ casefile::Case two_links()
 
 }  // namespace
 
+TEST_CASE("a normal of any length becomes a direction")
+{
+    casefile::Case input = two_links();
+    casefile::Surface& gib = input.surfaces["gib"];
+    gib.axis.clear();
+    gib.position.reset();
+    gib.normal = {0, -3, 4};
+    gib.point = {0.1, 0.2, 0.3};
+    const SurfaceSelector selector = describe_machine(input, 1).interfaces.at(1).a;
+    CHECK(selector.kind == Kind::plane);
+    REQUIRE(selector.normal);
+    CHECK(norm(*selector.normal - Vec3{0, -0.6, 0.8}) < 1e-15);
+    CHECK(selector.point == Vec3{0.1, 0.2, 0.3});
+}
+
 TEST_CASE("a case becomes the description of its machine")
 {
     const MachineDescription machine = describe_machine(two_links(), 0.5);

@@ -132,8 +132,10 @@ std::string describe(const FaceGeometry& geometry)
     if (const auto* plane = std::get_if<PlaneGeometry>(&geometry)) {
         const int axis = axis_along(plane->normal);
         if (axis < 0) {
-            return fmt::format("plane of normal ({:.3f}, {:.3f}, {:.3f})", plane->normal[0], plane->normal[1],
-                               plane->normal[2]);
+            const Vec3 foot = plane->offset * plane->normal;
+            return fmt::format("plane of normal ({:.4f}, {:.4f}, {:.4f}) through ({}, {}, {}) mm", plane->normal[0],
+                               plane->normal[1], plane->normal[2], millimetres(foot[0]), millimetres(foot[1]),
+                               millimetres(foot[2]));
         }
         return fmt::format("plane {} = {} mm", names[axis], millimetres(plane->offset * plane->normal[axis]));
     }
