@@ -1,4 +1,5 @@
 #include "../record.hpp"
+#include "deadpoint/exchange/stress.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>
@@ -57,49 +58,81 @@ Functional mean_growth(const Machine& machine, const std::string& surface)
     return result;
 }
 
-/// How far bore and outside grow where the inner ring is warm, both held in length: Lame's cylinders in plane strain
-/// under the pressure that closes their misfit.
-std::array<double, 2> lame_growths()
+/// What closes the misfit of the rings where the inner one is warm, both held in length [Pa].
+double lame_pressure()
 {
     const double plane = (1 + poisson) / youngs, free_strain = (1 + poisson) * 1.2e-5 * warm;
     const double a2 = bore * bore, c2 = middle * middle, b2 = outside * outside, k = 1 - 2 * poisson;
     const double give_outer = plane * middle / (b2 - c2) * (k * c2 + b2);
     const double give_inner = plane * middle / (c2 - a2) * (k * c2 + a2);
-    const double pressure = free_strain * middle / (give_outer + give_inner);
-    return {free_strain * bore - plane * pressure * c2 / (c2 - a2) * (k + 1) * bore,
-            plane * pressure * c2 / (b2 - c2) * (k + 1) * outside};
+    return free_strain * middle / (give_outer + give_inner);
 }
 
-std::array<double, 2> solved_growths(double outer_size, double inner_size, bool tetrahedra)
+/// How far bore and outside grow then: Lame's cylinders in plane strain.
+std::array<double, 2> lame_growths()
+{
+    const double plane = (1 + poisson) / youngs, free_strain = (1 + poisson) * 1.2e-5 * warm;
+    const double a2 = bore * bore, c2 = middle * middle, b2 = outside * outside;
+    const double pressure = lame_pressure();
+    return {free_strain * bore - plane * pressure * c2 / (c2 - a2) * 2 * (1 - poisson) * bore,
+            plane * pressure * c2 / (b2 - c2) * 2 * (1 - poisson) * outside};
+}
+
+/// Root mean square over the nodes of the outer ring of what the sum of its stresses away from the axis and around it
+/// is off Lame's, over that sum. The sum is the same everywhere, so that the recovery's polynomials have it exactly
+/// and what is left is the displacement's; of the single stresses, which fall with 1/r^2, they leave more.
+double stress_error(const PartStress& stress)
+{
+    const double c2 = middle * middle, exact = 2 * lame_pressure() * c2 / (outside * outside - c2);
+    double sum = 0;
+    for (std::size_t i = 0; i < stress.nodes.size(); ++i) {
+        const double error = (stress.stress[i][0] + stress.stress[i][2]) / exact - 1;
+        sum += error * error;
+    }
+    return std::sqrt(sum / static_cast<double>(stress.nodes.size()));
+}
+
+/// How far the growths of bore and outside and the stress are off Lame's, each as a share of them.
+std::array<double, 3> errors_of_rings(double outer_size, double inner_size, bool tetrahedra)
 {
     auto input = bonded_rings(outer_size, inner_size, tetrahedra);
     Elastic rings(input);
+    const Machine& machine = rings.machine;
     // both ends are one surface of feet, which keeps its height
-    auto& all = rings.machine.surfaces[static_cast<std::size_t>(study::surface_index(rings.machine, "ends"))].faces;
-    const auto& lower =
-        rings.machine.surfaces[static_cast<std::size_t>(study::surface_index(rings.machine, "lower_ends"))].faces;
+    auto& all = rings.machine.surfaces[static_cast<std::size_t>(study::surface_index(machine, "ends"))].faces;
+    const auto& lower = machine.surfaces[static_cast<std::size_t>(study::surface_index(machine, "lower_ends"))].faces;
     all.insert(all.end(), lower.begin(), lower.end());
     std::erase_if(all, [](const SurfaceFace& face) { return !face.central; });
-    const auto values = rings.values("ends", rings.model.constant_field(293.15 + warm),
-                                     {mean_growth(rings.machine, "bore"), mean_growth(rings.machine, "outside")});
-    return {values[0], values[1]};
+    rings.model.support(study::surface_index(machine, "ends"));
+    const auto field = rings.model.constant_field(293.15 + warm);
+    const auto displacement = rings.model.displacement(field, 293.15);
+    const auto grown =
+        rings.model.evaluate({mean_growth(machine, "bore"), mean_growth(machine, "outside")}, displacement);
+    const auto stress =
+        rings.model.stress({study::part_index(machine, "outer_ring")}, displacement, field, 293.15).front();
+    const auto exact = lame_growths();
+    return {std::abs(grown[0] / exact[0] - 1), std::abs(grown[1] / exact[1] - 1), stress_error(stress)};
 }
 
 }  // namespace
 
 TEST_CASE("order in space: rings of second order that are bonded at a cylinder, after Lame")
 {
-    const auto exact = lame_growths();
     for (const bool tetrahedra : {false, true}) {
-        const auto coarse = solved_growths(0.013, 0.0085, tetrahedra),
-                   fine = solved_growths(0.0065, 0.00425, tetrahedra);
-        const std::array<std::string, 2> names{"bore", "outside"};
+        CAPTURE(tetrahedra);
+        const auto coarse = errors_of_rings(0.013, 0.0085, tetrahedra),
+                   fine = errors_of_rings(0.0065, 0.00425, tetrahedra);
+        const std::array<std::string, 3> names{"bore", "outside", "stress"};
+        for (std::size_t i = 0; i < names.size(); ++i)
+            MESSAGE(names[i] << ": errors " << coarse[i] << ", " << fine[i] << ", order "
+                             << std::log2(coarse[i] / fine[i]));
         for (std::size_t i = 0; i < 2; ++i) {
-            const double before = std::abs(coarse[i] / exact[i] - 1), after = std::abs(fine[i] / exact[i] - 1);
-            MESSAGE(names[i] << ": errors " << before << ", " << after << ", order " << std::log2(before / after));
             // Chords in place of arcs give 1 % and order 2.
-            CHECK(after < 2e-4);
-            CHECK((std::log2(before / after) > 3 || after < 1e-6));
+            CHECK(fine[i] < 2e-4);
+            CHECK((std::log2(coarse[i] / fine[i]) > 3 || fine[i] < 1e-6));
         }
+        // Seen 2.8e-4 in hexahedra and 3.6e-3 in tetrahedra; without the round edges 3e-2
+        // and more.
+        CHECK(fine[2] < (tetrahedra ? 1e-2 : 1e-3));
     }
 }
