@@ -185,6 +185,14 @@ TEST_CASE("a case file that cannot be read is an error of input and output")
     CHECK_THROWS_AS(read_case(data), IoError);
 }
 
+TEST_CASE("a byte order mark before the text changes nothing")
+{
+    const Scratch scratch;
+    const std::string text = content(DEADPOINT_SOURCE_DIR "/cases/starter/case.toml");
+    const auto marked = scratch.file("case.toml", "\xEF\xBB\xBF" + text);
+    CHECK(read_case(marked).value.machine.name == "starter press");
+}
+
 TEST_CASE("what would fill memory or screen is refused or cut short")
 {
     const Scratch scratch;

@@ -331,6 +331,10 @@ std::string_view kind_name(Node::Kind kind)
 
 Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics)
 {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors begin UTF-8 with it
+    if (text.starts_with(byte_order_mark)) {
+        return parse_toml(text.substr(byte_order_mark.size()), file, diagnostics);
+    }
     Node root;
     root.place = Place{file, 1, 1, 1};
     if (const auto complaint = Scanner(text).run()) {

@@ -190,10 +190,12 @@ std::vector<Prism> joined_prisms(const MachineDescription& description, const Pa
     Healed joined =
         healed(part.name, prisms_of(part.name, *shapes), description.seam_tolerance, description.half_model);
     constexpr double worth_a_word = 1e-9;
+    constexpr double worth_a_warning = 1e-5;
     if (joined.moved > worth_a_word) {
-        observer.info(fmt::format("part '{}': surfaces of its shapes that nearly meet are made one; the largest move "
-                                  "is {:.3g} um, near {}",
-                                  part.name, 1e6 * joined.moved, place(joined.where)));
+        const auto text = fmt::format("part '{}': surfaces of its shapes that nearly meet are made one; the largest "
+                                      "move is {:.3g} um, near {}",
+                                      part.name, 1e6 * joined.moved, place(joined.where));
+        joined.moved > worth_a_warning ? observer.warn(text) : observer.info(text);
     }
     return std::move(joined.prisms);
 }

@@ -206,11 +206,9 @@ MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& d
     const std::string owner = fmt::format("surface '{}'", description.name);
     MeshSurface surface;
     surface.name = description.name;
-    bool any = false;
     const std::vector<std::uint32_t> faces = selected_faces(assembly, selector, owner);
     for (const std::uint32_t index : faces) {
         const SurfaceFace face = selected_share(machine, selector, index);
-        any = any || face.central;
         if (face.fraction < least_fraction) {
             continue;
         }
@@ -221,10 +219,8 @@ MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& d
         throw InputError(fmt::format("{}: {} matches no face; {}", owner, describe(selector),
                                      alternatives(assembly, selector, selected_parts(assembly, selector, owner))));
     }
-    if (!any) {
-        throw InputError(fmt::format("{}: {} has no face with its middle in its box; correct the box, or make the "
-                                     "cells there smaller",
-                                     owner, describe(selector)));
+    if (surface.faces.empty()) {
+        throw InputError(fmt::format("{}: {} has no area in its box; correct the box", owner, describe(selector)));
     }
     return surface;
 }

@@ -97,6 +97,39 @@ void settle_claims(const casefile::Case& input, Machine& machine)
     }
 }
 
+/// Area of the whole faces that a surface takes by their middles [m2].
+double area_by_middles(const Machine& machine, const MeshSurface& surface)
+{
+    double area = 0;
+    for (const auto& entry : surface.faces)
+        area += entry.central ? face_area(machine, machine.faces[entry.face]) : 0;
+    return area;
+}
+
+// A temperature, a foot or a face of the dimension chain goes by nodes, and so by whole faces.
+void require_middles(const casefile::Case& input, const Machine& machine, Observer& observer)
+{
+    constexpr double worth_a_word = 0.01;
+    for (const auto& surface : machine.surfaces) {
+        const auto& own = input.surfaces.at(surface.name);
+        if (own.film || own.heat_flux || own.insulated)
+            continue;
+        const double held = area_by_middles(machine, surface);
+        if (held == 0)
+            throw InputError(
+                fmt::format("surfaces.{}: no face has its middle in its box, and what is not spread over "
+                            "an area goes by whole faces\n  help: correct the box, or make the cells there "
+                            "smaller",
+                            surface.name));
+        if (own.temperature || !own.temperature_formula.empty())
+            if (std::abs(held - surface.area) > worth_a_word * surface.area)
+                observer.warn(fmt::format("surfaces.{}: the temperature is held on whole faces, {:.4g} cm2 of them, "
+                                          "where its box has {:.4g} cm2; let the box end where cells end, or make them "
+                                          "smaller",
+                                          surface.name, 1e4 * held, 1e4 * surface.area));
+    }
+}
+
 // Stages and progress of another observer, without what it has been told already.
 class Repeated : public Observer {
 public:
@@ -118,6 +151,7 @@ Machine prepare_machine(const casefile::Case& input, double size_scale, Observer
             "and forces of the linkage alone are computed by 'deadpoint loads'");
     auto machine = machine::build_machine(describe_machine(input, size_scale), observer);
     settle_claims(input, machine);
+    require_middles(input, machine, observer);
     require_probes_on_parts(input, machine);
     for (const auto& warning : cold_formulas(input, machine))
         observer.warn(warning);
