@@ -1,7 +1,7 @@
-#include "case_options.hpp"
 #include "commands.hpp"
-#include "deadpoint/report/loads_files.hpp"
-#include "deadpoint/report/plan_text.hpp"
+#include "deadpoint/report/files/loads_files.hpp"
+#include "deadpoint/report/text/plan_text.hpp"
+#include "options/case_options.hpp"
 #include "output.hpp"
 
 #include <memory>

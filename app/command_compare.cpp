@@ -1,12 +1,12 @@
 #include "commands.hpp"
 #include "console.hpp"
-#include "deadpoint/casefile/read.hpp"
-#include "deadpoint/casefile/write.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/report/compare_files.hpp"
-#include "deadpoint/report/read_result.hpp"
+#include "deadpoint/report/files/compare_files.hpp"
+#include "deadpoint/report/folder/read_result.hpp"
+#include "options/result_options.hpp"
 #include "output.hpp"
-#include "result_options.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>

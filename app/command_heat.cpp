@@ -1,9 +1,9 @@
 #include "commands.hpp"
-#include "deadpoint/report/heat_files.hpp"
-#include "deadpoint/study/heat_tables.hpp"
-#include "deadpoint/study/loads.hpp"
+#include "deadpoint/report/files/heat_files.hpp"
+#include "deadpoint/study/pipeline/heat_tables.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "options/result_options.hpp"
 #include "output.hpp"
-#include "result_options.hpp"
 
 #include <algorithm>
 #include <memory>

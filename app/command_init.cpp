@@ -1,7 +1,7 @@
 #include "commands.hpp"
-#include "deadpoint/casefile/shipped.hpp"
+#include "deadpoint/casefile/files/shipped.hpp"
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/core/write_file.hpp"
+#include "deadpoint/io/write_file.hpp"
 #include "output.hpp"
 
 #include <filesystem>

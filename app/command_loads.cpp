@@ -1,9 +1,9 @@
 #include "commands.hpp"
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/report/loads_files.hpp"
-#include "deadpoint/study/loads.hpp"
+#include "deadpoint/report/files/loads_files.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "options/result_options.hpp"
 #include "output.hpp"
-#include "result_options.hpp"
 
 #include <memory>
 #include <optional>

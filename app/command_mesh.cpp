@@ -1,9 +1,9 @@
 #include "commands.hpp"
-#include "deadpoint/report/calculix_mesh.hpp"
-#include "deadpoint/report/mesh_files.hpp"
-#include "deadpoint/report/plan_text.hpp"
+#include "deadpoint/report/files/calculix_mesh.hpp"
+#include "deadpoint/report/files/mesh_files.hpp"
+#include "deadpoint/report/text/plan_text.hpp"
+#include "options/result_options.hpp"
 #include "output.hpp"
-#include "result_options.hpp"
 
 #include <memory>
 

@@ -1,9 +1,9 @@
 #include "commands.hpp"
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/report/page.hpp"
-#include "deadpoint/report/sweep_page.hpp"
+#include "deadpoint/report/page/page.hpp"
+#include "deadpoint/report/page/sweep_page.hpp"
+#include "options/result_options.hpp"
 #include "output.hpp"
-#include "result_options.hpp"
 
 #include <algorithm>
 #include <cstdlib>

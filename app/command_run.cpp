@@ -1,15 +1,15 @@
-#include "checkpoint_options.hpp"
 #include "commands.hpp"
-#include "deadpoint/report/page.hpp"
-#include "deadpoint/report/plan_text.hpp"
-#include "deadpoint/report/result_files.hpp"
-#include "deadpoint/report/run_files.hpp"
-#include "deadpoint/study/prepare.hpp"
-#include "deadpoint/study/refine.hpp"
+#include "deadpoint/report/files/run_files.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/page/page.hpp"
+#include "deadpoint/report/text/plan_text.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/refine/refine.hpp"
 #include "interrupt.hpp"
+#include "options/checkpoint_options.hpp"
+#include "options/result_options.hpp"
 #include "output.hpp"
 #include "ranks.hpp"
-#include "result_options.hpp"
 
 #include <chrono>
 #include <fmt/format.h>

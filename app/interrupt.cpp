@@ -1,6 +1,6 @@
 #include "interrupt.hpp"
 
-#include "deadpoint/study/sweep.hpp"
+#include "deadpoint/study/sweep/sweep.hpp"
 
 #include <csignal>
 #include <initializer_list>

@@ -1,7 +1,7 @@
 #include "ranks.hpp"
 
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/fem/session.hpp"
+#include "deadpoint/fem/space/session.hpp"
 #include "errors.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"

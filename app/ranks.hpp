@@ -1,7 +1,7 @@
 #pragma once
 
 #include "console.hpp"
-#include "deadpoint/report/result_folder.hpp"
+#include "deadpoint/report/folder/result_folder.hpp"
 
 #include <filesystem>
 #include <functional>

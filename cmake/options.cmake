@@ -31,10 +31,10 @@ if(DEADPOINT_FUZZ)
     target_link_options(deadpoint_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# deadpoint_folder(NAME DEPENDS target...): the library of one folder below src/deadpoint, from all its sources.
+# deadpoint_folder(NAME DEPENDS target...): the library of one folder below src/deadpoint, from all sources in and below it.
 function(deadpoint_folder name)
     cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE" ${ARGN})
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
     if(sources)
         add_library(deadpoint_${name} STATIC ${sources})
         target_include_directories(deadpoint_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/casefile/case.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
 #include <cmath>

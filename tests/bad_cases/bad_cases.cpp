@@ -1,6 +1,6 @@
 /// Requirement: a broken case file gives every error with its place, the line and a remedy, and nothing else happens.
 /// Each cases/NAME.toml is broken in the way its name says; cases/NAME.txt holds the message it must give.
-#include "deadpoint/casefile/read.hpp"
+#include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/core/error.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 /// Requirement: whatever stands in a text of a case, study or reference file, it is refused with its place in words
 /// that a terminal can show, or it is taken as it is meant. Nothing of it is dropped or understood as something else.
 #include "../scratch_folder.hpp"
-#include "deadpoint/casefile/read.hpp"
-#include "deadpoint/casefile/reference_file.hpp"
-#include "deadpoint/casefile/study_file.hpp"
-#include "deadpoint/casefile/write.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/plain_text.hpp"
 

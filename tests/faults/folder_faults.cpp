@@ -1,7 +1,7 @@
 /// Requirement: a result that is finished is never lost, whoever runs what at the same time and whichever call fails or
 /// is the last one of a process; nothing fails without a word; and a run outlasts what happens to those who read it.
 #include "command.hpp"
-#include "deadpoint/report/result_files.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
 
 #include <chrono>
 #include <csignal>

@@ -1,7 +1,7 @@
 /// Requirement: whatever stands in a case file, reading it gives a case or an error of ours, and a case that was read
 /// without mistakes reads back from what is written of it.
-#include "deadpoint/casefile/read.hpp"
-#include "deadpoint/casefile/write.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/error.hpp"
 #include "input_file.hpp"
 

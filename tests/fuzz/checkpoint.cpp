@@ -1,10 +1,10 @@
 /// Requirement: whatever stands in a checkpoint, reading it gives values, which are the same once written and read
 /// back, or an error of ours. An input that begins with '+' gets the first line, length and checksum that fit, since
 /// chance does not find them; all others are a file as they are.
-#include "deadpoint/fem/checkpoint.hpp"
+#include "deadpoint/fem/conduction/checkpoint.hpp"
 
-#include "deadpoint/core/binary_file.hpp"
 #include "deadpoint/core/error.hpp"
+#include "deadpoint/io/binary_file.hpp"
 #include "input_file.hpp"
 
 #include <cstdlib>

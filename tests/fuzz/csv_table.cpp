@@ -1,5 +1,5 @@
 /// Requirement: whatever stands in a table, reading it and its columns gives finite numbers or an error of ours.
-#include "deadpoint/core/csv_table.hpp"
+#include "deadpoint/io/csv_table.hpp"
 
 #include "deadpoint/core/error.hpp"
 #include "input_file.hpp"

@@ -1,5 +1,5 @@
 /// Requirement: whatever is given as --set, the case is read or an error of ours comes.
-#include "deadpoint/casefile/read.hpp"
+#include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/core/error.hpp"
 
 #include <cstddef>

@@ -20,11 +20,13 @@ using Files = std::map<std::string, std::vector<Include>>;  // by path relative 
 /// The folders that each folder may include besides itself.
 const std::map<std::string, std::set<std::string>>& allowed_folders()
 {
-    static const std::set<std::string> values{"core", "exchange"};
-    static const std::set<std::string> stages{"core",      "exchange",     "casefile", "mechanism", "crankshaft",
-                                              "tribology", "surroundings", "machine",  "fem",       "drift"};
+    static const std::set<std::string> values{"core", "io", "exchange"};
+    static const std::set<std::string> stages{"core",      "io",         "exchange",  "casefile",
+                                              "mechanism", "crankshaft", "tribology", "surroundings",
+                                              "machine",   "fem",        "drift"};
     static const auto rules = [] {
-        std::map<std::string, std::set<std::string>> result{{"core", {}}, {"exchange", {"core"}}};
+        std::map<std::string, std::set<std::string>> result{
+            {"core", {}}, {"io", {"core"}}, {"exchange", {"core", "io"}}};
         for (const auto& stage : stages) {
             result.try_emplace(stage, values);
         }
@@ -150,47 +152,69 @@ std::string fault(const std::string& file, const Include& include, const std::se
     return {};
 }
 
+/// Path without its extension: a header and its source are one unit.
+std::string unit_of(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
+/// An include of another unit, and where it stands.
+struct Use {
+    std::string place;  // "file:line"
+    std::string unit;
+};
+using Units = std::map<std::string, std::vector<Use>>;
+
+Units units_of(const Files& files)
+{
+    Units units;
+    for (const auto& [file, includes] : files) {
+        auto& uses = units[unit_of(file)];
+        for (const auto& include : includes) {
+            const std::string unit = unit_of(resolved(file, include.target));
+            const bool other = unit != unit_of(file) || file.ends_with(".hpp");
+            if (include.own && other) {
+                uses.push_back({file + ":" + std::to_string(include.line), unit});
+            }
+        }
+    }
+    return units;
+}
+
 /// Depth-first search for cycles; each is reported once, at the file where it closes.
 class CycleSearch {
 public:
-    explicit CycleSearch(const Files& files) : files_(files) {}
+    explicit CycleSearch(const Units& units) : units_(units) {}
 
     std::vector<std::string> run()
     {
-        for (const auto& [file, includes] : files_) {
-            visit(file);
+        for (const auto& [unit, uses] : units_) {
+            visit(unit);
         }
         return found_;
     }
 
 private:
-    void visit(const std::string& file)
+    void visit(const std::string& unit)
     {
-        if (done_.contains(file) || !files_.contains(file)) {
+        if (done_.contains(unit) || !units_.contains(unit)) {
             return;
         }
-        path_.push_back(file);
-        for (const auto& include : files_.at(file)) {
-            if (!include.own) {
-                continue;
-            }
-            const std::string target = resolved(file, include.target);
-            const auto start = std::find(path_.begin(), path_.end(), target);
+        path_.push_back(unit);
+        for (const auto& use : units_.at(unit)) {
+            const auto start = std::find(path_.begin(), path_.end(), use.unit);
             if (start == path_.end()) {
-                visit(target);
+                visit(use.unit);
                 continue;
             }
-            std::string text = file + ":" + std::to_string(include.line) + ": cycle of includes:";
+            std::string text = use.place + ": cycle of includes:";
             for (auto at = start; at != path_.end(); ++at) {
                 text += " " + *at + " ->";
             }
-            found_.push_back(text + " " + target);
+            found_.push_back(text + " " + use.unit);
         }
         path_.pop_back();
-        done_.insert(file);
+        done_.insert(unit);
     }
 
-    const Files& files_;
+    const Units& units_;
     std::vector<std::string> path_;
     std::set<std::string> done_;
     std::vector<std::string> found_;
@@ -210,7 +234,8 @@ std::vector<std::string> include_violations(const fs::path& root)
             }
         }
     }
-    const auto cycles = CycleSearch(files).run();
+    const auto units = units_of(files);
+    const auto cycles = CycleSearch(units).run();
     result.insert(result.end(), cycles.begin(), cycles.end());
     return result;
 }

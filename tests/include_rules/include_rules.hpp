@@ -10,7 +10,7 @@
 ///  - public headers include only std and own headers: one that shows a library's header, directly or through another
 ///    header, is internal and may be included only from its own folder;
 ///  - files below src/ spell own headers "deadpoint/<folder>/<file>";
-///  - no file includes itself, directly or through others.
+///  - units (a header and its source together) form no cycle.
 ///
 /// @return one line per violation: "file:line: what is wrong"; empty if all is well
 std::vector<std::string> include_violations(const std::filesystem::path& root);

@@ -1,7 +1,7 @@
-#include "deadpoint/casefile/read.hpp"
-#include "deadpoint/fem/session.hpp"
-#include "deadpoint/study/prepare.hpp"
-#include "deadpoint/study/refine.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/refine/refine.hpp"
 
 #include <exception>
 #include <fstream>

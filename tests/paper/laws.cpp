@@ -1,8 +1,8 @@
 /// Tables 3, 4 and 5 of the paper: contact resistance, static factors and joint heat by the program's laws.
-#include "deadpoint/study/prepare.hpp"
-#include "deadpoint/study/translate_friction.hpp"
-#include "deadpoint/tribology/fractal_contact.hpp"
-#include "deadpoint/tribology/rolling_bearing.hpp"
+#include "deadpoint/study/laws/friction.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/tribology/conductance/fractal_contact.hpp"
+#include "deadpoint/tribology/friction/rolling_bearing.hpp"
 #include "paper.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "paper.hpp"
 
-#include "deadpoint/casefile/read.hpp"
+#include "deadpoint/casefile/files/read.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/casefile/case.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,5 +1,6 @@
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "../record.hpp"
-#include "deadpoint/study/chain_model.hpp"
-#include "deadpoint/study/translate_linkage.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/translate/linkage.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>

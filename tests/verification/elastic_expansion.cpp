@@ -1,8 +1,9 @@
 #include "deadpoint/exchange/face_points.hpp"
-#include "deadpoint/fem/field_modes.hpp"
+#include "deadpoint/fem/estimate/field_modes.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/translate_heat.hpp"
-#include "deadpoint/study/view_data.hpp"
+#include "deadpoint/study/pipeline/view_data.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -1,6 +1,7 @@
-#include "deadpoint/fem/tighten.hpp"
-#include "deadpoint/study/frame_state.hpp"
-#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/fem/estimate/tighten.hpp"
+#include "deadpoint/study/drift/frame_state.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

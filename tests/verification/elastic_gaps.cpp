@@ -1,6 +1,7 @@
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/gap_model.hpp"
-#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

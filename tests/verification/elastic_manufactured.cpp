@@ -1,6 +1,7 @@
 #include "../record.hpp"
 #include "../scratch_folder.hpp"
 #include "brick_elements.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "elastic_model.hpp"
 #include "grid_mesh.hpp"
 

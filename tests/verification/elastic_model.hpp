@@ -2,7 +2,8 @@
 
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "solved_case.hpp"
 
 /// A case's machine with its finite elements, for deformations without a run.

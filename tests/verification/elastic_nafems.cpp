@@ -1,5 +1,6 @@
 #include "../record.hpp"
 #include "../scratch_folder.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "elastic_model.hpp"
 #include "grid_mesh.hpp"
 

@@ -1,4 +1,4 @@
-#include "deadpoint/study/chain_model.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "../record.hpp"
 #include "deadpoint/exchange/stress.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>

@@ -1,7 +1,8 @@
 #include "../record.hpp"
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
-#include "deadpoint/study/translate_linkage.hpp"
+#include "deadpoint/study/translate/linkage.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>

@@ -1,7 +1,8 @@
 #include "../record.hpp"
 #include "deadpoint/exchange/stress.hpp"
-#include "deadpoint/study/frame_state.hpp"
-#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/drift/frame_state.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

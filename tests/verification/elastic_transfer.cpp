@@ -3,8 +3,9 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
-#include "deadpoint/study/translate_heat.hpp"
-#include "deadpoint/study/translate_linkage.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/linkage.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "../turned_case.hpp"
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/study/gap_model.hpp"
-#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/study/translate/heat.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "deadpoint/fem/field_modes.hpp"
-#include "deadpoint/study/translate_heat.hpp"
-#include "deadpoint/study/view_data.hpp"
+#include "deadpoint/fem/estimate/field_modes.hpp"
+#include "deadpoint/study/pipeline/view_data.hpp"
+#include "deadpoint/study/translate/heat.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

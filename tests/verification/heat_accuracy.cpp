@@ -1,4 +1,4 @@
-#include "deadpoint/study/refine.hpp"
+#include "deadpoint/study/refine/refine.hpp"
 #include "solved_case.hpp"
 
 #include <array>

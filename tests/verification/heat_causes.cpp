@@ -1,6 +1,6 @@
 #include "busy_blocks.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/translate/heat.hpp"
 
 #include <cmath>
 #include <numeric>

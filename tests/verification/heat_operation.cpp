@@ -2,7 +2,7 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/surroundings/oil_circuit.hpp"
 #include "solved_case.hpp"
 

@@ -1,6 +1,6 @@
 #include "../record.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/translate_heat.hpp"
+#include "deadpoint/study/translate/heat.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "deadpoint/core/error.hpp"
-#include "deadpoint/study/sweep.hpp"
+#include "deadpoint/study/sweep/sweep.hpp"
 #include "solved_case.hpp"
 
 #include <csignal>

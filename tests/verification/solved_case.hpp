@@ -1,8 +1,8 @@
 #pragma once
 
-#include "deadpoint/casefile/read.hpp"
-#include "deadpoint/study/prepare.hpp"
-#include "deadpoint/study/run.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>

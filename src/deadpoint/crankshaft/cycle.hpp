@@ -3,6 +3,7 @@
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/crankshaft/periodic.hpp"
 #include "deadpoint/crankshaft/shaft.hpp"
+#include "deadpoint/crankshaft/shaft_loads.hpp"
 #include "deadpoint/exchange/cycle.hpp"
 
 #include <array>
@@ -11,30 +12,6 @@
 
 /// Loads of the crankshaft's bearings over one turn: the rigid (traditional) and the flexible (improved) model.
 namespace deadpoint::crankshaft {
-
-/// Tension of a belt, or any other force constant in space.
-struct SteadyForce {
-    double position = 0;  ///< along s [m]
-    Vec2 force{};         ///< on the shaft [N]
-};
-
-/// What acts on the shaft over one turn of the crank, beside its unbalance. Everything is periodic and linear between
-/// the given times; the driver's speed there is the slope of the angle.
-struct ShaftLoads {
-    std::vector<double> time;  ///< ascending within one period, of any spacing [s]
-    double period = 0;         ///< [s]
-    /// Direction of the crank throw from machine x at those times, continuous (no jumps by a turn), running over one
-    /// turn in the period; its sense is that of the spin [rad].
-    std::vector<double> throw_angle;
-    std::vector<Vec2> pin_force;  ///< on the crank by the rod at those times [N]
-    double pin_position = 0;      ///< along s [m]
-    double pin_width = 0;         ///< over which the pin's force is spread evenly; 0: at one point [m]
-    Vec2 gravity{0, -9.81};       ///< [m/s2]
-    std::vector<SteadyForce> steady;
-    /// Times of the results, evenly spaced over the turn. Between them the response is not linear: they should resolve
-    /// the modes that answer (2880: an eighth of a degree).
-    int samples = 2880;
-};
 
 /// Bearing loads of one turn. Bearings in the order of Shaft::bearings.
 struct ShaftCycle {

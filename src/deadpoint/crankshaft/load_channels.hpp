@@ -1,6 +1,11 @@
 #pragma once
 
-#include "deadpoint/crankshaft/cycle.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/crankshaft/shaft.hpp"
+#include "deadpoint/crankshaft/shaft_loads.hpp"
+#include "deadpoint/crankshaft/system.hpp"
+
+#include <vector>
 
 /// Loads of a turn on an even grid of times, as the rigid and the flexible model both use them.
 namespace deadpoint::crankshaft {

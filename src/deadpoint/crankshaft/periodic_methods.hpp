@@ -1,6 +1,7 @@
 #pragma once
 
-#include "deadpoint/crankshaft/periodic.hpp"
+#include "deadpoint/crankshaft/periodic_load.hpp"
+#include "deadpoint/crankshaft/system.hpp"
 
 /// The methods behind periodic_response; arguments as checked there.
 namespace deadpoint::crankshaft {

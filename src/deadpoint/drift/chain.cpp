@@ -1,3 +1,5 @@
+#include "deadpoint/drift/chain.hpp"
+
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/drift/contact_side.hpp"
 #include "deadpoint/exchange/face_points.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/drift/joint_surfaces.hpp"
 #include "deadpoint/exchange/deformation.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
@@ -10,18 +11,6 @@
 
 /// The dimension chain at bottom dead point: which displacements make which dimension, as linear functionals.
 namespace deadpoint::drift {
-
-/// A side of a contact: the surface of one part there.
-struct ContactSide {
-    int contact = 0;  ///< index into Machine::interfaces
-    bool side_b = false;
-};
-
-/// The surfaces that carry a joint in each of its two bodies.
-struct JointSurfaces {
-    std::vector<ContactSide> in_a;
-    std::vector<ContactSide> in_b;
-};
 
 struct ChainDescription {
     std::vector<JointSurfaces> joints;  ///< as Linkage::joints

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "deadpoint/drift/chain.hpp"
+#include "deadpoint/drift/joint_surfaces.hpp"
+#include "deadpoint/exchange/deformation.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 /// Internal to drift/: the points of one side of a contact.
 namespace deadpoint::drift {

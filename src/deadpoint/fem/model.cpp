@@ -1,14 +1,14 @@
 #include "deadpoint/fem/model.hpp"
 
-#include "deadpoint/core/vtu.hpp"
-#include "deadpoint/fem/elastic_solver.hpp"
-#include "deadpoint/fem/error_estimate.hpp"
-#include "deadpoint/fem/expansion.hpp"
-#include "deadpoint/fem/fitted_transfer.hpp"
-#include "deadpoint/fem/heat_adjoint.hpp"
-#include "deadpoint/fem/heat_solver.hpp"
-#include "deadpoint/fem/stress_recovery.hpp"
-#include "deadpoint/fem/thermal_state.hpp"
+#include "deadpoint/fem/conduction/heat_adjoint.hpp"
+#include "deadpoint/fem/conduction/heat_solver.hpp"
+#include "deadpoint/fem/conduction/thermal_state.hpp"
+#include "deadpoint/fem/elastic/elastic_solver.hpp"
+#include "deadpoint/fem/elastic/expansion.hpp"
+#include "deadpoint/fem/elastic/stress_recovery.hpp"
+#include "deadpoint/fem/estimate/error_estimate.hpp"
+#include "deadpoint/fem/transfer/fitted_transfer.hpp"
+#include "deadpoint/io/vtu.hpp"
 
 #include <algorithm>
 #include <cmath>

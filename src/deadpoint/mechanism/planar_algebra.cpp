@@ -26,9 +26,9 @@ int equations_of(const LinkageJoint& joint)
     return joint.kind == LinkageJoint::Kind::revolute || joint.guides_rotation ? 2 : 1;
 }
 
-PlanarSystem::Algebra::Joint PlanarSystem::Algebra::at(int index) const
+PlanarAlgebra::Joint PlanarAlgebra::at(int index) const
 {
-    const LinkageJoint& joint = system.linkage_.joints[index];
+    const LinkageJoint& joint = layout.linkage.joints[index];
     const CentreShift shift = shifts.empty() ? CentreShift{} : shifts[index];
     const PlanarPose& a = poses[joint.body_a];
     const PlanarPose& b = poses[joint.body_b];
@@ -38,12 +38,12 @@ PlanarSystem::Algebra::Joint PlanarSystem::Algebra::at(int index) const
     return {joint, a, b, arm_a, arm_b, arm_a + a.translation - arm_b - b.translation, rotated(across, b.angle)};
 }
 
-Eigen::VectorXd PlanarSystem::Algebra::residual(double driver_angle) const
+Eigen::VectorXd PlanarAlgebra::residual(double driver_angle) const
 {
-    Eigen::VectorXd r(system.equations_);
+    Eigen::VectorXd r(layout.equations);
     for (int j = 0; j < joints(); ++j) {
         const Joint joint = at(j);
-        const int row = system.first_equation_[j];
+        const int row = layout.first_equation[j];
         if (joint.joint.kind == LinkageJoint::Kind::revolute) {
             r[row] = joint.open[0];
             r[row + 1] = joint.open[1];
@@ -53,25 +53,25 @@ Eigen::VectorXd PlanarSystem::Algebra::residual(double driver_angle) const
                 r[row + 1] = joint.a.angle - joint.b.angle;
         }
     }
-    r[system.equations_ - 1] = poses[system.driven_body_].angle - driver_angle;
+    r[layout.equations - 1] = poses[layout.driven_body].angle - driver_angle;
     return r;
 }
 
-Eigen::MatrixXd PlanarSystem::Algebra::jacobian() const
+Eigen::MatrixXd PlanarAlgebra::jacobian() const
 {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(system.equations_, system.unknowns_);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(layout.equations, layout.unknowns);
     for (int j = 0; j < joints(); ++j) {
         const Joint joint = at(j);
-        fill(matrix, system.first_equation_[j], joint, true);
-        fill(matrix, system.first_equation_[j], joint, false);
+        fill(matrix, layout.first_equation[j], joint, true);
+        fill(matrix, layout.first_equation[j], joint, false);
     }
-    matrix(system.equations_ - 1, system.first_unknown_[system.driven_body_] + 2) = 1;
+    matrix(layout.equations - 1, layout.first_unknown[layout.driven_body] + 2) = 1;
     return matrix;
 }
 
-void PlanarSystem::Algebra::fill(Eigen::MatrixXd& matrix, int row, const Joint& joint, bool first) const
+void PlanarAlgebra::fill(Eigen::MatrixXd& matrix, int row, const Joint& joint, bool first) const
 {
-    const int column = system.first_unknown_[first ? joint.joint.body_a : joint.joint.body_b];
+    const int column = layout.first_unknown[first ? joint.joint.body_a : joint.joint.body_b];
     if (column < 0)
         return;
     const double sign = first ? 1 : -1;
@@ -91,12 +91,12 @@ void PlanarSystem::Algebra::fill(Eigen::MatrixXd& matrix, int row, const Joint& 
         matrix(row + 1, column + 2) = sign;
 }
 
-Eigen::VectorXd PlanarSystem::Algebra::gamma(const std::vector<PlanarPose>& v, double driver_acceleration) const
+Eigen::VectorXd PlanarAlgebra::gamma(const std::vector<PlanarPose>& v, double driver_acceleration) const
 {
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(system.equations_);
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(layout.equations);
     for (int j = 0; j < joints(); ++j) {
         const Joint joint = at(j);
-        const int row = system.first_equation_[j];
+        const int row = layout.first_equation[j];
         const PlanarPose& va = v[joint.joint.body_a];
         const PlanarPose& vb = v[joint.joint.body_b];
         const Vec2 centripetal = va.angle * va.angle * joint.arm_a - vb.angle * vb.angle * joint.arm_b;
@@ -110,30 +110,29 @@ Eigen::VectorXd PlanarSystem::Algebra::gamma(const std::vector<PlanarPose>& v, d
                      vb.angle * vb.angle * dot(joint.normal, joint.open);
         }
     }
-    g[system.equations_ - 1] = driver_acceleration;
+    g[layout.equations - 1] = driver_acceleration;
     return g;
 }
 
-std::vector<PlanarPose> PlanarSystem::Algebra::spread(const Eigen::VectorXd& q) const
+std::vector<PlanarPose> PlanarAlgebra::spread(const Eigen::VectorXd& q) const
 {
     std::vector<PlanarPose> result(poses.size());
     for (std::size_t body = 0; body < poses.size(); ++body) {
-        const int k = system.first_unknown_[body];
+        const int k = layout.first_unknown[body];
         if (k >= 0)
             result[body] = {{q[k], q[k + 1]}, q[k + 2]};
     }
     return result;
 }
 
-double PlanarSystem::Algebra::opening(int index) const
+double PlanarAlgebra::opening(int index) const
 {
     const Joint joint = at(index);
     return joint.joint.kind == LinkageJoint::Kind::revolute ? norm(joint.open)
                                                             : std::abs(dot(joint.normal, joint.open));
 }
 
-Eigen::PartialPivLU<Eigen::MatrixXd> PlanarSystem::Algebra::factorised(const Eigen::MatrixXd& matrix,
-                                                                       double driver_angle) const
+Eigen::PartialPivLU<Eigen::MatrixXd> PlanarAlgebra::factorised(const Eigen::MatrixXd& matrix, double driver_angle) const
 {
     Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
     // A small pivot is a cheap warning; the condition is then estimated properly.

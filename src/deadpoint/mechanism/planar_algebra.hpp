@@ -1,9 +1,11 @@
 #pragma once
 
-#include "deadpoint/mechanism/planar_system.hpp"
+#include "deadpoint/mechanism/planar_layout.hpp"
+#include "deadpoint/mechanism/planar_motion.hpp"
 
 #include <Eigen/Dense>
 #include <optional>
+#include <span>
 #include <string>
 
 /// Internal: the constraint equations of PlanarSystem as matrices.
@@ -20,8 +22,8 @@ Vec2 rotated(const Vec2& v, double angle);
 int equations_of(const LinkageJoint& joint);
 
 /// The equations in a given position: what they leave open, their Jacobian, and what is wrong with it.
-struct PlanarSystem::Algebra {
-    const PlanarSystem& system;
+struct PlanarAlgebra {
+    const PlanarLayout& layout;
     const std::vector<PlanarPose>& poses;
     std::span<const CentreShift> shifts = {};
 
@@ -37,7 +39,7 @@ struct PlanarSystem::Algebra {
     };
 
     [[nodiscard]] Joint at(int index) const;
-    [[nodiscard]] int joints() const { return static_cast<int>(system.linkage_.joints.size()); }
+    [[nodiscard]] int joints() const { return static_cast<int>(layout.linkage.joints.size()); }
     [[nodiscard]] Eigen::VectorXd residual(double driver_angle) const;
     [[nodiscard]] Eigen::MatrixXd jacobian() const;
     /// Right-hand side of J q'' = gamma: all terms of the second derivative of the constraints without q''.
@@ -66,8 +68,8 @@ private:
 };
 
 /// Positions one after the other, each from the one before.
-struct PlanarSystem::Walk {
-    const PlanarSystem& system;
+struct PlanarWalk {
+    const PlanarLayout& layout;
     std::span<const CentreShift> shifts = {};
 
     /// Factors the Jacobian at closed poses and finds their derivatives. @throws InputError if it is singular

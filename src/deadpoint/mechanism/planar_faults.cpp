@@ -14,12 +14,12 @@ constexpr double near_share = 0.02;
 
 }  // namespace
 
-std::string PlanarSystem::Algebra::joints_in(const Eigen::MatrixXd& null_space, double share) const
+std::string PlanarAlgebra::joints_in(const Eigen::MatrixXd& null_space, double share) const
 {
     std::vector<std::string> names;
     for (int j = 0; j < joints(); ++j) {
-        const LinkageJoint& joint = system.linkage_.joints[j];
-        if (null_space.middleRows(system.first_equation_[j], equations_of(joint)).norm() > share)
+        const LinkageJoint& joint = layout.linkage.joints[j];
+        if (null_space.middleRows(layout.first_equation[j], equations_of(joint)).norm() > share)
             names.push_back("'" + joint.name + "'");
     }
     if (null_space.bottomRows(1).norm() > share)
@@ -27,26 +27,26 @@ std::string PlanarSystem::Algebra::joints_in(const Eigen::MatrixXd& null_space, 
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string PlanarSystem::Algebra::bodies_in(const Eigen::MatrixXd& null_space, double share) const
+std::string PlanarAlgebra::bodies_in(const Eigen::MatrixXd& null_space, double share) const
 {
     std::vector<std::string> names;
     for (std::size_t body = 0; body < poses.size(); ++body) {
-        const int k = system.first_unknown_[body];
+        const int k = layout.first_unknown[body];
         if (k >= 0 && null_space.middleRows(k, 3).norm() > share)
-            names.push_back("'" + system.linkage_.bodies[body] + "'");
+            names.push_back("'" + layout.linkage.bodies[body] + "'");
     }
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// Equations can go without losing rank where they take part in the left null space. A slide's hold on the rotation is
 /// the one that a designer gives up first; else a whole joint.
-std::string PlanarSystem::Algebra::what_to_free(const Eigen::MatrixXd& null_space, double share) const
+std::string PlanarAlgebra::what_to_free(const Eigen::MatrixXd& null_space, double share) const
 {
     std::vector<std::string> slides;
     for (int j = 0; j < joints(); ++j) {
-        const LinkageJoint& joint = system.linkage_.joints[j];
+        const LinkageJoint& joint = layout.linkage.joints[j];
         if (joint.kind == LinkageJoint::Kind::slide && joint.guides_rotation &&
-            null_space.row(system.first_equation_[j] + 1).norm() > share)
+            null_space.row(layout.first_equation[j] + 1).norm() > share)
             slides.push_back("'" + joint.name + "'");
     }
     const auto surplus = static_cast<std::size_t>(null_space.cols());
@@ -58,9 +58,9 @@ std::string PlanarSystem::Algebra::what_to_free(const Eigen::MatrixXd& null_spac
                        fmt::join(slides, ", "));
 }
 
-PlanarSystem::Algebra::Fault PlanarSystem::Algebra::fault(const Eigen::MatrixXd& matrix, long missing) const
+PlanarAlgebra::Fault PlanarAlgebra::fault(const Eigen::MatrixXd& matrix, long missing) const
 {
-    if (missing == 0 && system.unknowns_ == system.equations_ &&
+    if (missing == 0 && layout.unknowns == layout.equations &&
         Eigen::PartialPivLU<Eigen::MatrixXd>(matrix).rcond() > 1e-8)
         return {};
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -70,22 +70,22 @@ PlanarSystem::Algebra::Fault PlanarSystem::Algebra::fault(const Eigen::MatrixXd&
 
     const double share = missing > 0 ? near_share : exact_share;
     Fault result;
-    if (rank < system.unknowns_)
+    if (rank < layout.unknowns)
         result.text += fmt::format("\n  free to move although the driver is held: {}",
-                                   bodies_in(svd.matrixV().rightCols(system.unknowns_ - rank), share));
-    if (rank < system.equations_) {
-        const Eigen::MatrixXd surplus = svd.matrixU().rightCols(system.equations_ - rank);
+                                   bodies_in(svd.matrixV().rightCols(layout.unknowns - rank), share));
+    if (rank < layout.equations) {
+        const Eigen::MatrixXd surplus = svd.matrixU().rightCols(layout.equations - rank);
         result.text += fmt::format("\n  hold the same motion more than once: {}", joints_in(surplus, share));
         result.help = what_to_free(surplus, share);
     }
     if (result.text.empty())
         return {};
-    if (rank < system.unknowns_ && rank < system.equations_)
+    if (rank < layout.unknowns && rank < layout.equations)
         result.help = "check which joints hold these bodies, or assemble the linkage elsewhere in its turn";
-    else if (rank < system.unknowns_)
+    else if (rank < layout.unknowns)
         result.help = "add the joints or guides that are missing";
     result.text =
-        fmt::format("{} unknowns, {} equations, rank {}{}", system.unknowns_, system.equations_, rank, result.text);
+        fmt::format("{} unknowns, {} equations, rank {}{}", layout.unknowns, layout.equations, rank, result.text);
     return result;
 }
 

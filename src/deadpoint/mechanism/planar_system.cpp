@@ -97,44 +97,45 @@ PlanarMotion motion_at(const PlanarPosition& position, double speed, double acce
     return result;
 }
 
-PlanarSystem::PlanarSystem(const Linkage& linkage) : linkage_(linkage)
+PlanarSystem::PlanarSystem(const Linkage& linkage)
 {
-    check_indices(linkage_);
-    check_bodies_held(linkage_);
-    length_ = extent(linkage_);
-    const LinkageJoint& driver = linkage_.joints[linkage_.driver];
-    driven_body_ = driver.body_a == linkage_.ground ? driver.body_b : driver.body_a;
-    for (int body = 0; body < static_cast<int>(linkage_.bodies.size()); ++body) {
-        first_unknown_.push_back(body == linkage_.ground ? -1 : unknowns_);
-        if (body != linkage_.ground)
-            unknowns_ += 3;
+    layout_.linkage = linkage;
+    check_indices(layout_.linkage);
+    check_bodies_held(layout_.linkage);
+    layout_.length = extent(layout_.linkage);
+    const LinkageJoint& driver = layout_.linkage.joints[layout_.linkage.driver];
+    layout_.driven_body = driver.body_a == layout_.linkage.ground ? driver.body_b : driver.body_a;
+    for (int body = 0; body < static_cast<int>(layout_.linkage.bodies.size()); ++body) {
+        layout_.first_unknown.push_back(body == layout_.linkage.ground ? -1 : layout_.unknowns);
+        if (body != layout_.linkage.ground)
+            layout_.unknowns += 3;
     }
-    for (const LinkageJoint& joint : linkage_.joints) {
-        first_equation_.push_back(equations_);
-        equations_ += equations_of(joint);
+    for (const LinkageJoint& joint : layout_.linkage.joints) {
+        layout_.first_equation.push_back(layout_.equations);
+        layout_.equations += equations_of(joint);
     }
-    ++equations_;  // the driver
+    ++layout_.equations;  // the driver
 
     const std::vector<PlanarPose> start = assembled();
-    const Algebra algebra{*this, start};
-    const Algebra::Fault fault = algebra.fault(algebra.jacobian());
+    const PlanarAlgebra algebra{layout_, start};
+    const PlanarAlgebra::Fault fault = algebra.fault(algebra.jacobian());
     if (!fault.text.empty())
         throw InputError(
             fmt::format("the joints do not determine the linkage: {}\n  help: {}", fault.text, fault.help));
 }
 
-std::vector<PlanarPose> PlanarSystem::assembled() const { return std::vector<PlanarPose>(linkage_.bodies.size()); }
+std::vector<PlanarPose> PlanarSystem::assembled() const { return layout_.assembled(); }
 
 PlanarPosition PlanarSystem::position(std::vector<PlanarPose> poses) const
 {
-    return Walk{*this}.located(std::move(poses));
+    return PlanarWalk{layout_}.located(std::move(poses));
 }
 
 PlanarPosition PlanarSystem::moved(const PlanarPosition& from, double to) const
 {
     if (!std::isfinite(to))
         throw InputError("linkage: the driver's angle is not finite");
-    const Walk walk{*this};
+    const PlanarWalk walk{layout_};
     PlanarPosition result = walk.furthest(from, to);
     if (result.angle != to)
         throw InputError(walk.obstacle(result, to));
@@ -144,8 +145,8 @@ PlanarPosition PlanarSystem::moved(const PlanarPosition& from, double to) const
 std::vector<PlanarPose> PlanarSystem::follow(std::vector<PlanarPose> poses, double from, double to,
                                              std::span<const CentreShift> shifts) const
 {
-    const Walk walk{*this, shifts};
-    const Algebra algebra{*this, poses, shifts};
+    const PlanarWalk walk{layout_, shifts};
+    const PlanarAlgebra algebra{layout_, poses, shifts};
     const auto lu = algebra.factorised(algebra.jacobian(), from);
     if (!walk.close(poses, from, lu))
         throw InputError("the linkage cannot close with its joint centres shifted this far; check the shifts");
@@ -158,9 +159,9 @@ std::vector<PlanarPose> PlanarSystem::follow(std::vector<PlanarPose> poses, doub
 std::vector<PlanarPose> PlanarSystem::closing_motion(const std::vector<PlanarPose>& poses,
                                                      std::span<const CentreShift> shifts) const
 {
-    const Algebra closed{*this, poses};
-    const Algebra opened{*this, poses, shifts};
-    const double angle = poses[driven_body_].angle;
+    const PlanarAlgebra closed{layout_, poses};
+    const PlanarAlgebra opened{layout_, poses, shifts};
+    const double angle = poses[layout_.driven_body].angle;
     const Eigen::VectorXd opening = opened.residual(angle) - closed.residual(angle);
     return closed.spread(closed.factorised(closed.jacobian(), angle).solve(-opening));
 }
@@ -172,38 +173,38 @@ PlanarMotion PlanarSystem::motion(const std::vector<PlanarPose>& poses, double s
 
 PlanarReactions PlanarSystem::reactions(const PlanarPosition& position, std::span<const PlanarLoad> loads) const
 {
-    Eigen::VectorXd q(unknowns_);
+    Eigen::VectorXd q(layout_.unknowns);
     for (std::size_t body = 0; body < loads.size(); ++body) {
-        const int k = first_unknown_[body];
+        const int k = layout_.first_unknown[body];
         if (k >= 0)
             q.segment<3>(k) << loads[body].force[0], loads[body].force[1], loads[body].moment;
     }
     const Eigen::VectorXd lambda = position.factors->lu.transpose().solve(q);
 
     PlanarReactions result;
-    const Algebra algebra{*this, position.poses};
+    const PlanarAlgebra algebra{layout_, position.poses};
     for (int j = 0; j < algebra.joints(); ++j) {
-        const int row = first_equation_[j];
-        const LinkageJoint& joint = linkage_.joints[j];
+        const int row = layout_.first_equation[j];
+        const LinkageJoint& joint = layout_.linkage.joints[j];
         const bool revolute = joint.kind == LinkageJoint::Kind::revolute;
         result.force.push_back(revolute ? Vec2{-lambda[row], -lambda[row + 1]} : -lambda[row] * algebra.at(j).normal);
         result.moment.push_back(!revolute && joint.guides_rotation ? -lambda[row + 1] : 0.0);
     }
-    result.drive_torque = -lambda[equations_ - 1];
+    result.drive_torque = -lambda[layout_.equations - 1];
     return result;
 }
 
 Vec2 PlanarSystem::joint_centre(int joint, const std::vector<PlanarPose>& poses) const
 {
-    return place(poses[linkage_.joints[joint].body_a], linkage_.joints[joint].centre);
+    return place(poses[layout_.linkage.joints[joint].body_a], layout_.linkage.joints[joint].centre);
 }
 
 Vec2 PlanarSystem::slide_point() const
 {
     Vec2 sum{};
     int count = 0;
-    for (const LinkageJoint& joint : linkage_.joints) {
-        if (joint.body_a != linkage_.slide_body && joint.body_b != linkage_.slide_body)
+    for (const LinkageJoint& joint : layout_.linkage.joints) {
+        if (joint.body_a != layout_.linkage.slide_body && joint.body_b != layout_.linkage.slide_body)
             continue;
         if (joint.kind == LinkageJoint::Kind::slide)
             return joint.centre;
@@ -215,21 +216,21 @@ Vec2 PlanarSystem::slide_point() const
 
 std::vector<Vec2> PlanarSystem::slide_weights(const std::vector<PlanarPose>& poses) const
 {
-    const Algebra algebra{*this, poses};
-    const Vec2 stroke = (1.0 / norm(linkage_.stroke_direction)) * linkage_.stroke_direction;
-    const int slide = first_unknown_[linkage_.slide_body];
-    Eigen::VectorXd by_unknowns = Eigen::VectorXd::Zero(unknowns_);
+    const PlanarAlgebra algebra{layout_, poses};
+    const Vec2 stroke = (1.0 / norm(layout_.linkage.stroke_direction)) * layout_.linkage.stroke_direction;
+    const int slide = layout_.first_unknown[layout_.linkage.slide_body];
+    Eigen::VectorXd by_unknowns = Eigen::VectorXd::Zero(layout_.unknowns);
     by_unknowns[slide] = stroke[0];
     by_unknowns[slide + 1] = stroke[1];
-    by_unknowns[slide + 2] = dot(stroke, turned(rotated(slide_point(), poses[linkage_.slide_body].angle)));
+    by_unknowns[slide + 2] = dot(stroke, turned(rotated(slide_point(), poses[layout_.linkage.slide_body].angle)));
 
     // Shifts d_a and d_b open the constraints by d_a - d_b, so J dq = d_b - d_a and d(stroke) = lambda . (d_b - d_a).
     const Eigen::VectorXd lambda =
-        algebra.factorised(algebra.jacobian().transpose(), poses[driven_body_].angle).solve(by_unknowns);
+        algebra.factorised(algebra.jacobian().transpose(), poses[layout_.driven_body].angle).solve(by_unknowns);
     std::vector<Vec2> weights;
-    for (int j = 0; j < static_cast<int>(linkage_.joints.size()); ++j) {
-        const int row = first_equation_[j];
-        const bool revolute = linkage_.joints[j].kind == LinkageJoint::Kind::revolute;
+    for (int j = 0; j < static_cast<int>(layout_.linkage.joints.size()); ++j) {
+        const int row = layout_.first_equation[j];
+        const bool revolute = layout_.linkage.joints[j].kind == LinkageJoint::Kind::revolute;
         weights.push_back(revolute ? Vec2{lambda[row], lambda[row + 1]} : lambda[row] * algebra.at(j).normal);
     }
     return weights;

@@ -1,71 +1,15 @@
 #pragma once
 
 #include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/mechanism/planar_layout.hpp"
+#include "deadpoint/mechanism/planar_motion.hpp"
 
-#include <memory>
 #include <span>
 #include <vector>
 
 /// The planar linkage as a system of constraint equations: positions, velocities and accelerations of all bodies for a
 /// prescribed angle of the driver, and the forces in its joints.
 namespace deadpoint::mechanism {
-
-/// Shift of a joint's centre as it lies in each of its two bodies, in the coordinates of the assembled position [m].
-struct CentreShift {
-    Vec2 in_a{};
-    Vec2 in_b{};
-};
-
-/// Poses of all bodies and their first and second derivatives by time.
-struct PlanarMotion {
-    std::vector<PlanarPose> poses;
-    std::vector<PlanarPose> velocities;     ///< [m/s], [rad/s]
-    std::vector<PlanarPose> accelerations;  ///< [m/s2], [rad/s2]
-};
-
-/// A closed position: where the bodies are and how their poses change with the driver's angle.
-struct PlanarPosition {
-    struct Factors;                          ///< of the Jacobian here; internal
-    double angle = 0;                        ///< of the driver [rad]
-    std::vector<PlanarPose> poses;           ///< per body
-    std::vector<PlanarPose> slopes;          ///< first derivative of the poses by that angle [m], [-]
-    std::vector<PlanarPose> curvatures;      ///< second derivative [m], [-]
-    std::shared_ptr<const Factors> factors;  ///< shared by copies, since it never changes
-};
-
-/// What acts on a body besides its joints; an inertia force (-m a) counts as one of these.
-struct PlanarLoad {
-    Vec2 force{};       ///< [N]
-    double moment = 0;  ///< about the body's own origin, which lies at the translation of its pose [N m]
-
-    PlanarLoad& operator+=(const PlanarLoad& other)
-    {
-        force = force + other.force;
-        moment += other.moment;
-        return *this;
-    }
-};
-
-/// What the joints and the drive carry.
-struct PlanarReactions {
-    std::vector<Vec2> force;     ///< on body_a by body_b at the joint's centre, in machine coordinates, per joint [N]
-    std::vector<double> moment;  ///< on body_a by body_b; not zero only where a slide guides rotation [N m]
-    double drive_torque = 0;     ///< on the driven body, counter-clockwise [N m]
-};
-
-/// Where a point of a body lies that has coordinates `point` in the assembled position [m].
-Vec2 place(const PlanarPose& pose, const Vec2& point);
-/// Velocity of that point [m/s].
-Vec2 velocity_of(const PlanarPose& pose, const PlanarPose& velocity, const Vec2& point);
-/// Acceleration of that point [m/s2].
-Vec2 acceleration_of(const PlanarPose& pose, const PlanarPose& velocity, const PlanarPose& acceleration,
-                     const Vec2& point);
-/// The load on a body of a force through a point of the machine [N], [m].
-PlanarLoad load_of(const PlanarPose& pose, const Vec2& force, const Vec2& point);
-
-/// Velocities and accelerations for a driver that turns with `speed` [rad/s] and `acceleration` [rad/s2]:
-/// v = q' w and a = q'' w^2 + q' alpha, with q' and q'' the slopes and curvatures.
-PlanarMotion motion_at(const PlanarPosition& position, double speed, double acceleration = 0);
 
 /// Bodies with three coordinates each (translation x, y and angle), held together by constraint equations:
 ///
@@ -84,7 +28,7 @@ public:
     ///         position; the message names the joints and bodies concerned, the rank, and what to free
     explicit PlanarSystem(const Linkage& linkage);
 
-    [[nodiscard]] const Linkage& linkage() const { return linkage_; }
+    [[nodiscard]] const Linkage& linkage() const { return layout_.linkage; }
     /// All bodies where the case file has them.
     [[nodiscard]] std::vector<PlanarPose> assembled() const;
 
@@ -137,16 +81,7 @@ public:
     [[nodiscard]] std::vector<Vec2> slide_weights(const std::vector<PlanarPose>& poses) const;
 
 private:
-    Linkage linkage_;
-    std::vector<int> first_unknown_;   ///< per body, -1 for the ground
-    std::vector<int> first_equation_;  ///< per joint
-    int unknowns_ = 0;
-    int equations_ = 0;
-    int driven_body_ = 0;
-    double length_ = 1;  ///< size of the linkage [m]
-
-    struct Algebra;  // the Jacobian and what is done with it
-    struct Walk;     // positions one after the other
+    PlanarLayout layout_;
 };
 
 }  // namespace deadpoint::mechanism

@@ -25,30 +25,29 @@ void add(std::vector<PlanarPose>& poses, double factor, const std::vector<Planar
 
 }  // namespace
 
-PlanarPosition PlanarSystem::Walk::located(std::vector<PlanarPose> poses) const
+PlanarPosition PlanarWalk::located(std::vector<PlanarPose> poses) const
 {
     PlanarPosition result;
     result.poses = std::move(poses);
-    result.angle = result.poses[system.driven_body_].angle;
-    const Algebra algebra{system, result.poses, shifts};
+    result.angle = result.poses[layout.driven_body].angle;
+    const PlanarAlgebra algebra{layout, result.poses, shifts};
     PlanarPosition::Factors factors{algebra.factorised(algebra.jacobian(), result.angle), 1};
     const auto& lu = factors.lu;
     const long negative = (lu.matrixLU().diagonal().array() < 0).count();
     factors.determinant_sign = static_cast<int>(lu.permutationP().determinant()) * (negative % 2 == 0 ? 1 : -1);
-    result.slopes = algebra.spread(lu.solve(Eigen::VectorXd::Unit(system.equations_, system.equations_ - 1)));
+    result.slopes = algebra.spread(lu.solve(Eigen::VectorXd::Unit(layout.equations, layout.equations - 1)));
     result.curvatures = algebra.spread(lu.solve(algebra.gamma(result.slopes, 0)));
     result.factors = std::make_shared<const PlanarPosition::Factors>(std::move(factors));
     return result;
 }
 
-bool PlanarSystem::Walk::close(std::vector<PlanarPose>& guess, double angle,
-                               Eigen::PartialPivLU<Eigen::MatrixXd> lu) const
+bool PlanarWalk::close(std::vector<PlanarPose>& guess, double angle, Eigen::PartialPivLU<Eigen::MatrixXd> lu) const
 {
     double last = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 30; ++iteration) {
-        const Algebra algebra{system, guess, shifts};
+        const PlanarAlgebra algebra{layout, guess, shifts};
         const Eigen::VectorXd correction = lu.solve(-algebra.residual(angle));
-        const double size = correction.lpNorm<Eigen::Infinity>() / system.length_;
+        const double size = correction.lpNorm<Eigen::Infinity>() / layout.length;
         if (!std::isfinite(size) || size > 1)
             return false;
         add(guess, 1, algebra.spread(correction));
@@ -62,13 +61,13 @@ bool PlanarSystem::Walk::close(std::vector<PlanarPose>& guess, double angle,
     return false;
 }
 
-std::optional<PlanarPosition> PlanarSystem::Walk::stepped(const PlanarPosition& from, double to, bool far) const
+std::optional<PlanarPosition> PlanarWalk::stepped(const PlanarPosition& from, double to, bool far) const
 {
     const double step = to - from.angle;
     std::vector<PlanarPose> guess = from.poses;
     add(guess, step, from.slopes);
     add(guess, 0.5 * step * step, from.curvatures);
-    const Algebra guessed{system, guess, shifts};
+    const PlanarAlgebra guessed{layout, guess, shifts};
     if (!close(guess, to, far ? Eigen::PartialPivLU<Eigen::MatrixXd>(guessed.jacobian()) : from.factors->lu))
         return std::nullopt;
     PlanarPosition result = located(std::move(guess));
@@ -76,7 +75,7 @@ std::optional<PlanarPosition> PlanarSystem::Walk::stepped(const PlanarPosition& 
     return result;
 }
 
-PlanarPosition PlanarSystem::Walk::furthest(PlanarPosition from, double to) const
+PlanarPosition PlanarWalk::furthest(PlanarPosition from, double to) const
 {
     double step = longest_step;
     while (from.angle != to) {
@@ -89,7 +88,7 @@ PlanarPosition PlanarSystem::Walk::furthest(PlanarPosition from, double to) cons
             step /= 4;
         } else if (stepped(from, from.angle + std::copysign(longest_step, to - from.angle), true)) {
             // It closes beyond, so that this is no end of its range but a place where two ways of closing cross.
-            const Algebra here{system, from.poses, shifts};
+            const PlanarAlgebra here{layout, from.poses, shifts};
             throw InputError(
                 fmt::format("the linkage is singular near {:.2f} degrees from its assembled position, where it could "
                             "go on in two ways: {}\n  help: change the lengths so that the links do not line up there",
@@ -102,16 +101,16 @@ PlanarPosition PlanarSystem::Walk::furthest(PlanarPosition from, double to) cons
 }
 
 /// The joint to open so that all others can close: one that carries the force with which the linkage jams.
-int PlanarSystem::Walk::jammed_joint(const PlanarPosition& last) const
+int PlanarWalk::jammed_joint(const PlanarPosition& last) const
 {
-    const Algebra algebra{system, last.poses, shifts};
+    const PlanarAlgebra algebra{layout, last.poses, shifts};
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(algebra.jacobian(), Eigen::ComputeFullU);
     const Eigen::VectorXd forces = svd.matrixU().rightCols(1);
     std::vector<double> sizes;
     for (int j = 0; j < algebra.joints(); ++j) {
-        const bool revolute = system.linkage_.joints[j].kind == LinkageJoint::Kind::revolute;
-        const bool eligible = revolute && j != system.linkage_.driver;
-        sizes.push_back(eligible ? forces.segment(system.first_equation_[j], 2).norm() : 0.0);
+        const bool revolute = layout.linkage.joints[j].kind == LinkageJoint::Kind::revolute;
+        const bool eligible = revolute && j != layout.linkage.driver;
+        sizes.push_back(eligible ? forces.segment(layout.first_equation[j], 2).norm() : 0.0);
     }
     const double largest = *std::max_element(sizes.begin(), sizes.end());
     const auto first =
@@ -121,13 +120,13 @@ int PlanarSystem::Walk::jammed_joint(const PlanarPosition& last) const
 
 /// Where on the way this joint stays open furthest when all others close: damped least squares in which it counts
 /// little.
-PlanarSystem::Walk::Miss PlanarSystem::Walk::miss(const PlanarPosition& last, double to, int joint) const
+PlanarWalk::Miss PlanarWalk::miss(const PlanarPosition& last, double to, int joint) const
 {
-    Eigen::VectorXd weights = Eigen::VectorXd::Ones(system.equations_);
-    weights.segment(system.first_equation_[joint], 2).setConstant(1e-3);
+    Eigen::VectorXd weights = Eigen::VectorXd::Ones(layout.equations);
+    weights.segment(layout.first_equation[joint], 2).setConstant(1e-3);
     std::vector<PlanarPose> poses = last.poses;
     const auto weighted = [&](const std::vector<PlanarPose>& at, double angle) -> Eigen::VectorXd {
-        return weights.cwiseProduct(Algebra{system, at, shifts}.residual(angle)) / system.length_;
+        return weights.cwiseProduct(PlanarAlgebra{layout, at, shifts}.residual(angle)) / layout.length;
     };
     Miss widest;
     const int steps = 2 * static_cast<int>(std::ceil(0.5 * std::abs(to - last.angle) / longest_step));
@@ -136,8 +135,8 @@ PlanarSystem::Walk::Miss PlanarSystem::Walk::miss(const PlanarPosition& last, do
         Eigen::VectorXd error = weighted(poses, angle);
         double damping = 1e-9;
         for (int iteration = 0; iteration < 60 && damping < 1e3; ++iteration) {
-            const Algebra algebra{system, poses, shifts};
-            const Eigen::MatrixXd slope = weights.asDiagonal() * algebra.jacobian() / system.length_;
+            const PlanarAlgebra algebra{layout, poses, shifts};
+            const Eigen::MatrixXd slope = weights.asDiagonal() * algebra.jacobian() / layout.length;
             Eigen::MatrixXd normal = slope.transpose() * slope;
             normal.diagonal().array() += damping;
             const Eigen::VectorXd change = normal.ldlt().solve(-slope.transpose() * error);
@@ -154,20 +153,20 @@ PlanarSystem::Walk::Miss PlanarSystem::Walk::miss(const PlanarPosition& last, do
             if (change.lpNorm<Eigen::Infinity>() < 1e-9)
                 break;
         }
-        const double opening = Algebra{system, poses, shifts}.opening(joint);
+        const double opening = PlanarAlgebra{layout, poses, shifts}.opening(joint);
         if (opening > widest.opening)
             widest = {angle, opening};
     }
     return widest;
 }
 
-std::string PlanarSystem::Walk::obstacle(const PlanarPosition& last, double to) const
+std::string PlanarWalk::obstacle(const PlanarPosition& last, double to) const
 {
     const double way = to < last.angle ? -1 : 1;
     double end = last.angle;
     if (shifts.empty()) {
         try {  // from the assembled position the other way round
-            const PlanarPosition other = furthest(located(system.assembled()), last.angle - way * turn);
+            const PlanarPosition other = furthest(located(layout.assembled()), last.angle - way * turn);
             end = other.angle + way * turn;
         } catch (const InputError&) {
             // Singular on that way: say only where it stops on this one.
@@ -182,8 +181,8 @@ std::string PlanarSystem::Walk::obstacle(const PlanarPosition& last, double to) 
                                           last.angle * degrees);
     const int joint = jammed_joint(last);
     if (joint >= 0) {
-        const LinkageJoint& jammed = system.linkage_.joints[joint];
-        const auto& bodies = system.linkage_.bodies;
+        const LinkageJoint& jammed = layout.linkage.joints[joint];
+        const auto& bodies = layout.linkage.bodies;
         const Miss widest = miss(last, both ? end : to, joint);
         text += fmt::format(
             ": with all others closed, joint '{}' of '{}' and '{}' misses by {:.4g} mm at {:.2f} degrees", jammed.name,

@@ -1,0 +1,77 @@
+#include "options/case_options.hpp"
+
+#include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/core/version.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+
+#include <fmt/format.h>
+
+using namespace deadpoint;
+
+void add_console_options(CLI::App& command, Console::Options& options)
+{
+    command.add_flag("-q,--quiet", options.quiet, "show warnings and results only");
+    command.add_flag("-v,--verbose", options.verbose, "show more of what is done");
+}
+
+void add_file_access(CLI::App& command, casefile::FileAccess& files)
+{
+    command.add_flag_callback(
+        "--allow-outside", [&files] { files = casefile::FileAccess::anywhere; },
+        "let the case name files outside its own folder");
+}
+
+void add_case_options(CLI::App& command, CaseOptions& options)
+{
+    command.add_option("CASE", options.path, "the case file")->required()->type_name("FILE");
+    command
+        .add_option("--set", options.overrides,
+                    "change a value of the case, e.g. --set \"operation.0.speed=400 rpm\"; may be repeated")
+        ->type_name("PATH=VALUE")
+        ->take_all();
+    command.add_option("--size", options.size_scale, "scale all cell sizes: 2 is coarser and faster, 0.5 finer")
+        ->type_name("FACTOR")
+        ->check(CLI::Range(0.01, 100.0));
+    add_file_access(command, options.files);
+    add_console_options(command, options.console);
+}
+
+casefile::ReadResult read_case(const CaseOptions& options, Console& console)
+{
+    auto result = casefile::read_case(options.path, options.overrides, options.files);
+    for (const auto& warning : result.warnings) {
+        console.warn(warning);
+    }
+    return result;
+}
+
+std::vector<std::filesystem::path> input_files(const casefile::ReadResult& read)
+{
+    auto files = read.files;
+    for (const auto& [name, part] : read.value.parts) {
+        for (const auto& file : {part.step, part.mesh}) {
+            if (!file.empty()) {
+                files.emplace_back(file);
+            }
+        }
+    }
+    return files;
+}
+
+Machine mesh_case(const casefile::Case& description, const CaseOptions& options, Console& console)
+{
+    auto machine = study::prepare_machine(description, options.size_scale, console);
+    console.finish();
+    return machine;
+}
+
+std::vector<std::string> file_comments(const casefile::Case& description, const Console& console)
+{
+    std::vector<std::string> lines{
+        fmt::format("deadpoint {}", version),
+        fmt::format("case {}, hash {}", description.machine.name, casefile::case_hash(description))};
+    for (const auto& warning : console.warnings()) {
+        lines.push_back("warning: " + warning);
+    }
+    return lines;
+}

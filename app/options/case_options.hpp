@@ -1,0 +1,43 @@
+#pragma once
+
+#include "console.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/syntax/file_access.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// What all subcommands that read a case have in common.
+struct CaseOptions {
+    std::string path;
+    std::vector<std::string> overrides;  ///< "path=value"
+    double size_scale = 1;
+    deadpoint::casefile::FileAccess files = deadpoint::casefile::FileAccess::below;
+    Console::Options console;
+};
+
+/// Adds --quiet and --verbose.
+void add_console_options(CLI::App& command, Console::Options& options);
+
+/// Adds --allow-outside.
+void add_file_access(CLI::App& command, deadpoint::casefile::FileAccess& files);
+
+/// Adds the case file, --set, --size, --quiet and --verbose.
+void add_case_options(CLI::App& command, CaseOptions& options);
+
+/// Reads the case; its warnings go to the console.
+deadpoint::casefile::ReadResult read_case(const CaseOptions& options, Console& console);
+
+/// All files that a case is made of: its own, those it includes, STEP and mesh files.
+std::vector<std::filesystem::path> input_files(const deadpoint::casefile::ReadResult& read);
+
+/// Meshes the machine of a case, the stage "mesh" on the console.
+deadpoint::Machine mesh_case(const deadpoint::casefile::Case& description, const CaseOptions& options,
+                             Console& console);
+
+/// Lines for the head of every result file: version, case and hash, warnings.
+std::vector<std::string> file_comments(const deadpoint::casefile::Case& description, const Console& console);

@@ -1,0 +1,138 @@
+#include "deadpoint/casefile/check/directions.hpp"
+
+#include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace deadpoint::casefile {
+namespace {
+
+constexpr double standard_gravity = 9.81;  // [m/s2]
+constexpr double aligned = 1e-6;           // sine of the angle within which two directions are the same
+
+std::string slide_of(const Case& c)
+{
+    return c.mechanism.slide_body.empty() && c.chain ? c.chain->slide_body : c.mechanism.slide_body;
+}
+
+bool is_ground(const Case& c, const std::string& body)
+{
+    const auto found = c.bodies.find(body);
+    return found != c.bodies.end() && found->second.ground;
+}
+
+// Name and joint of the guide that holds the slide on the ground, or the end.
+std::map<std::string, Joint>::const_iterator guide_of(const Case& c)
+{
+    const auto slide = slide_of(c);
+    return std::ranges::find_if(c.joints, [&](const auto& entry) {
+        const auto& joint = entry.second;
+        return joint.kind == "slide" && norm(joint.direction) > 0 &&
+               std::ranges::find(joint.bodies, slide) != joint.bodies.end() &&
+               std::ranges::any_of(joint.bodies, [&](const auto& body) { return is_ground(c, body); });
+    });
+}
+
+Vec2 unit(const Vec2& v) { return (1 / norm(v)) * v; }
+double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+Finding mistake(std::string path, std::string message, std::string help)
+{
+    return {"inconsistent", std::move(path), std::move(message), std::move(help)};
+}
+
+std::variant<Vec2, Finding> stated_direction(const Case& c)
+{
+    const Vec2 stated = unit(*c.mechanism.stroke_direction);
+    const auto guide = guide_of(c);
+    if (guide == c.joints.end() || std::abs(cross(stated, unit(guide->second.direction))) < aligned)
+        return stated;
+    const Vec2 along = unit(guide->second.direction);
+    return mistake("mechanism.stroke_direction",
+                   fmt::format("the slide's guide '{}' lies along [{:.6g}, {:.6g}], not along the stroke", guide->first,
+                               along[0], along[1]),
+                   "state it along the guide, from the table towards the slide, or remove it");
+}
+
+// Heights of walls that the geometry tells are extents along y.
+void check_walls(const Case& c, std::vector<Finding>& findings)
+{
+    const Vec3 down = normalised(c.machine.gravity_direction);
+    if (std::abs(down[1]) > 1 - aligned)
+        return;
+    for (const auto& [name, surface] : c.surfaces) {
+        if (!surface.film || surface.film->length)
+            continue;
+        const auto& law = surface.film->law;
+        if (law == "vertical" || law == "paper_vertical" || law == "moving" || law == "enclosed") {
+            findings.push_back(mistake("surfaces." + name + ".film",
+                                       "its height would be taken along y, but gravity does not act along y",
+                                       "add length = \"500 mm\", the height of the surface along gravity"));
+            findings.back().warning = true;
+        }
+    }
+}
+
+}  // namespace
+
+std::variant<Vec2, Finding> find_stroke_direction(const Case& c)
+{
+    if (c.mechanism.stroke_direction)
+        return stated_direction(c);
+    const Vec2 pull = plane_gravity(c);
+    const auto guide = guide_of(c);
+    if (guide == c.joints.end())
+        return norm(pull) > 0 ? Vec2{-unit(pull)[0], -unit(pull)[1]} : Vec2{0, 1};
+    const Vec2 along = unit(guide->second.direction);
+    const double down = dot(along, pull) / standard_gravity;
+    if (std::abs(down) < aligned)
+        return mistake(fmt::format("joints.{}.direction", guide->first),
+                       "the slide travels across gravity, so nothing says at which end of its stroke the table is",
+                       fmt::format("add stroke_direction = [{:.6g}, {:.6g}] to [mechanism], from the table towards the "
+                                   "slide, or its opposite",
+                                   along[0], along[1]));
+    return (down > 0 ? -1.0 : 1.0) * along;
+}
+
+Vec2 stroke_direction(const Case& c)
+{
+    const auto found = find_stroke_direction(c);
+    if (const auto* finding = std::get_if<Finding>(&found))
+        throw InputError(fmt::format("{}: {}\n  help: {}", finding->path, finding->message, finding->help));
+    return std::get<Vec2>(found);
+}
+
+Vec2 plane_gravity(const Case& c)
+{
+    const Vec3 direction = normalised(c.machine.gravity_direction);
+    return {standard_gravity * direction[0], standard_gravity * direction[1]};
+}
+
+std::vector<Finding> check_directions(const Case& c)
+{
+    std::vector<Finding> findings;
+    const bool symmetric =
+        c.machine.half_model || std::ranges::any_of(c.bodies, [](const auto& entry) { return entry.second.mirror; });
+    if (symmetric && std::abs(normalised(c.machine.gravity_direction)[0]) > aligned)
+        findings.push_back(mistake("machine.gravity_direction",
+                                   "nothing may pull across the plane of symmetry, x = 0, of a half model or of bodies "
+                                   "that have a mirror image",
+                                   "let it be 0 along x, or describe the whole machine"));
+    check_walls(c, findings);
+    if (slide_of(c).empty())
+        return findings;
+    auto stroke = find_stroke_direction(c);
+    if (auto* finding = std::get_if<Finding>(&stroke))
+        findings.push_back(std::move(*finding));
+    else if (symmetric && std::abs(std::get<Vec2>(stroke)[0]) > aligned)
+        findings.push_back(mistake(c.mechanism.stroke_direction ? "mechanism.stroke_direction" : "mechanism.slide_body",
+                                   "the slide does not travel within the plane of symmetry, x = 0, of a half model or "
+                                   "of bodies that have a mirror image",
+                                   "turn the coordinates so that it travels along y, or describe the whole machine"));
+    return findings;
+}
+
+}  // namespace deadpoint::casefile

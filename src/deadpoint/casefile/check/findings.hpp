@@ -1,0 +1,58 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/suggest.hpp"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// What is found wrong in a case, and how checks gather it.
+namespace deadpoint::casefile {
+
+/// No press is colder; what a formula gives below was meant in degC [K].
+inline constexpr double coldest_meant = 150;
+
+/// A mistake in how the sections of a case refer to each other.
+struct Finding {
+    std::string code;
+    std::string path;  ///< of the key at fault: "joints.crank_pin.bodies.1"
+    std::string message;
+    std::string help;
+    bool warning = false;
+};
+
+/// Findings about names in a case, gathered one after the other.
+class Findings {
+public:
+    explicit Findings(const Case& c) : c_(c) {}
+
+    void add(Finding finding);
+    std::vector<Finding> take() { return std::move(findings_); }
+    void report(std::string code, std::string path, std::string message, std::string help);
+    void warn(std::string code, std::string path, std::string message, std::string help);
+    void report_unknown(const std::string& path, std::string_view kind, const std::string& name,
+                        const std::vector<std::string>& names);
+    template <class T>
+    void refer(const std::string& path, std::string_view kind, const std::string& name,
+               const std::map<std::string, T>& map)
+    {
+        if (!name.empty() && !map.contains(name)) {
+            report_unknown(path, kind, name, names_of(map));
+        }
+    }
+    /// A pattern that some part matches.
+    void check_pattern(const std::string& path, const std::string& pattern);
+    /// "part|part", each a pattern.
+    void check_pair(const std::string& path, const std::string& pair);
+
+protected:
+    const Case& c_;
+
+private:
+    std::vector<Finding> findings_;
+};
+
+}  // namespace deadpoint::casefile

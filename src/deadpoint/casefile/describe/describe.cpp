@@ -1,0 +1,527 @@
+#include "deadpoint/casefile/describe/accuracy.hpp"
+#include "deadpoint/casefile/describe/choose.hpp"
+#include "deadpoint/casefile/describe/library.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+namespace deadpoint::casefile {
+namespace {
+
+using D = Dimension;
+constexpr Need required = Need::required;
+constexpr Need optional = Need::optional;
+constexpr Range absolute_temperature = positive;
+constexpr double everywhere = 1e3;  ///< half width of a window that is not limited [m]
+
+void describe_form(Visitor& v, BoxShape& box)
+{
+    v.extent({"x", "extent along x", required}, box.min[0], box.max[0]);
+    v.extent({"y", "extent along y", required}, box.min[1], box.max[1]);
+    v.extent({"z", "extent along z", required}, box.min[2], box.max[2]);
+}
+
+constexpr std::string_view across =
+    "the two coordinates across the axis in the order of the alphabet (axis z: x, y; axis y: x, z; axis x: y, z)";
+
+void describe_form(Visitor& v, CylinderShape& c)
+{
+    v.axis({"axis", "direction of the cylinder", required}, c.axis);
+    v.vector({"centre", across, required}, c.centre, D::length);
+    v.quantity({"diameter", "outer diameter", required}, c.diameter, D::length, positive);
+    v.quantity({"bore", "diameter of the hole along it; 0 for none", optional}, c.bore, D::length, non_negative);
+    v.extent({"range", "from and to along the axis", required}, c.from, c.to);
+    v.expect(c.bore < c.diameter, "bore", "the bore is not smaller than the diameter", "make the bore smaller");
+}
+
+void describe_form(Visitor& v, OutlineShape& o)
+{
+    v.axis({"axis", "direction of extrusion", required}, o.axis);
+    v.points(
+        {"points", "corners around the outline, either way; their coordinates are those across the axis", required},
+        o.points);
+    v.loops({"holes", "outlines to leave out", optional}, o.holes);
+    v.extent({"range", "from and to along the axis", required}, o.from, o.to);
+    v.expect(o.points.size() >= 3, "points", "an outline needs three corners or more", "add the missing corners");
+    v.expect(std::ranges::all_of(o.holes, [](const auto& hole) { return hole.size() >= 3; }), "holes",
+             "a hole needs three corners or more", "add the missing corners");
+}
+
+void describe_form(Visitor& v, ShaftShape& s)
+{
+    v.axis({"axis", "direction of the shaft", required}, s.axis);
+    v.vector({"centre", across, required}, s.centre, D::length);
+    v.quantity({"from", "coordinate along the axis where the first section begins", required}, s.from, D::length,
+               any_value);
+    v.list({"sections", "one after the other along the axis", required}, s.sections);
+}
+
+template <class T>
+T& form_as(Shape& shape)
+{
+    if (!std::holds_alternative<T>(shape.form)) {
+        shape.form = T{};
+    }
+    return std::get<T>(shape.form);
+}
+
+}  // namespace
+
+void Visitor::axis(const Key& key, Axis& value)
+{
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    std::string name(names.at(static_cast<std::size_t>(value)));
+    choice(key, name, names);
+    const auto found = std::ranges::find(names, name);
+    if (found != names.end()) {
+        value = static_cast<Axis>(found - names.begin());
+    }
+}
+
+void describe(Visitor& v, Case& c)
+{
+    v.about(
+        "A case is one TOML file, or several by `include`. Every quantity is text with its unit, like `\"300 kN\"`; "
+        "plain numbers have none. Coordinates are those of the machine at bottom dead point: z along the crankshaft, "
+        "x to the right and y up, unless `gravity_direction` in [machine] says otherwise.");
+    v.integer({"format", "version of this format; 1", required}, c.format, {1, 1, false});
+    v.table({"machine", "the machine as a whole", required}, c.machine);
+    v.named({"materials", "solids"}, c.materials, "name");
+    v.named({"lubricants", "oils and greases"}, c.lubricants, "name");
+    v.named({"bodies", "what moves as one", required}, c.bodies, "name");
+    v.named({"parts", "solids of one material, each meshed on its own; `loads` does without"}, c.parts, "name");
+    v.named({"friction", "laws of friction heat"}, c.friction, "name");
+    v.quantities({"oil", "coefficient to the circulating oil per area of the joints, by friction law"}, c.oil,
+                 D::heat_transfer_coefficient);
+    v.named({"oil_circuits", "circulating oil that warms on its way"}, c.oil_circuits, "name");
+    v.named({"joints", "connections of two bodies"}, c.joints, "name");
+    v.named({"surfaces", "named sets of faces, with what happens there"}, c.surfaces, "name");
+    v.named({"heat_sources", "heat of a motor, a clutch or a belt"}, c.heat_sources, "name");
+    v.named({"enclosures", "air inside the machine, with a temperature of its own"}, c.enclosures, "name");
+    v.table({"mechanism", "the linkage as a whole, for its loads"}, c.mechanism);
+    v.table({"crankshaft", "the crankshaft as a beam"}, c.crankshaft);
+    v.table({"process_force", "the force of the process over a turn; without it as its defaults say"}, c.process_force);
+    v.list({"operation", "what the press does, one segment after the other", required}, c.operation);
+    v.named({"probes", "points whose temperature is recorded"}, c.probes, "name");
+    v.table({"chain", "the dimension chain from slide to table"}, c.chain);
+    v.table({"foundation", "how the feet stand, and weights"}, c.foundation);
+    v.named({"preload", "rods that press parts together"}, c.preload, "name");
+    v.table({"numerics", "mesh, time stepping and solvers"}, c.numerics);
+    v.table({"output", "what is written"}, c.output);
+    v.table({"reference", "published or measured values"}, c.reference);
+}
+
+void describe(Visitor& v, MachineSection& m)
+{
+    v.about("The machine as a whole.");
+    v.text({"name", "name in reports", required}, m.name);
+    v.text({"description", "a sentence for reports"}, m.description);
+    v.flag({"half_model", "model x <= 0 only; the plane x = 0 is the plane of symmetry"}, m.half_model);
+    v.quantity({"initial_temperature",
+                "of everything at the start that states no other; dimensions hold at it, and rises count from it"},
+               m.initial_temperature, D::temperature, absolute_temperature);
+    v.quantity({"ambient", "of the air, where neither the operation nor a film says otherwise"}, m.ambient,
+               D::temperature, absolute_temperature);
+    v.vector({"gravity_direction", "in which weights act, of links and crankshaft and, with `gravity` in [foundation], "
+                                   "on the frame; along the crankshaft it loads no joint"},
+             m.gravity_direction, D::none);
+    v.expect(norm(m.gravity_direction) > 0, "gravity_direction", "the direction has no length",
+             "write it like [0, -1, 0]");
+    v.texts(
+        {"unbonded", "pairs \"part|part\" (`*` stands for any letters) of one body that touch without being bonded"},
+        m.unbonded);
+}
+
+void describe(Visitor& v, Material& m)
+{
+    v.about(
+        "A solid. With `library`, keys that are not given come from the shipped library (see the end of this page). "
+        "Tables are linear between their points and held beyond them, where the run warns.");
+    v.text({"library", "name in the shipped library"}, m.library);
+    v.from_library(m);
+    const Need need = m.library.empty() ? required : optional;
+    v.quantity({"density", "mass per volume", need}, m.density, D::density, positive);
+    v.property({"conductivity", "thermal conductivity", need}, m.conductivity, m.conductivity_table, D::conductivity,
+               positive);
+    v.property({"specific_heat", "heat per mass and kelvin", need}, m.specific_heat, m.specific_heat_table,
+               D::specific_heat, positive);
+    v.property({"expansion", "linear thermal expansion", need}, m.expansion, m.expansion_table, D::expansion,
+               any_value);
+    choose(v,
+           {"expansion_kind", "of a table: `mean` coefficients count from `expansion_reference` to the temperature, "
+                              "`instantaneous` ones are the slope of the length over the temperature"},
+           m.expansion_kind, {"mean", "instantaneous"});
+    v.quantity({"expansion_reference", "where a mean coefficient counts from"}, m.expansion_reference, D::temperature,
+               absolute_temperature);
+    v.quantity({"youngs_modulus", "modulus of elasticity", need}, m.youngs_modulus, D::pressure, positive);
+    v.number({"poissons_ratio", "lateral contraction", need}, m.poissons_ratio, {-1, 0.5, true});
+    v.text({"source", "where the values are from"}, m.source);
+    const bool table = !m.expansion_table.x.empty();
+    v.expect(!table || !m.expansion_kind.empty(), "expansion", "nothing says what its table holds",
+             "add expansion_kind = \"mean\" or \"instantaneous\"");
+    v.expect(table || m.expansion_kind.empty() || !m.library.empty(), "expansion_kind",
+             "a constant coefficient has no kind", "remove it, or give a table");
+    v.expect(!table || m.expansion_kind != "mean" || m.expansion_reference, "expansion",
+             "nothing says where its mean coefficients count from", "add expansion_reference = \"20 degC\"");
+    v.expect(!m.expansion_reference || m.expansion_kind == "mean", "expansion_reference",
+             "only mean coefficients have a reference temperature", "remove it, or say expansion_kind = \"mean\"");
+}
+
+void describe(Visitor& v, Lubricant& l)
+{
+    v.about("An oil. With `library`, keys that are not given come from the shipped library.");
+    v.text({"library", "name in the shipped library"}, l.library);
+    v.from_library(l);
+    const Need need = l.library.empty() ? required : optional;
+    v.quantity({"density", "mass per volume; 0 if not known"}, l.density, D::density, non_negative);
+    choose(v,
+           {"law",
+            "`table`: log-linear between the points of `viscosity`, going on with the end slopes (and warned about) "
+            "beyond them, but not beyond what flows (0.1 to 1e6 mm^2/s); `walther`: the line of ASTM D341 through its "
+            "two points; `vogel`: nu = vogel_factor "
+            "exp(vogel_b / (T - vogel_pole))"},
+           l.law, {"table", "walther", "vogel"});
+    v.curve({"viscosity", "kinematic viscosity of `table` and `walther`", l.law == "vogel" ? optional : need},
+            l.viscosity, {"temperature", D::temperature, D::kinematic_viscosity, positive});
+    v.quantity({"vogel_factor", "of `vogel`"}, l.vogel_factor, D::kinematic_viscosity, positive);
+    v.quantity({"vogel_b", "of `vogel`"}, l.vogel_b, D::temperature_difference, positive);
+    v.quantity({"vogel_pole", "of `vogel`"}, l.vogel_pole, D::temperature, positive);
+    v.expect(l.law != "walther" || l.viscosity.x.size() == 2, "viscosity",
+             "the line of ASTM D341 goes through two points",
+             "give two temperatures, usually 40 and 100 degC, or law = \"table\"");
+    const bool vogel = l.law == "vogel";
+    v.expect(!vogel || (l.vogel_factor && l.vogel_b), "law", "`vogel` needs `vogel_factor` and `vogel_b`", "add both");
+    v.expect(vogel || !(l.vogel_factor || l.vogel_b), l.vogel_factor ? "vogel_factor" : "vogel_b",
+             "it belongs to law = \"vogel\"", "remove it, or add the law");
+    v.text({"source", "where the values are from"}, l.source);
+}
+
+void describe(Visitor& v, Body& b)
+{
+    v.about("A body of the linkage: the parts that move as one. Exactly one body is the ground. What is not stated of "
+            "mass, centre and inertia follows from the parts; a body without parts states mass and centre, and counts "
+            "as a slender rod between its joints where it states no inertia.");
+    v.quantity({"mass", "of the whole body (of one of the two, with `mirror`); compared with that of its parts"},
+               b.mass, D::mass, positive);
+    v.vector({"centre_of_mass", "x and y at bottom dead point"}, b.centre_of_mass, D::length);
+    v.quantity({"inertia", "about the centre of mass, about z"}, b.inertia, D::inertia, positive);
+    v.quantity({"initial_temperature", "of its parts at the start; else that of the machine"}, b.initial_temperature,
+               D::temperature, absolute_temperature);
+    v.flag({"ground", "stands still"}, b.ground);
+    v.flag({"mirror", "the body exists twice; its image at x = 0 and the images of its joints take part in the loads"},
+           b.mirror);
+    v.flag({"thermal_only", "conducts heat but is no link of the dimension chain (bearing rings)"}, b.thermal_only);
+    v.expect(!(b.ground && b.thermal_only), "thermal_only", "the ground is a link of the dimension chain",
+             "remove one of `ground` and `thermal_only`");
+    v.expect(!(b.ground && b.mirror), "mirror", "the ground exists once only", "remove one of `ground` and `mirror`");
+}
+
+void describe(Visitor& v, Part& p)
+{
+    v.about("A solid of one material. Its form comes from exactly one of `shapes`, `step` and `mesh`.");
+    v.text({"body", "the body it belongs to", required}, p.body);
+    v.text({"material", "its material", required}, p.material);
+    v.quantity({"size", "wanted cell size; else that of [numerics]"}, p.size, D::length, positive);
+    v.list({"shapes", "primitives, joined and cut in the order given"}, p.shapes);
+    v.path({"step", "STEP file, relative to the file that names it"}, p.step);
+    v.path({"mesh", "Gmsh mesh file (MSH 2 or 4), relative to the file that names it"}, p.mesh);
+    v.quantity({"unit", "length of one unit of the STEP or mesh file"}, p.unit, D::length, positive);
+    v.vector({"position", "moves the STEP or mesh file's origin there"}, p.position, D::length);
+    v.quantity({"initial_temperature", "at the start; else that of its body"}, p.initial_temperature, D::temperature,
+               absolute_temperature);
+    v.flag({"tetrahedra", "mesh with tetrahedra even where hexahedra would do"}, p.tetrahedra);
+    v.integer({"order", "of its finite elements; 0: that of [numerics]"}, p.order, {0, 2, false});
+    const int sources = (p.shapes.empty() ? 0 : 1) + (p.step.empty() ? 0 : 1) + (p.mesh.empty() ? 0 : 1);
+    v.expect(sources > 0, "", "the part has no form", "give one of `shapes`, `step` and `mesh`");
+    v.expect(sources < 2, p.step.empty() ? "mesh" : "step", "the part has more than one form",
+             "keep one of `shapes`, `step` and `mesh`");
+    v.expect(p.shapes.empty() || p.shapes.front().operation == Shape::Operation::add, "shapes",
+             "the first shape must be added: there is nothing to cut or to draw on", "begin with add = ...");
+}
+
+void describe(Visitor& v, Shape& s)
+{
+    constexpr std::array<std::string_view, 3> operations{"add", "cut", "imprint"};
+    constexpr std::array<std::string_view, 4> forms{"box", "cylinder", "outline", "shaft"};
+    v.about(
+        "A primitive. Its first key says what it does: `add` joins it to the part, `cut` removes it, `imprint` only "
+        "draws its outline into the mesh; the value of that key is its form.");
+    auto operation = static_cast<std::size_t>(s.operation);
+    for (const std::size_t form : v.tagged(operations, operation, forms, s.form.index(), "form of the primitive")) {
+        s.operation = static_cast<Shape::Operation>(operation);
+        v.alternative(forms.at(form));
+        if (form == 0) {
+            describe_form(v, form_as<BoxShape>(s));
+        }
+        if (form == 1) {
+            describe_form(v, form_as<CylinderShape>(s));
+        }
+        if (form == 2) {
+            describe_form(v, form_as<OutlineShape>(s));
+        }
+        if (form == 3) {
+            describe_form(v, form_as<ShaftShape>(s));
+        }
+    }
+}
+
+void describe(Visitor& v, ShaftSection& s)
+{
+    v.quantity({"length", "along the axis", required}, s.length, D::length, positive);
+    v.quantity({"diameter", "of this section", required}, s.diameter, D::length, positive);
+    v.vector({"offset", "of this section's centre from the shaft's (crank throw)"}, s.offset, D::length);
+}
+
+void describe(Visitor& v, Joint& j)
+{
+    v.about(
+        "A joint says everything about one connection of two bodies: how they move, what rubs, which surfaces touch "
+        "and how they conduct.");
+    choose(v, {"kind", "how the bodies move against each other", required}, j.kind, {"revolute", "slide"});
+    v.texts({"bodies", "the two bodies", required}, j.bodies);
+    v.vector({"centre", "x and y at bottom dead point", required}, j.centre, D::length);
+    v.vector({"direction", "of travel, for a slide: any direction of the plane"}, j.direction, D::none);
+    v.flag({"guides_rotation", "false for a slide that leaves its body free to turn"}, j.guides_rotation);
+    v.flag({"swept", "of a slide: heat and conductance are spread over the length that it sweeps, by the share of "
+                     "time; false leaves them where the bodies are drawn"},
+           j.swept);
+    v.quantity({"preload", "of a slide: force by which the gib presses on each of the two faces"}, j.preload, D::force,
+               non_negative);
+    v.quantity({"guide_length", "of a slide that guides rotation: distance of the guide's two ends along the travel, "
+                                "with `centre` amid them; without it the moment on the guide does not press its faces"},
+               j.guide_length, D::length, positive);
+    v.flag({"turns_fully", "turns all the way around, so that each side sees the other's mean around the turn"},
+           j.turns_fully);
+    v.flag({"driver", "its angle is the crank angle"}, j.driver);
+    v.text({"friction", "law of its friction heat"}, j.friction);
+    v.quantity({"oil_temperature", "of the oil that carries heat away, where no circuit serves the joint"},
+               j.oil_temperature, D::temperature, absolute_temperature);
+    v.quantity({"clearance", "at the start of the run, of each of its bearings: on the diameter, of a slide both faces "
+                             "together; a run warns when heat uses it up"},
+               j.clearance, D::length, positive);
+    v.list({"elements", "the bearings or bushes that share the joint"}, j.elements);
+    v.list({"interfaces", "pairs of touching surfaces"}, j.interfaces);
+    v.expect(j.bodies.size() == 2, "bodies", "a joint connects two bodies",
+             "write it like bodies = [\"crank\", \"frame\"]");
+    v.expect(norm(j.direction) > 0, "direction", "the direction of travel has no length", "write it like [0, 1]");
+    v.expect(j.preload == 0 || j.kind == "slide", "preload", "only a slide has a gib to press on it",
+             "remove `preload`");
+    v.expect(j.swept || j.kind == "slide", "swept", "only a slide travels along a guide", "remove `swept`");
+    v.expect(!j.guide_length || (j.kind == "slide" && j.guides_rotation), "guide_length",
+             "only a slide that guides rotation carries a moment over its length", "remove `guide_length`");
+    v.expect(!j.driver || j.kind != "slide", "driver", "a slide cannot drive the crank",
+             "name a revolute joint as driver");
+}
+
+void describe(Visitor& v, JointElement& e)
+{
+    v.text({"name", "name in reports", required}, e.name);
+    choose(v, {"type", "how it carries", required}, e.type, {"rolling", "plain", "guide"});
+    v.quantity({"position", "along the axis"}, e.position, D::length, any_value);
+    v.quantity({"width", "along the axis"}, e.width, D::length, non_negative);
+    v.quantity({"diameter", "of its running surface"}, e.diameter, D::length, non_negative);
+}
+
+void describe(Visitor& v, Interface& i)
+{
+    v.text({"name", "name within the joint", required}, i.name);
+    v.text({"a", "the integrated side, which the other must cover: a part (with `diameter`) or a surface", required},
+           i.a);
+    v.text({"b", "the other side: a part (with `diameter`) or a surface", required}, i.b);
+    v.quantity({"diameter", "of the cylinder about the joint's centre; without it both sides are surfaces"}, i.diameter,
+               D::length, positive);
+    v.table({"conductance", "how it conducts", required}, i.conductance);
+    v.quantity({"oil", "coefficient to the circulating oil, per area of the joint"}, i.oil,
+               D::heat_transfer_coefficient, non_negative);
+    v.number({"heat_share", "share of the friction heat per area, relative to the other interfaces of the law"},
+             i.heat_share, non_negative);
+    v.text({"heat_into", "part whose volume takes this interface's friction heat; else the film between the sides"},
+           i.heat_into);
+    v.flag({"load_zone", "the load part of that heat falls where the joint is pressed over the turn, not evenly; where "
+                         "neither side turns away"},
+           i.load_zone);
+    v.flag({"partial", "side a may reach beyond side b; only what touches conducts, the rest is exposed"}, i.partial);
+    v.flag({"stands_still", "does not turn, although the joint turns fully (outer rings)"}, i.stands_still);
+    v.flag({"seat", "its fitted centre on the ground body is the joint's centre there"}, i.seat);
+    v.flag({"journal", "its fitted centre on the moving body is the joint's centre there"}, i.journal);
+}
+
+void describe(Visitor& v, Surface& s)
+{
+    v.about(
+        "A set of exterior faces: all conditions given must hold. A surface may carry one of `film`, `temperature`, "
+        "`temperature_formula`, `heat_flux` and `insulated`; without any it only names its faces.");
+    v.texts({"parts", "names of parts, `*` stands for any letters; none: every part"}, s.parts);
+    choose(v, {"select", "`exposed`: what nothing touches and no other surface claims", required}, s.select,
+           {"exposed", "all", "plane", "cylinder", "box", "group"});
+    choose(v, {"axis", "normal of the plane, axis of the cylinder"}, s.axis, {"x", "y", "z"});
+    v.quantity({"position", "of the plane along its normal"}, s.position, D::length, any_value);
+    v.vector({"normal", "of a plane that is inclined, of any length and either way, in place of `axis`"}, s.normal,
+             D::none);
+    const bool inclined = s.normal != Vec3{};
+    v.vector({"point", "x, y, z of a point on the plane with that normal", inclined ? required : optional}, s.point,
+             D::length);
+    v.vector({"centre", across}, s.centre, D::length);
+    v.quantity({"diameter", "of the cylinder"}, s.diameter, D::length, positive);
+    v.text({"group", "physical group of the part's mesh or STEP file"}, s.group);
+    v.table({"within",
+             "only what lies in this box: faces that reach out of it count by the share of their area inside, "
+             "and prescribed temperatures, supports and corners take those whose middle is inside"},
+            s.within);
+    v.table({"film", "convection and radiation"}, s.film);
+    v.course({"temperature", "prescribed temperature"}, s.temperature, D::temperature, absolute_temperature);
+    v.text({"temperature_formula",
+            "prescribed temperature [K] in x, y, z [m] and t [s], like \"293.15 + 10*sin(pi*t/40)\"; above 0 K, and "
+            "below 150 K with a warning"},
+           s.temperature_formula);
+    v.course({"heat_flux", "heat into the part"}, s.heat_flux, D::heat_flux, any_value);
+    v.flag({"insulated", "no heat passes; takes its faces from an `exposed` surface"}, s.insulated);
+    const bool plane = s.select == "plane";
+    const bool cylinder = s.select == "cylinder";
+    v.expect(!(plane || cylinder) || inclined || !s.axis.empty(), "select", "the selection needs an `axis`",
+             "add axis = \"z\"");
+    v.expect(!plane || inclined || s.position, "select", "a plane needs its `position`", "add position = \"0 mm\"");
+    v.expect(!inclined || (plane && s.axis.empty() && !s.position), "normal",
+             "a normal belongs to a plane that has neither `axis` nor `position`",
+             "keep normal = [0.6, 0.8, 0] with a point, or axis and position");
+    v.expect(!cylinder || (s.centre && s.diameter), "select", "a cylinder needs `centre` and `diameter`",
+             "add both, like centre = [\"0 mm\", \"0 mm\"], diameter = \"80 mm\"");
+    v.expect(s.select != "box" || s.within, "select", "a box needs `within`",
+             "add within = { x = [\"0 mm\", \"1 mm\"], y = [...], z = [...] }");
+    v.expect(s.select != "group" || !s.group.empty(), "select", "a group needs its name", "add group = \"name\"");
+    const int effects = (s.film ? 1 : 0) + (s.temperature ? 1 : 0) + (s.temperature_formula.empty() ? 0 : 1) +
+                        (s.heat_flux ? 1 : 0) + (s.insulated ? 1 : 0);
+    v.expect(effects < 2, "", "the surface has more than one boundary condition",
+             "keep one of `film`, `temperature`, `temperature_formula`, `heat_flux` and `insulated`");
+}
+
+void describe(Visitor& v, BoxShape& b)
+{
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    v.about("A direction that is not given is not limited (1 km either way).");
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (b.min[i] == b.max[i]) {
+            b.min[i] = -everywhere;
+            b.max[i] = everywhere;
+        }
+        v.extent({names[i], "from and to"}, b.min[i], b.max[i]);
+    }
+}
+
+void describe(Visitor& v, Segment& s)
+{
+    v.about("A segment of the operation: run, pause or cool-down.");
+    v.text({"name", "name in reports"}, s.name);
+    v.quantity({"duration", "how long it lasts; needed by `run`"}, s.duration, D::time, non_negative);
+    v.quantity({"speed", "of the crank; 0 rpm is a pause", required}, s.speed, D::angular_velocity, non_negative);
+    v.quantity({"force", "of the process, at its peak"}, s.force, D::force, non_negative);
+    v.course({"ambient", "of the air, in place of the machine's; time counts from the start of the segment"}, s.ambient,
+             D::temperature, absolute_temperature);
+}
+
+void describe(Visitor& v, Probe& p)
+{
+    v.about("A point whose temperature is recorded.");
+    v.text({"part", "the part it sits on", required}, p.part);
+    v.vector({"position", "x, y, z", required}, p.position, D::length);
+    v.text({"note", "for reports"}, p.note);
+}
+
+void describe(Visitor& v, Chain& c)
+{
+    v.about("The dimension chain: what the gap between slide and table is made of.");
+    v.text({"slide_body", "the body that carries the tool", required}, c.slide_body);
+    v.text({"slide_surface", "surface of the slide that faces the table", required}, c.slide_surface);
+    v.text({"table_surface", "surface of the table that faces the slide", required}, c.table_surface);
+    v.text({"ground_surface", "the feet of the machine", required}, c.ground_surface);
+    v.text({"crank_joint", "joint of crankshaft and ground", required}, c.crank_joint);
+    v.quantity({"reaction_angle",
+                "direction in which the crank is pressed into its bearings at bottom dead point, from the x axis; "
+                "without it that of the stroke, as the process presses slide and crank"},
+               c.reaction_angle, D::angle, any_value);
+    choose(
+        v,
+        {"bearing_play",
+         "how far the crank follows when heat opens or closes its bearings. `limited`: closing ends where the "
+         "`clearance` of the crank joint is used up; `none`: not at all, as bearings under preload; `paper`: all of "
+         "the change counts, whatever the play (Zheng et al. 2018). Without it `limited` where the joint states a "
+         "clearance, else `none` for rolling and `paper` for plain bearings, and a run says what that makes of E_SW"},
+        c.bearing_play, {"limited", "none", "paper"});
+    v.quantity({"drift_rate_limit", "the press is warm when its drift stays slower than this; 0 for no such time"},
+               c.drift_rate_limit, D::velocity, non_negative);
+    v.flag({"corners", "also follows the gap at the four corners of the slide; one solve of the deformation each"},
+           c.corners);
+    v.flag({"clearances", "also follows the clearances of guides and bearings; one solve of the deformation each"},
+           c.clearances);
+    v.quantity({"press_stiffness", "of press and tool in series, measured at the slide of the whole press; a run then "
+                                   "states by how much the drift changes the force at a fixed die height"},
+               c.press_stiffness, D::stiffness, positive);
+}
+
+void describe(Visitor& v, Numerics& n)
+{
+    v.about("Mesh, time stepping and solvers.");
+    v.quantity({"size", "wanted cell size of parts that state none"}, n.size, D::length, positive);
+    v.quantity({"seam_tolerance", "shapes of one part that are this far apart, or this deep in each other, are joined"},
+               n.seam_tolerance, D::length, positive);
+    v.number(
+        {"deformation_size",
+         "cell sizes of a mesh for the deformation relative to that of the heat; 1 for the same mesh, 0 for the same "
+         "mesh up to 1.5 million unknowns of deformation and a coarser one beyond"},
+        n.deformation_size, non_negative);
+    v.integer({"deformation_order", "of the deformation's finite elements; 0: those of the heat"}, n.deformation_order,
+              {0, 2, false});
+    v.quantity({"time_tolerance", "wanted of the time steps, at probes and joints, in sumps and enclosed air; each "
+                                  "step's error is held to it, below "
+                                  "0.02 K to its power 3/2, so that the errors of a run stay near it together"},
+               n.time_tolerance, D::temperature_difference, positive);
+    v.quantity({"initial_step", "first time step"}, n.initial_step, D::time, positive);
+    v.quantity({"max_step", "largest time step"}, n.max_step, D::time, positive);
+    v.number({"solver_tolerance",
+              "root mean square error that a linear solve of the temperature field may leave, in kelvin"},
+             n.solver_tolerance, {0, 1, true});
+    v.integer({"order", "of the finite elements"}, n.order, {1, 2, false});
+    v.text({"accuracy", "refine parts and time steps until the rises (\"0.1 K\") or the gap (\"0.2 um\") change by "
+                        "less; by 'run' only"},
+           n.accuracy);
+    v.integer({"accuracy_rounds", "meshes that `accuracy` may take at most"}, n.accuracy_rounds, {2, 100, false});
+    v.integer({"accuracy_cells", "cells of a mesh that `accuracy` may take at most"}, n.accuracy_cells,
+              {1, 100000000, false});
+    if (const auto parsed = parse_accuracy(n.accuracy); !n.accuracy.empty()) {
+        const auto* problem = std::get_if<AccuracyProblem>(&parsed);
+        v.expect(problem == nullptr, "accuracy", problem != nullptr ? problem->message : "",
+                 problem != nullptr ? problem->help : "");
+    }
+    v.expect(n.initial_step <= n.max_step, "initial_step", "the first time step is longer than the largest one",
+             "make `initial_step` at most `max_step`");
+}
+
+void describe(Visitor& v, Output& o)
+{
+    v.about("What is written besides the summary.");
+    v.quantity({"history_interval", "between rows of history.csv"}, o.history_interval, D::time, positive);
+    v.quantities({"field_times", "when fields are written, besides the end"}, o.field_times, D::time, non_negative);
+    v.flag({"fields", "write temperature and displacement fields at all"}, o.fields);
+    v.flag({"causes", "find which heat has moved the gap; as long as the time steps. Not in a sweep"}, o.causes);
+    v.texts({"stress", "bodies or parts (`*` stands for any letters) whose stress is wanted: in the fields, and the "
+                       "largest of each part in stress.csv, at the times of the fields"},
+            o.stress);
+}
+
+void describe(Visitor& v, Reference& r)
+{
+    v.about("Published or measured values, shown beside the result; they never enter the model.");
+    v.text({"source", "where the values are from", required}, r.source);
+    v.quantity({"time", "when the rises were read", required}, r.time, D::time, positive);
+    v.quantities({"rises", "temperature rise by probe"}, r.rises, D::temperature_difference);
+    v.texts({"calibrated_on", "keys of the case that were fitted to these values"}, r.calibrated_on);
+}
+
+void describe(Visitor& v, Library& library)
+{
+    v.named({"materials", "solids"}, library.materials, "name");
+    v.named({"lubricants", "oils"}, library.lubricants, "name");
+}
+
+}  // namespace deadpoint::casefile

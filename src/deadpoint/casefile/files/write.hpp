@@ -1,0 +1,17 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+
+#include <string>
+
+namespace deadpoint::casefile {
+
+/// The case as one TOML text: includes merged, library values filled in, defaults stated, everything with its unit.
+/// Reading it back gives the same case bit by bit.
+std::string write_case(const Case& c);
+
+/// Hash of the resolved case, 16 hexadecimal digits: equal for cases that mean the same, however they are written.
+/// The contents of STEP and mesh files do not enter, only their paths.
+std::string case_hash(const Case& c);
+
+}  // namespace deadpoint::casefile

@@ -1,0 +1,485 @@
+#include "deadpoint/casefile/syntax/reader.hpp"
+
+#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/suggest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <initializer_list>
+
+namespace deadpoint::casefile {
+namespace {
+
+template <class Names>
+std::string joined(const Names& names, std::string_view quote)
+{
+    std::string text;
+    for (const auto& name : names) {
+        text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", quote, name, quote);
+    }
+    return text;
+}
+
+std::string range_text(const Range& range, Dimension dimension)
+{
+    const auto show = [&](double v) {
+        if (v == 0 && dimension != Dimension::temperature) {
+            return std::string("0");
+        }
+        return dimension == Dimension::none ? fmt::format("{}", v) : format_quantity(v, dimension);
+    };
+    const bool above = std::isfinite(range.min);
+    const bool below = std::isfinite(range.max);
+    if (above && below && range.min == range.max) {
+        return fmt::format("must be {}", show(range.min));
+    }
+    if (above && below) {
+        return fmt::format("must lie between {} and {}{}", show(range.min), show(range.max),
+                           range.open ? ", both excluded" : "");
+    }
+    if (dimension == Dimension::temperature && above) {
+        return "must lie above absolute zero";
+    }
+    if (above && range.min == 0) {
+        return range.open ? "must be positive" : "must not be negative";
+    }
+    return above ? fmt::format("must be at least {}", show(range.min))
+                 : fmt::format("must be at most {}", show(range.max));
+}
+
+std::string_view type_help(Node::Kind wanted)
+{
+    switch (wanted) {
+    case Node::Kind::string:
+        return "put it in quotes: \"...\"";
+    case Node::Kind::boolean:
+        return "write true or false, without quotes";
+    case Node::Kind::array:
+        return "put it in square brackets: [..., ...]";
+    case Node::Kind::table:
+        return "put its keys in braces, { key = value }, or below a [section]";
+    default:
+        return "write a bare number";
+    }
+}
+
+bool is_plain_name(const std::string& name)
+{
+    const auto begins = [](unsigned char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
+    return !name.empty() && begins(static_cast<unsigned char>(name.front())) &&
+           std::ranges::all_of(name, [&](unsigned char c) { return begins(c) || c == '-' || c == '+'; });
+}
+
+}  // namespace
+
+Reader::Reader(const Document& document, Diagnostics& diagnostics, const Library* library)
+    : document_(document), diagnostics_(diagnostics), library_(library)
+{}
+
+// ---------------------------------------------------------------- frames and messages
+
+void Reader::push(const Node& node, std::string path)
+{
+    frames_.push_back({&node, std::move(path), {}, diagnostics_.size(), false});
+}
+
+/// Leaves a table: what it holds and nobody asked for is a mistake.
+void Reader::pop()
+{
+    const Frame frame = std::move(frames_.back());
+    frames_.pop_back();
+    if (frame.open_ended || frame.node->kind != Node::Kind::table) {
+        return;
+    }
+    for (const auto& child : frame.node->children) {
+        if (std::ranges::find(frame.known, child.key) != frame.known.end()) {
+            continue;
+        }
+        const std::string near = closest_name(child.key, frame.known);
+        const bool is_root = frame.path.empty();
+        const bool is_section = is_root && child.kind == Node::Kind::table;
+        report_key(child, is_section ? "unknown-section" : "unknown-key",
+                   is_root ? child.key : frame.path + "." + child.key,
+                   fmt::format("there is no {} '{}' here", is_section ? "section" : "key", child.key),
+                   near.empty() ? fmt::format("known here: {}", joined(frame.known, ""))
+                                : fmt::format("did you mean '{}'?", near));
+    }
+}
+
+std::string Reader::path_of(std::string_view key) const
+{
+    const auto& path = frames_.back().path;
+    if (key.empty()) {
+        return path;
+    }
+    return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+void Reader::report(const Node& at, std::string code, std::string path, std::string message, std::string help)
+{
+    diagnostics_.add({Severity::error, std::move(code), at.place, std::move(path), std::move(message), std::move(help),
+                      std::nullopt, ""});
+}
+
+void Reader::report_key(const Node& at, std::string code, std::string path, std::string message, std::string help)
+{
+    diagnostics_.add({Severity::error, std::move(code), at.key_place.file >= 0 ? at.key_place : at.place,
+                      std::move(path), std::move(message), std::move(help), std::nullopt, ""});
+}
+
+const Node* Reader::take(const Key& key)
+{
+    auto& frame = top();
+    frame.known.emplace_back(key.name);
+    const Node* node = frame.node->find(key.name);
+    if (node == nullptr && key.need == Need::required) {
+        report_key(*frame.node, "missing-key", path_of(key.name), fmt::format("'{}' is missing", key.name),
+                   fmt::format("add it: {}", key.meaning));
+    }
+    return node;
+}
+
+const Node* Reader::take(const Key& key, Node::Kind kind, std::string_view help)
+{
+    const Node* node = take(key);
+    return node != nullptr && is_a(*node, kind, path_of(key.name), help) ? node : nullptr;
+}
+
+bool Reader::is_a(const Node& node, Node::Kind kind, const std::string& path, std::string_view help)
+{
+    if (node.kind == kind) {
+        return true;
+    }
+    report(node, "wrong-type", path, fmt::format("{} where {} is needed", kind_name(node.kind), kind_name(kind)),
+           std::string(help.empty() ? type_help(kind) : help));
+    return false;
+}
+
+void Reader::expect(bool holds, std::string_view key, std::string_view message, std::string_view help)
+{
+    auto& frame = top();
+    if (holds || diagnostics_.size() > frame.errors) {
+        return;
+    }
+    const Node* node = key.empty() ? nullptr : frame.node->find(key);
+    if (node != nullptr) {
+        report(*node, "inconsistent", path_of(key), std::string(message), std::string(help));
+    } else {
+        report_key(*frame.node, "inconsistent", path_of(""), std::string(message), std::string(help));
+    }
+}
+
+// ---------------------------------------------------------------- library
+
+void Reader::report_library(std::string_view kind, const std::string& name, const std::vector<std::string>& names)
+{
+    const Node* node = top().node->find("library");
+    if (node == nullptr) {
+        return;
+    }
+    const std::string near = closest_name(name, names);
+    report(*node, "unknown-name", path_of("library"), fmt::format("the library has no {} '{}'", kind, name),
+           near.empty() ? "it has: " + joined(names, "") : fmt::format("did you mean '{}'?", near));
+}
+
+void Reader::from_library(Material& m)
+{
+    if (m.library.empty() || library_ == nullptr) {
+        return;
+    }
+    const auto found = library_->materials.find(m.library);
+    if (found == library_->materials.end()) {
+        return report_library("material", m.library, names_of(library_->materials));
+    }
+    const std::string name = m.library;
+    m = found->second;
+    m.library = name;
+}
+
+void Reader::from_library(Lubricant& l)
+{
+    if (l.library.empty() || library_ == nullptr) {
+        return;
+    }
+    const auto found = library_->lubricants.find(l.library);
+    if (found == library_->lubricants.end()) {
+        return report_library("lubricant", l.library, names_of(library_->lubricants));
+    }
+    const std::string name = l.library;
+    l = found->second;
+    l.library = name;
+}
+
+// ---------------------------------------------------------------- single values
+
+bool Reader::in_range(const Node& node, const std::string& path, double value, Dimension dimension, const Range& range)
+{
+    const bool inside = range.open ? value > range.min && value < range.max : value >= range.min && value <= range.max;
+    if (inside) {
+        return true;
+    }
+    const std::string shown = node.kind == Node::Kind::string ? node.text : fmt::format("{}", value);
+    report(node, "out-of-range", path, fmt::format("'{}' is out of range", shown),
+           "it " + range_text(range, dimension));
+    return false;
+}
+
+bool Reader::read_number(const Node& node, const std::string& path, const Range& range, double& value)
+{
+    if (node.kind == Node::Kind::string) {
+        report(node, "not-a-number", path, fmt::format("\"{}\" is text, but this key is a plain number", node.text),
+               "it has no unit: write the bare number, without quotes");
+        return false;
+    }
+    if (node.kind != Node::Kind::integer && node.kind != Node::Kind::real) {
+        return is_a(node, Node::Kind::real, path, "");
+    }
+    if (!std::isfinite(node.number)) {
+        report(node, "not-finite", path, "the number is not finite", "write a finite number");
+        return false;
+    }
+    if (!in_range(node, path, node.number, Dimension::none, range)) {
+        return false;
+    }
+    value = node.number;
+    return true;
+}
+
+bool Reader::read_quantity(const Node& node, const std::string& path, Dimension dimension, const Range& range,
+                           double& value)
+{
+    if (dimension == Dimension::none) {
+        return read_number(node, path, range, value);
+    }
+    const auto& info = dimension_info(dimension);
+    if (node.kind == Node::Kind::integer || node.kind == Node::Kind::real) {
+        report(node, "missing-unit", path, fmt::format("a bare number, but this key needs {} with its unit", info.name),
+               fmt::format("write it like \"{}\"", info.example));
+        return false;
+    }
+    if (!is_a(node, Node::Kind::string, path, fmt::format("write it like \"{}\"", info.example))) {
+        return false;
+    }
+    const auto result = try_parse_quantity(node.text, dimension);
+    if (const auto* problem = std::get_if<QuantityProblem>(&result)) {
+        report(node, problem->code, path, problem->message, problem->help);
+        return false;
+    }
+    if (!in_range(node, path, std::get<double>(result), dimension, range)) {
+        return false;
+    }
+    value = std::get<double>(result);
+    return true;
+}
+
+void Reader::number(const Key& key, double& value, const Range& range)
+{
+    if (const Node* node = take(key)) {
+        read_number(*node, path_of(key.name), range, value);
+    }
+}
+
+void Reader::integer(const Key& key, int& value, const Range& range)
+{
+    const Node* node = take(key, Node::Kind::integer, "write a whole number, without quotes");
+    if (node != nullptr && in_range(*node, path_of(key.name), node->number, Dimension::none, range)) {
+        value = static_cast<int>(node->integer);
+    }
+}
+
+void Reader::flag(const Key& key, bool& value)
+{
+    if (const Node* node = take(key, Node::Kind::boolean, "")) {
+        value = node->flag;
+    }
+}
+
+void Reader::text(const Key& key, std::string& value)
+{
+    const Node* node = take(key, Node::Kind::string, "");
+    if (node == nullptr) {
+        return;
+    }
+    if (node->text.empty()) {
+        report(
+            *node, "empty", path_of(key.name), "the text is empty",
+            fmt::format("{}write here: {}", key.need == Need::required ? "" : "leave the key out, or ", key.meaning));
+    }
+    if (key.name == "name" && character_count(node->text) > longest_name) {
+        report(*node, "too-long", path_of(key.name), fmt::format("the name is longer than {} characters", longest_name),
+               "write a shorter one");
+        return;
+    }
+    value = node->text;
+}
+
+void Reader::path(const Key& key, std::string& value)
+{
+    const Node* node = take(key, Node::Kind::string, "");
+    if (node == nullptr || node->text.empty()) {
+        return;
+    }
+    const auto file = static_cast<std::size_t>(std::max(node->place.file, 0));
+    std::filesystem::path folder;
+    if (file < document_.paths.size()) {
+        folder = document_.paths[file].parent_path();
+    }
+    const auto full = (folder / node->text).lexically_normal();
+    const bool restricted = !document_.folder.empty() && node->place.file < document_.first_override;
+    if (restricted && !lies_below(full, document_.folder)) {
+        report(*node, "file-outside", path_of(key.name),
+               fmt::format("'{}' lies outside the folder of the case file", node->text),
+               "keep all files of a case in its folder, or allow others with --allow-outside");
+        return;
+    }
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(full, error)) {
+        report(*node, "missing-file", path_of(key.name), fmt::format("there is no file '{}'", full.string()),
+               "the path is relative to the file that names it");
+    }
+    value = full.string();
+}
+
+void Reader::choice(const Key& key, std::string& value, std::span<const std::string_view> options)
+{
+    const Node* node = take(key, Node::Kind::string, fmt::format("write one of {}", joined(options, "\"")));
+    if (node == nullptr) {
+        return;
+    }
+    if (std::ranges::find(options, node->text) == options.end()) {
+        const std::string near = closest_name(node->text, {options.begin(), options.end()});
+        report(*node, "unknown-choice", path_of(key.name),
+               fmt::format("'{}' is none of the values known here", node->text),
+               near.empty() ? fmt::format("write one of {}", joined(options, "\""))
+                            : fmt::format("did you mean \"{}\"? Known: {}", near, joined(options, "\"")));
+        return;
+    }
+    value = node->text;
+}
+
+void Reader::quantity(const Key& key, double& value, Dimension dimension, const Range& range)
+{
+    if (const Node* node = take(key)) {
+        read_quantity(*node, path_of(key.name), dimension, range, value);
+    }
+}
+
+void Reader::quantity(const Key& key, std::optional<double>& value, Dimension dimension, const Range& range)
+{
+    const Node* node = take(key);
+    double number = 0;
+    if (node != nullptr && read_quantity(*node, path_of(key.name), dimension, range, number)) {
+        value = number;
+    }
+}
+
+// ---------------------------------------------------------------- structure
+
+std::vector<std::size_t> Reader::tagged(std::span<const std::string_view> keys, std::size_t& key,
+                                        std::span<const std::string_view> values, std::size_t value,
+                                        std::string_view meaning)
+{
+    (void)value;
+    (void)meaning;
+    auto& frame = top();
+    const Node* found = nullptr;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        frame.known.emplace_back(keys[i]);
+        const Node* node = frame.node->find(keys[i]);
+        if (node == nullptr) {
+            continue;
+        }
+        if (found != nullptr) {
+            report_key(*node, "inconsistent", path_of(keys[i]), "the shape says twice what it does",
+                       fmt::format("keep one of {}", joined(keys, "`")));
+        }
+        found = node;
+        key = i;
+    }
+    const std::string options = joined(values, "\"");
+    if (found == nullptr) {
+        report(*frame.node, "missing-key", path_of(""), "the shape does not say what it does",
+               fmt::format("begin it with one of {}, like add = \"box\"", joined(keys, "`")));
+    } else if (is_a(*found, Node::Kind::string, path_of(keys[key]), fmt::format("write one of {}", options))) {
+        const auto form = std::ranges::find(values, found->text);
+        if (form != values.end()) {
+            return {static_cast<std::size_t>(form - values.begin())};
+        }
+        const std::string near = closest_name(found->text, {values.begin(), values.end()});
+        report(*found, "unknown-choice", path_of(keys[key]), fmt::format("'{}' is no form of a shape", found->text),
+               near.empty() ? fmt::format("write one of {}", options) : fmt::format("did you mean \"{}\"?", near));
+    }
+    frame.open_ended = true;  // its other keys cannot be judged
+    return {};
+}
+
+bool Reader::begin_table(const Key& key, bool present)
+{
+    (void)present;
+    const Node* node = take(key, Node::Kind::table, "");
+    if (node == nullptr) {
+        return false;
+    }
+    push(*node, path_of(key.name));
+    return true;
+}
+
+bool Reader::begin_group(const Key& key, std::vector<std::string>& names, std::string_view placeholder)
+{
+    (void)placeholder;
+    const Node* node = take(key, Node::Kind::table, "");
+    if (node == nullptr) {
+        return false;
+    }
+    push(*node, path_of(key.name));
+    top().open_ended = true;
+    for (const auto& child : node->children) {
+        names.push_back(child.key);
+    }
+    return true;
+}
+
+bool Reader::begin_member(const std::string& name)
+{
+    const Node* node = top().node->find(name);
+    const std::string path = path_of(name);
+    if (node == nullptr || !is_a(*node, Node::Kind::table, path, "")) {
+        return false;
+    }
+    if (!is_plain_name(name)) {
+        report_key(*node, "bad-name", path, fmt::format("'{}' cannot be a name", name),
+                   "use letters, digits, '_', '-' and '+' only, and begin with none of the last two");
+    }
+    push(*node, path);
+    return true;
+}
+
+bool Reader::begin_list(const Key& key, std::size_t& count)
+{
+    const Node* node = take(key, Node::Kind::array, "write it as a list of tables, [{ ... }, { ... }]");
+    if (node == nullptr) {
+        return false;
+    }
+    if (node->children.empty() && key.need == Need::required) {
+        report(*node, "empty", path_of(key.name), "the list is empty", fmt::format("write here: {}", key.meaning));
+    }
+    count = node->children.size();
+    push(*node, path_of(key.name));
+    return true;
+}
+
+bool Reader::begin_item(std::size_t index)
+{
+    const Node& node = top().node->children[index];
+    const std::string path = path_of(std::to_string(index));
+    if (!is_a(node, Node::Kind::table, path, "")) {
+        return false;
+    }
+    push(node, path);
+    return true;
+}
+
+}  // namespace deadpoint::casefile

@@ -1,0 +1,95 @@
+#include "deadpoint/fem/conduction/coarse_matrices.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace deadpoint::fem {
+namespace {
+
+constexpr int estimate_iterations = 10;
+// Above the estimate, which comes from below: a bound that is too low turns the preconditioner indefinite where films
+// are far stiffer than the metal.
+constexpr double room = 1.2;
+// Of the bound: what lies lower is left to coarser levels.
+constexpr double smoothed_from = 0.05;
+
+// From the coarsest on.
+std::vector<KSP> solvers_of_levels(PC multigrid)
+{
+    PetscInt count = 0;
+    DEADPOINT_PETSC(PCMGGetLevels(multigrid, &count));
+    std::vector<KSP> solvers(static_cast<std::size_t>(count));
+    DEADPOINT_PETSC(PCMGGetCoarseSolve(multigrid, &solvers[0]));
+    for (PetscInt level = 1; level < count; ++level)
+        DEADPOINT_PETSC(PCMGGetSmoother(multigrid, level, &solvers[static_cast<std::size_t>(level)]));
+    return solvers;
+}
+
+Mat matrix_of(KSP level)
+{
+    Mat matrix = nullptr;
+    DEADPOINT_PETSC(KSPGetOperators(level, nullptr, &matrix));
+    return matrix;
+}
+
+// Of D^-1 A, from below, by conjugate gradients.
+double largest_eigenvalue(Mat matrix)
+{
+    OwnedKsp solver;
+    DEADPOINT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)), solver.out()));
+    DEADPOINT_PETSC(KSPSetType(solver, KSPCG));
+    DEADPOINT_PETSC(KSPSetOperators(solver, matrix, matrix));
+    PC diagonal = nullptr;
+    DEADPOINT_PETSC(KSPGetPC(solver, &diagonal));
+    DEADPOINT_PETSC(PCSetType(diagonal, PCJACOBI));
+    DEADPOINT_PETSC(KSPSetNormType(solver, KSP_NORM_NONE));
+    DEADPOINT_PETSC(KSPSetTolerances(solver, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, estimate_iterations));
+    DEADPOINT_PETSC(KSPSetComputeEigenvalues(solver, PETSC_TRUE));
+    OwnedVec load, solution;
+    DEADPOINT_PETSC(MatCreateVecs(matrix, solution.out(), load.out()));
+    DEADPOINT_PETSC(VecSetRandom(load, nullptr));
+    DEADPOINT_PETSC(VecShift(load, -0.5));  // from between 0 and 1: of all eigenvectors alike
+    DEADPOINT_PETSC(KSPSolve(solver, load, solution));
+    std::array<double, estimate_iterations> real{}, imaginary{};
+    PetscInt count = 0;
+    DEADPOINT_PETSC(KSPComputeEigenvalues(solver, estimate_iterations, real.data(), imaginary.data(), &count));
+    return count > 0 ? *std::max_element(real.begin(), real.begin() + count) : 1;
+}
+
+}  // namespace
+
+void CoarseMatrices::keep(PC multigrid, double factor)
+{
+    const auto solvers = solvers_of_levels(multigrid);
+    const bool first = bounds_.empty();
+    auto& kept = first ? first_ : slopes_;
+    for (std::size_t level = 0; level + 1 < solvers.size(); ++level)
+        DEADPOINT_PETSC(MatDuplicate(matrix_of(solvers[level]), MAT_COPY_VALUES, kept.emplace_back().out()));
+    bounds_.resize(solvers.size());
+    for (std::size_t level = 1; level < solvers.size(); ++level)
+        bounds_[level] = std::max(bounds_[level], largest_eigenvalue(matrix_of(solvers[level])));
+    if (first) {
+        first_factor_ = factor;
+        return;
+    }
+    for (std::size_t level = 0; level < slopes_.size(); ++level) {
+        DEADPOINT_PETSC(MatAXPY(slopes_[level], -1, first_[level], SAME_NONZERO_PATTERN));
+        DEADPOINT_PETSC(MatScale(slopes_[level], 1 / (factor - first_factor_)));
+    }
+    for (std::size_t level = 1; level < solvers.size(); ++level) {
+        const double bound = room * bounds_[level];
+        DEADPOINT_PETSC(KSPChebyshevSetEigenvalues(solvers[level], bound, smoothed_from * bound));
+    }
+}
+
+void CoarseMatrices::follow(PC multigrid, double factor) const
+{
+    const auto solvers = solvers_of_levels(multigrid);
+    for (std::size_t level = 0; level < slopes_.size(); ++level) {
+        const Mat matrix = matrix_of(solvers[level]);
+        DEADPOINT_PETSC(MatCopy(first_[level], matrix, SAME_NONZERO_PATTERN));
+        DEADPOINT_PETSC(MatAXPY(matrix, factor - first_factor_, slopes_[level], SAME_NONZERO_PATTERN));
+    }
+}
+
+}  // namespace deadpoint::fem

@@ -1,0 +1,178 @@
+#include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/fem/elastic/elastic_cells.hpp"
+#include "deadpoint/fem/elastic/elastic_law.hpp"
+#include "deadpoint/fem/elastic/elastic_solver.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace deadpoint::fem {
+
+void cell_stiffness(const dealii::FEValues<3>& v, const Material& material, std::vector<double>& block)
+{
+    const auto [lambda, mu] = lame(material);
+    const unsigned n = v.dofs_per_cell;
+    block.assign(9 * n * n, 0.0);
+    for (const auto q : v.quadrature_point_indices())
+        for (unsigned i = 0; i < n; ++i) {
+            const auto& gi = v.shape_grad(i, q);
+            for (unsigned j = 0; j < n; ++j) {
+                const auto& gj = v.shape_grad(j, q);
+                const double w = v.JxW(q);
+                const double diagonal = w * mu * (gi * gj);
+                for (unsigned c = 0; c < 3; ++c) {
+                    double* row = &block[(3 * i + c) * 3 * n + 3 * j];
+                    row[c] += diagonal;
+                    for (unsigned d = 0; d < 3; ++d)
+                        row[d] += w * (lambda * gi[c] * gj[d] + mu * gi[d] * gj[c]);
+                }
+            }
+        }
+}
+
+void add_to_cell(Vec target, const std::vector<dealii::types::global_dof_index>& unknowns,
+                 const std::vector<double>& values)
+{
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            DEADPOINT_PETSC(
+                VecSetValue(target, static_cast<PetscInt>(3 * unknowns[i] + c), values[3 * i + c], ADD_VALUES));
+}
+
+void finish(Vec target)
+{
+    DEADPOINT_PETSC(VecAssemblyBegin(target));
+    DEADPOINT_PETSC(VecAssemblyEnd(target));
+}
+
+double ElasticSolver::thermal_modulus(int part) const
+{
+    const auto& m = materials_[part];
+    return m.youngs_modulus * expansion_scale(m) / (1 - 2 * m.poissons_ratio);
+}
+
+// Pads: integral of k N_i N_j over the feet, for each direction by itself (Winkler).
+void ElasticSolver::add_pads(Mat all) const
+{
+    if (foundation_.surface < 0 || foundation_.kind != Foundation::Kind::elastic)
+        return;
+    PointShape shape;
+    std::vector<double> block;
+    std::array<double, 3> stiffness{};
+    for (std::size_t c = 0; c < 3; ++c)
+        stiffness[c] = foot_normal_[c] != 0 ? foundation_.vertical : foundation_.horizontal;
+    for (const auto& foot : space_.machine.surfaces[foundation_.surface].faces) {
+        const auto& face = space_.machine.faces[foot.face];
+        if (!space_.cell(face.cell)->is_locally_owned())
+            continue;
+        for (const auto& point : face_points(space_.machine, face)) {
+            space_.evaluate(foot.face, point.position, false, shape);
+            const auto n = static_cast<std::size_t>(shape.count);
+            block.assign(9 * n * n, 0.0);
+            for (std::size_t i = 0; i < n; ++i)
+                for (std::size_t j = 0; j < n; ++j)
+                    for (std::size_t c = 0; c < 3; ++c)
+                        block[(3 * i + c) * 3 * n + 3 * j + c] =
+                            stiffness[c] * foot.fraction * point.weight * shape.value[i] * shape.value[j];
+            DEADPOINT_PETSC(MatSetValuesBlocked(all, shape.count, shape.dof.data(), shape.count, shape.dof.data(),
+                                                block.data(), ADD_VALUES));
+        }
+    }
+}
+
+void ElasticSolver::load_thermal(const Field& given, Vec target) const
+{
+    OwnedVec field = create_vector(space_, 1);
+    double* entries = nullptr;
+    DEADPOINT_PETSC(VecGetArray(field, &entries));
+    std::ranges::copy(given.owned, entries);
+    DEADPOINT_PETSC(VecRestoreArray(field, &entries));
+    Everywhere gathered(field);
+    const double* rise = gathered.gather(field);
+    std::vector<double> cell_load;
+    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+        const double modulus = thermal_modulus(part);
+        cell_load.assign(3 * dofs.size(), 0.0);
+        for (const auto q : v.quadrature_point_indices()) {
+            double at = 0;
+            for (unsigned i = 0; i < dofs.size(); ++i)
+                at += v.shape_value(i, q) * rise[dofs[i]];
+            for (unsigned i = 0; i < dofs.size(); ++i)
+                for (unsigned c = 0; c < 3; ++c)
+                    cell_load[3 * i + c] += modulus * at * v.JxW(q) * v.shape_grad(i, q)[c];
+        }
+        add_to_cell(target, dofs, cell_load);
+    });
+    finish(target);
+}
+
+void ElasticSolver::load_initial_strain(const std::vector<Tensor6>& strain, Vec target) const
+{
+    if (strain.empty())
+        return;
+    std::vector<double> cell_load;
+    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+        if (strain[part] == Tensor6{})
+            return;
+        const auto s = hooke(materials_[part], strain[part]);
+        cell_load.assign(3 * dofs.size(), 0.0);
+        for (const auto q : v.quadrature_point_indices())
+            for (unsigned i = 0; i < dofs.size(); ++i) {
+                const dealii::Tensor<1, 3> g = v.JxW(q) * v.shape_grad(i, q);
+                cell_load[3 * i] += s[0] * g[0] + s[3] * g[1] + s[5] * g[2];
+                cell_load[3 * i + 1] += s[3] * g[0] + s[1] * g[1] + s[4] * g[2];
+                cell_load[3 * i + 2] += s[5] * g[0] + s[4] * g[1] + s[2] * g[2];
+            }
+        add_to_cell(target, dofs, cell_load);
+    });
+    finish(target);
+}
+
+// Of the pieces that stand on the feet; the others hang in joints, whose forces are not part of this problem.
+void ElasticSolver::load_weight(const Vec3& gravity, Vec target) const
+{
+    std::set<int> standing;
+    for (const PetscInt unknown : feet_)
+        standing.insert(pieces_->piece(unknown / 3));
+    std::vector<double> cell_load;
+    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+        if (!standing.contains(pieces_->piece(static_cast<PetscInt>(dofs[0]))))
+            return;
+        cell_load.assign(3 * dofs.size(), 0.0);
+        for (const auto q : v.quadrature_point_indices())
+            for (unsigned i = 0; i < dofs.size(); ++i)
+                for (unsigned c = 0; c < 3; ++c)
+                    cell_load[3 * i + c] += materials_[part].density * gravity[c] * v.JxW(q) * v.shape_value(i, q);
+        add_to_cell(target, dofs, cell_load);
+    });
+    finish(target);
+}
+
+// a_i = integral of E alpha / (1 - 2 nu) div(displacement) N_i
+Adjoint ElasticSolver::temperature_weights(const std::string& name, const double* displacement) const
+{
+    OwnedVec weights = create_vector(space_, 1);
+    std::vector<double> cell_weights;
+    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+        const double modulus = thermal_modulus(part);
+        cell_weights.assign(dofs.size(), 0.0);
+        for (const auto q : v.quadrature_point_indices()) {
+            double divergence = 0;
+            for (unsigned i = 0; i < dofs.size(); ++i)
+                for (unsigned c = 0; c < 3; ++c)
+                    divergence += v.shape_grad(i, q)[c] * displacement[3 * dofs[i] + c];
+            for (unsigned i = 0; i < dofs.size(); ++i)
+                cell_weights[i] += modulus * v.JxW(q) * divergence * v.shape_value(i, q);
+        }
+        for (unsigned i = 0; i < dofs.size(); ++i)
+            DEADPOINT_PETSC(VecSetValue(weights, static_cast<PetscInt>(dofs[i]), cell_weights[i], ADD_VALUES));
+    });
+    finish(weights);
+    const double* owned = nullptr;
+    DEADPOINT_PETSC(VecGetArrayRead(weights, &owned));
+    Adjoint result{name, {owned, owned + (space_.last - space_.first)}};
+    DEADPOINT_PETSC(VecRestoreArrayRead(weights, &owned));
+    return result;
+}
+
+}  // namespace deadpoint::fem

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "deadpoint/exchange/deformation.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/elastic/rigid_pieces.hpp"
+#include "deadpoint/fem/elastic/ties.hpp"
+#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
+
+#include <memory>
+
+/// Internal to fem/: linear thermo-elasticity of all bodies at once; bodies do not touch each other here.
+namespace deadpoint::fem {
+
+class ElasticSolver {
+public:
+    ElasticSolver(const Discretisation& space, const std::vector<Material>& materials, const Foundation& foundation);
+
+    std::vector<Adjoint> adjoints(const std::vector<Functional>& functionals);
+    /// Forces as functionals of the temperature alone: what its deformation and its own strain make of them.
+    std::vector<Adjoint> adjoints(const std::vector<ForceGauge>& gauges);
+    /// @param rise  as Model::expansion_rise()
+    Displacement displacement(const Field& rise);
+    /// The deformation by weights and initial strain.
+    /// @throws InputError where the feet leave the machine free to follow its weight
+    Displacement displacement(const RestLoads& loads);
+    /// The displacement under a functional's weights as forces [m/N].
+    Displacement dual(const Functional& functional);
+    std::vector<double> evaluate(const std::vector<Functional>& functionals, const Displacement& displacement);
+    /// Forces in the state at rest.
+    std::vector<double> forces(const std::vector<ForceGauge>& gauges, const RestLoads& loads,
+                               const Displacement& displacement);
+    [[nodiscard]] int iterations() const { return iterations_; }
+
+private:
+    /// A force as  stiffness . u - shape . (loads that strain without force), both by displacement unknown.
+    struct Gauge {
+        std::vector<double> shape;  ///< all ranks' unknowns; the virtual displacement on which the force does work
+        bool with_weight = false;   ///< the weight of the nodes that `shape` moves is not part of the force
+        double factor = 1;          ///< for a part that the symmetry plane cuts
+    };
+    void find_supports(const Foundation& foundation);
+    void assemble();
+    void keep_upper_half();
+    void choose_solver(PetscInt size);
+    void set_near_null_space();
+    void solve_free(const char* what);
+    void require_equilibrium();
+    [[nodiscard]] Displacement owned_solution() const;
+    void add_pads(Mat all) const;
+    void load(const Functional& functional, Vec target) const;
+    void load_thermal(const Field& rise, Vec target) const;
+    void load_initial_strain(const std::vector<Tensor6>& strain, Vec target) const;
+    void load_weight(const Vec3& gravity, Vec target) const;
+    [[nodiscard]] Adjoint temperature_weights(const std::string& name, const double* displacement) const;
+    void solve_dual(const Functional& functional);
+    void clear_fixed(Vec vector) const;
+    [[nodiscard]] double thermal_modulus(int part) const;  ///< E alpha / (1 - 2 nu) [Pa/K], alpha the expansion_scale()
+
+    [[nodiscard]] Gauge describe(const ForceGauge& gauge) const;
+    [[nodiscard]] Gauge describe_rod(const ForceGauge& gauge) const;
+    [[nodiscard]] Gauge describe_bond(int bond) const;
+    [[nodiscard]] Gauge describe_feet() const;
+    void pass_on(std::vector<double>& shape) const;
+    /// target = K shape, without the pads.
+    void stiffness_times(const std::vector<double>& shape, Vec target) const;
+    [[nodiscard]] Functional pad_force() const;
+
+    const Discretisation& space_;
+    const std::vector<Material>& materials_;
+    Foundation foundation_;
+    Vec3 foot_normal_{0, -1, 0};  ///< out of the feet, along an axis
+    Ties ties_;
+    OwnedMat expansion_;  ///< from free to all displacements
+    OwnedMat matrix_;     ///< of the free displacements
+    OwnedKsp solver_;
+    OwnedVec solution_, rhs_;  ///< all displacements
+    OwnedVec free_solution_, free_rhs_;
+    std::unique_ptr<RigidPieces> pieces_;
+    std::vector<PetscInt> held_;   ///< unknowns without displacement, on all ranks
+    std::vector<PetscInt> feet_;   ///< unknowns at the feet that are held or stand on pads, on all ranks
+    std::vector<PetscInt> fixed_;  ///< this rank's, as global numbers of free displacements
+    int iterations_ = 0;
+};
+
+}  // namespace deadpoint::fem

@@ -1,0 +1,343 @@
+#include "deadpoint/fem/estimate/error_estimate.hpp"
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace deadpoint::fem {
+namespace {
+
+using Gradient = dealii::Tensor<1, 3>;
+
+// One scalar of a field on all ranks: entry `offset` of `stride` per unknown.
+struct Nodal {
+    const std::vector<double>* values = nullptr;
+    std::size_t stride = 1;
+    std::size_t offset = 0;
+    [[nodiscard]] double at(dealii::types::global_dof_index unknown) const
+    {
+        return (*values)[stride * unknown + offset];
+    }
+};
+
+constexpr std::size_t largest_basis = 10;
+using Basis = std::array<double, largest_basis>;
+
+// Monomials up to the order: 1, x, y, z, then xx, yy, zz, xy, yz, zx.
+Basis monomials(const Gradient& x)
+{
+    return {1, x[0], x[1], x[2], x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1], x[1] * x[2], x[2] * x[0]};
+}
+
+// Slopes that the samples leave open, as across a single layer of cells, become zero.
+constexpr double linear_ridge = 1e-8;
+constexpr double quadratic_ridge = 1e-5;
+
+// A rule for each kind of element: as many points a direction as its degree and `more`.
+dealii::hp::QCollection<3> rules_of(const dealii::hp::FECollection<3>& elements, unsigned more)
+{
+    dealii::hp::QCollection<3> rules;
+    for (unsigned i = 0; i < elements.size(); ++i) {
+        const unsigned points = elements[i].degree + more;
+        if (elements[i].reference_cell() == dealii::ReferenceCells::Hexahedron)
+            rules.push_back(dealii::QGauss<3>(points));
+        else
+            rules.push_back(dealii::QGaussSimplex<3>(points));
+    }
+    return rules;
+}
+
+// The recovered gradients of one part.
+class PartRecovery {
+public:
+    PartRecovery(const Discretisation& space, std::size_t part, const std::vector<char>& exterior,
+                 const std::vector<Nodal>& fields)
+        : space_(space), part_(space.machine.parts[part]), exterior_(exterior), fields_(fields),
+          basis_size_(space.orders[part] == 1 ? 4 : largest_basis)
+    {
+        sample();
+    }
+
+    // Calls visit(cell, weight [m3], recovered less own gradient per field) at the integration points of this rank's
+    // cells.
+    template <class Visitor>
+    void for_each_defect(const Visitor& visit)
+    {
+        dealii::hp::FEValues<3> values(space_.mappings, space_.elements, rules_of(space_.elements, 2),
+                                       dealii::update_gradients | dealii::update_JxW_values |
+                                           dealii::update_quadrature_points);
+        const dealii::FE_Q<3> hexahedron(1);
+        const dealii::FE_SimplexP<3> tetrahedron(1);
+        std::vector<Gradient> defects(fields_.size());
+        for (std::uint32_t c = 0; c < part_.cell_count; ++c) {
+            const auto cell = space_.cell(part_.first_cell + c);
+            if (!cell->is_locally_owned())
+                continue;
+            values.reinit(cell);
+            const auto& v = values.get_present_fe_values();
+            const dealii::FiniteElement<3>& corner = cell->reference_cell() == dealii::ReferenceCells::Hexahedron
+                                                         ? static_cast<const dealii::FiniteElement<3>&>(hexahedron)
+                                                         : tetrahedron;
+            for (const auto q : v.quadrature_point_indices()) {
+                own_gradients(v, cell, q, defects);
+                for (auto& defect : defects)
+                    defect *= -1;
+                for (const auto i : cell->vertex_indices())
+                    add_recovered(cell->vertex_index(i), v.quadrature_point(q),
+                                  corner.shape_value(i, v.get_quadrature().point(q)), defects);
+                visit(v.JxW(q), defects);
+            }
+        }
+    }
+
+    // Half the sum over the vertices of a cell of weight times recovered gradient of the first field times distance.
+    double interpolation_error(const dealii::Point<3>& position, const PointShape& shape)
+    {
+        const auto cell = cell_of(shape);
+        double error = 0;
+        std::vector<Gradient> gradient(1);
+        for (const auto i : cell->vertex_indices()) {
+            gradient[0] = 0;
+            add_recovered(cell->vertex_index(i), cell->vertex(i), 1, gradient);
+            error += 0.5 * shape.value[i] * (gradient[0] * (position - cell->vertex(i)));
+        }
+        return error;
+    }
+
+private:
+    struct Patch {
+        dealii::Point<3> centre;
+        double size = 0;
+        std::vector<std::array<Gradient, largest_basis>> coefficients;  ///< per field
+    };
+    using CellIterator = dealii::DoFHandler<3>::active_cell_iterator;
+
+    void own_gradients(const dealii::FEValues<3>& v, const CellIterator& cell, unsigned q,
+                       std::vector<Gradient>& gradients)
+    {
+        unknowns_.resize(v.dofs_per_cell);
+        cell->get_dof_indices(unknowns_);
+        for (std::size_t f = 0; f < fields_.size(); ++f) {
+            gradients[f] = 0;
+            for (const auto i : v.dof_indices())
+                gradients[f] += fields_[f].at(unknowns_[i]) * v.shape_grad(i, q);
+        }
+    }
+
+    // The cell with these unknowns.
+    [[nodiscard]] CellIterator cell_of(const PointShape& shape)
+    {
+        for (std::uint32_t c = part_.first_cell; c < part_.first_cell + part_.cell_count; ++c) {
+            unknowns_.resize(space_.cell(c)->get_fe().n_dofs_per_cell());
+            space_.cell(c)->get_dof_indices(unknowns_);
+            if (std::equal(unknowns_.begin(), unknowns_.end(), shape.dof.begin(), shape.dof.begin() + shape.count))
+                return space_.cell(c);
+        }
+        throw std::logic_error("no cell of the part has the unknowns of a probe");
+    }
+
+    // Gradients at the superconvergent points of all cells, and the cells around each vertex.
+    void sample()
+    {
+        dealii::hp::FEValues<3> values(space_.mappings, space_.elements, rules_of(space_.elements, 0),
+                                       dealii::update_gradients | dealii::update_quadrature_points);
+        std::vector<Gradient> gradients(fields_.size());
+        first_sample_.push_back(0);
+        for (std::uint32_t c = 0; c < part_.cell_count; ++c) {
+            const auto cell = space_.cell(part_.first_cell + c);
+            for (const auto i : cell->vertex_indices())
+                cells_at_[cell->vertex_index(i)].push_back(c);
+            values.reinit(cell);
+            const auto& v = values.get_present_fe_values();
+            for (const auto q : v.quadrature_point_indices()) {
+                own_gradients(v, cell, q, gradients);
+                positions_.push_back(v.quadrature_point(q));
+                samples_.insert(samples_.end(), gradients.begin(), gradients.end());
+            }
+            first_sample_.push_back(positions_.size());
+        }
+    }
+
+    [[nodiscard]] std::vector<std::uint32_t> cells_around(unsigned vertex) const
+    {
+        const auto& near = cells_at_.at(vertex);
+        if (exterior_[vertex] == 0)
+            return near;
+        std::set<std::uint32_t> cells;
+        for (const auto c : near) {
+            const auto cell = space_.cell(part_.first_cell + c);
+            for (const auto i : cell->vertex_indices())
+                cells.insert(cells_at_.at(cell->vertex_index(i)).begin(), cells_at_.at(cell->vertex_index(i)).end());
+        }
+        return {cells.begin(), cells.end()};
+    }
+
+    // Least squares over the samples of the cells around a vertex.
+    [[nodiscard]] Patch fit(unsigned vertex) const
+    {
+        Patch patch;
+        patch.centre = space_.triangulation.get_vertices()[vertex];
+        const auto cells = cells_around(vertex);
+        std::size_t count = 0;
+        for (const auto c : cells)
+            for (auto s = first_sample_[c]; s < first_sample_[c + 1]; ++s, ++count)
+                patch.size = std::max(patch.size, positions_[s].distance(patch.centre));
+        const auto m = static_cast<unsigned>(basis_size_);
+        dealii::FullMatrix<double> normal(m, m);
+        patch.coefficients.assign(fields_.size(), {});
+        std::vector<std::array<Gradient, largest_basis>> right(fields_.size());
+        for (const auto c : cells)
+            for (auto s = first_sample_[c]; s < first_sample_[c + 1]; ++s) {
+                const Basis basis = monomials((positions_[s] - patch.centre) / patch.size);
+                for (unsigned i = 0; i < m; ++i) {
+                    for (unsigned j = 0; j < m; ++j)
+                        normal(i, j) += basis[i] * basis[j];
+                    for (std::size_t f = 0; f < fields_.size(); ++f)
+                        right[f][i] += basis[i] * samples_[s * fields_.size() + f];
+                }
+            }
+        for (unsigned i = 1; i < m; ++i)
+            normal(i, i) += (i < 4 ? linear_ridge : quadratic_ridge) * static_cast<double>(count);
+        normal.gauss_jordan();
+        for (std::size_t f = 0; f < fields_.size(); ++f)
+            for (unsigned i = 0; i < m; ++i)
+                for (unsigned j = 0; j < m; ++j)
+                    patch.coefficients[f][i] += normal(i, j) * right[f][j];
+        return patch;
+    }
+
+    void add_recovered(unsigned vertex, const dealii::Point<3>& position, double weight, std::vector<Gradient>& sums)
+    {
+        auto found = patches_.find(vertex);
+        if (found == patches_.end())
+            found = patches_.emplace(vertex, fit(vertex)).first;
+        const auto& patch = found->second;
+        const Basis basis = monomials((position - patch.centre) / patch.size);
+        for (std::size_t f = 0; f < sums.size(); ++f)
+            for (std::size_t i = 0; i < basis_size_; ++i)
+                sums[f] += weight * basis[i] * patch.coefficients[f][i];
+    }
+
+    const Discretisation& space_;
+    const MeshPart& part_;
+    const std::vector<char>& exterior_;  ///< per vertex of the machine
+    const std::vector<Nodal>& fields_;
+    std::size_t basis_size_;
+    std::map<unsigned, std::vector<std::uint32_t>> cells_at_;
+    std::map<unsigned, Patch> patches_;
+    std::vector<std::size_t> first_sample_;  ///< per cell
+    std::vector<dealii::Point<3>> positions_;
+    std::vector<Gradient> samples_;  ///< per sample, then per field
+    std::vector<dealii::types::global_dof_index> unknowns_;
+};
+
+std::vector<char> exterior_nodes(const Machine& machine)
+{
+    std::vector<char> exterior(machine.nodes.size(), 0);
+    for (const auto& face : machine.faces)
+        for (int i = 0; i < face.node_count; ++i)
+            exterior[face.nodes[i]] = 1;
+    return exterior;
+}
+
+// Sums term(part, defects, dual) times volume over all cells, per dual and part, over the ranks.
+template <class Term>
+std::vector<std::vector<double>> summed(const Discretisation& space, const std::vector<Nodal>& fields,
+                                        std::size_t duals, const Term& term)
+{
+    const auto exterior = exterior_nodes(space.machine);
+    const std::size_t parts = space.machine.parts.size();
+    std::vector<double> sums(duals * parts, 0.0);
+    for (std::size_t p = 0; p < parts; ++p)
+        PartRecovery(space, p, exterior, fields)
+            .for_each_defect([&](double volume, const std::vector<Gradient>& defects) {
+                for (std::size_t k = 0; k < duals; ++k)
+                    sums[k * parts + p] += volume * term(p, defects, k);
+            });
+    sum_over_ranks(sums);
+    std::vector<std::vector<double>> result(duals);
+    for (std::size_t k = 0; k < duals; ++k)
+        result[k].assign(sums.begin() + static_cast<std::ptrdiff_t>(k * parts),
+                         sums.begin() + static_cast<std::ptrdiff_t>((k + 1) * parts));
+    return result;
+}
+
+dealii::SymmetricTensor<2, 3> strain(const std::vector<Gradient>& gradients, std::size_t first)
+{
+    dealii::SymmetricTensor<2, 3> result;
+    for (unsigned i = 0; i < 3; ++i)
+        for (unsigned j = i; j < 3; ++j)
+            result[i][j] = 0.5 * (gradients[first + i][j] + gradients[first + j][i]);
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> conduction_errors(const Discretisation& space, const std::vector<Material>& materials,
+                                                   const Field& temperature, const std::vector<Field>& duals)
+{
+    std::vector<std::vector<double>> values{gather_all(space, temperature.owned, 1)};
+    for (const auto& dual : duals)
+        values.push_back(gather_all(space, dual.owned, 1));
+    std::vector<Nodal> fields;
+    for (const auto& field : values)
+        fields.push_back({&field});
+    return summed(space, fields, duals.size(),
+                  [&](std::size_t part, const std::vector<Gradient>& defects, std::size_t dual) {
+                      return materials[part].conductivity * (defects[0] * defects[1 + dual]);
+                  });
+}
+
+std::vector<std::vector<double>> deformation_errors(const Discretisation& space, const std::vector<Material>& materials,
+                                                    const Displacement& displacement,
+                                                    const std::vector<Displacement>& duals)
+{
+    std::vector<std::vector<double>> values{gather_all(space, displacement.owned, 3)};
+    for (const auto& dual : duals)
+        values.push_back(gather_all(space, dual.owned, 3));
+    std::vector<Nodal> fields;
+    for (const auto& field : values)
+        for (std::size_t c = 0; c < 3; ++c)
+            fields.push_back({&field, 3, c});
+    return summed(space, fields, duals.size(),
+                  [&](std::size_t part, const std::vector<Gradient>& defects, std::size_t dual) {
+                      const auto e_u = strain(defects, 0), e_z = strain(defects, 3 + 3 * dual);
+                      const auto& m = materials[part];
+                      const double lambda =
+                          m.youngs_modulus * m.poissons_ratio / ((1 + m.poissons_ratio) * (1 - 2 * m.poissons_ratio));
+                      const double mu = m.youngs_modulus / (2 * (1 + m.poissons_ratio));
+                      return lambda * trace(e_u) * trace(e_z) + 2 * mu * (e_u * e_z);
+                  });
+}
+
+std::vector<double> interpolation_errors(const Discretisation& space, const Field& temperature,
+                                         const std::vector<HeatProbe>& probes)
+{
+    std::vector<double> errors(probes.size(), 0.0);
+    const auto exterior = exterior_nodes(space.machine);
+    const auto values = gather_all(space, temperature.owned, 1);
+    const std::vector<Nodal> fields{{&values}};
+    std::map<int, PartRecovery> recoveries;
+    PointShape shape;
+    for (std::size_t k = 0; k < probes.size(); ++k) {
+        if (space.orders[static_cast<std::size_t>(probes[k].part)] > 1)
+            continue;
+        const auto& x = probes[k].position;
+        space.evaluate_in_part(probes[k].part, x, shape);
+        auto found = recoveries.find(probes[k].part);
+        if (found == recoveries.end())
+            found = recoveries
+                        .try_emplace(probes[k].part, space, static_cast<std::size_t>(probes[k].part), exterior, fields)
+                        .first;
+        errors[k] = found->second.interpolation_error({x[0], x[1], x[2]}, shape);
+    }
+    return errors;
+}
+
+}  // namespace deadpoint::fem

@@ -1,0 +1,146 @@
+#pragma once
+
+#include "deadpoint/core/observer.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/space/petsc.hpp"
+#include <deal.II/base/index_set.h>
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/hp/mapping_collection.h>
+#include <deal.II/hp/q_collection.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+/// Internal to fem/: the scalar finite-element space on all parts, shared by heat and (three times) deformation.
+namespace deadpoint::fem {
+
+inline constexpr int max_cell_dofs = 27;
+
+/// The shape functions of one cell at one point.
+struct PointShape {
+    int count = 0;
+    std::array<PetscInt, max_cell_dofs> dof{};
+    std::array<double, max_cell_dofs> value{};
+    std::array<std::array<double, 3>, max_cell_dofs> gradient{};
+};
+
+/// A linear functional by this rank's unknowns.
+struct SparseFunctional {
+    std::vector<PetscInt> local;  ///< counted from the first owned unknown
+    std::vector<double> weight;
+};
+
+class Discretisation {
+public:
+    /// @param orders  of the elements, 1 or 2, per part
+    Discretisation(const Machine& machine, std::vector<int> orders);
+
+    const Machine& machine;
+    std::vector<int> orders;  ///< per part
+    dealii::parallel::shared::Triangulation<3> triangulation;
+    dealii::hp::FECollection<3> elements;
+    dealii::hp::MappingCollection<3> mappings;
+    dealii::hp::QCollection<3> quadratures;
+    dealii::DoFHandler<3> dofs;
+    PetscInt first = 0;  ///< owned unknowns: first <= i < last
+    PetscInt last = 0;
+    PetscInt total = 0;
+
+    [[nodiscard]] bool owns(PetscInt dof) const { return dof >= first && dof < last; }
+    /// Shape functions (and gradients, if asked) of the cell behind an exterior face, at a point of it.
+    void evaluate(std::uint32_t face, const Vec3& position, bool gradients, PointShape& shape) const;
+    /// The same for the cell of `part` that holds `position` (the nearest one if none does).
+    void evaluate_in_part(int part, const Vec3& position, PointShape& shape) const;
+    /// Shape functions of a cell continued to a point that may lie outside; returns by how much of the cell's size.
+    double continue_cell(std::uint32_t cell, const Vec3& position, PointShape& shape) const;
+    [[nodiscard]] dealii::DynamicSparsityPattern cell_pattern() const;
+    void add_bond_pattern(dealii::DynamicSparsityPattern& pattern) const;
+    /// Couples the cells on both sides of each point.
+    void add_pattern_across(const std::vector<ContactPoint>& points, dealii::DynamicSparsityPattern& pattern) const;
+    [[nodiscard]] std::vector<dealii::types::global_dof_index> unknowns_of(std::uint32_t cell) const;
+    /// Where the owned unknowns sit.
+    [[nodiscard]] std::vector<Vec3> support_points() const;
+    /// Part of each owned unknown.
+    [[nodiscard]] std::vector<std::uint32_t> part_of_unknown() const;
+    /// Unknowns of a cell, and where they sit (written into `position` by unknown).
+    void cell_nodes(std::uint32_t cell, std::vector<std::size_t>& unknowns, std::vector<Vec3>& position) const;
+    /// Unknown at a node of a cell (node numbered as in Cell::nodes).
+    [[nodiscard]] std::size_t vertex_unknown(std::uint32_t cell, unsigned node) const;
+    /// Turns (unknown, weight) pairs of any rank into this rank's functional.
+    [[nodiscard]] SparseFunctional functional(const std::vector<std::pair<PetscInt, double>>& entries) const;
+    /// Cell size normal to a face: volume over area [m].
+    [[nodiscard]] double depth(std::uint32_t face) const { return depth_[face]; }
+    [[nodiscard]] dealii::DoFHandler<3>::active_cell_iterator cell(std::uint32_t index) const { return cells_[index]; }
+    /// Shape functions of a cell at a point of its reference cell, or beside it.
+    void evaluate_at(std::uint32_t cell, const dealii::Point<3>& unit, bool gradients, PointShape& shape) const;
+    /// A position in a cell's reference coordinates; false where a distorted cell does not reach so far.
+    bool unit_position(std::uint32_t cell, const Vec3& position, dealii::Point<3>& unit) const;
+    /// The point itself where it lies in the cell's reference cell, else one near it that does.
+    [[nodiscard]] dealii::Point<3> nearest_inside(std::uint32_t cell, const dealii::Point<3>& unit) const;
+    [[nodiscard]] double distance_outside(std::uint32_t cell, const dealii::Point<3>& unit) const
+    {
+        return unit.distance(nearest_inside(cell, unit));
+    }
+
+private:
+    void create_triangulation();
+    void number_neighbours_alike();
+    [[nodiscard]] dealii::Tensor<2, 3> jacobian_at(std::uint32_t cell, const dealii::Point<3>& unit) const;
+    [[nodiscard]] dealii::Point<3> unit_of(std::uint32_t cell, const Vec3& position) const;
+    [[nodiscard]] dealii::Point<3> unit_in_round(std::uint32_t cell, const dealii::Point<3>& position) const;
+
+    std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells_;
+    std::vector<double> depth_;
+    std::vector<bool> round_;  ///< per cell: some of its edges are, and its element can follow them
+};
+
+/// Sums over the ranks, in place.
+void sum_over_ranks(std::vector<double>& values);
+/// Inner products of functionals with a vector, summed over the ranks.
+std::vector<double> evaluate(const std::vector<const SparseFunctional*>& functionals, Vec vector);
+void add_to(Vec vector, const SparseFunctional& functional, double factor);
+
+/// An assembled-matrix shell of block size `block` for the given scalar pattern.
+OwnedMat create_matrix(const Discretisation& space, const dealii::DynamicSparsityPattern& pattern, int block);
+OwnedVec create_vector(const Discretisation& space, int block);
+
+/// All ranks' entries of a field with `block` values per unknown, on every rank.
+std::vector<double> gather_all(const Discretisation& space, const std::vector<double>& owned, int block);
+
+/// One integration point of a bond between two cells.
+struct BondPoint {
+    PointShape a;
+    PointShape b;
+    Vec3 normal{};
+    double weight = 0;
+};
+/// The points that two cells share, with what Nitsche's method needs of either side.
+struct BondPair {
+    std::vector<BondPoint> points;
+    int part_a = 0;
+    int part_b = 0;
+    double depth_a = 0;  ///< cell size normal to the face [m]
+    double depth_b = 0;
+};
+/// Calls visit for each pair of bonded cells of which this rank owns cell a.
+void for_each_bond_pair(const Discretisation& space, const std::function<void(const BondPair&)>& visit);
+
+/// A vector's entries of all ranks, on every rank.
+class Everywhere {
+public:
+    explicit Everywhere(Vec pattern) { DEADPOINT_PETSC(VecScatterCreateToAll(pattern, scatter_.out(), all_.out())); }
+    const double* gather(Vec vector);
+    ~Everywhere();
+
+private:
+    OwnedScatter scatter_;
+    OwnedVec all_;
+    const double* values_ = nullptr;
+};
+
+}  // namespace deadpoint::fem

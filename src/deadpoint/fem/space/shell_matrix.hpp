@@ -1,0 +1,45 @@
+#pragma once
+
+#include "deadpoint/fem/space/petsc.hpp"
+
+#include <exception>
+#include <functional>
+
+/// Internal to fem/: a matrix that is known by its product with a vector only.
+namespace deadpoint::fem {
+
+/// PETSc calls the product from frames of C, through which no exception may pass. What the product throws is kept,
+/// PETSc gets an error code, and use() throws what was kept once PETSc has returned.
+class ShellMatrix {
+public:
+    using Product = std::function<void(Vec in, Vec out)>;
+
+    /// @param rows   on this rank
+    /// @param total  rows and columns on all ranks
+    ShellMatrix(PetscInt rows, PetscInt total, Product product);
+    ShellMatrix(const ShellMatrix&) = delete;
+
+    operator Mat() const { return matrix_; }
+
+    /// Returns what `work` returns, which may multiply with the matrix. @throws what the product threw meanwhile
+    template <class Work>
+    auto use(const Work& work)
+    {
+        try {
+            return work();
+        } catch (const ConvergenceError&) {  // petsc_check() knows the error code only
+            throw_kept();
+            throw;
+        }
+    }
+
+private:
+    static PetscErrorCode multiply(Mat shell, Vec in, Vec out) noexcept;
+    void throw_kept();
+
+    Product product_;
+    OwnedMat matrix_;
+    std::exception_ptr kept_;
+};
+
+}  // namespace deadpoint::fem

@@ -1,0 +1,102 @@
+#include "deadpoint/io/binary_file.hpp"
+
+#include "deadpoint/core/error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+
+namespace deadpoint {
+namespace {
+
+constexpr std::uint64_t ending = 2 * sizeof(std::uint64_t);  // length and checksum
+
+}  // namespace
+
+BinaryWriter::BinaryWriter(std::ostream& out, std::string_view kind) : out_(out)
+{
+    put_bytes(kind.data(), kind.size());
+}
+
+void BinaryWriter::put_bytes(const void* data, std::size_t size)
+{
+    const std::string_view bytes(static_cast<const char*>(data), size);
+    checksum_.add(bytes);
+    out_.write(bytes.data(), static_cast<std::streamsize>(size));
+    length_ += size;
+}
+
+void BinaryWriter::finish()
+{
+    put(length_ + ending);
+    const auto checksum = checksum_.value();
+    put(checksum);
+}
+
+BinaryReader::BinaryReader(std::filesystem::path file, std::string_view kind, std::string help)
+    : file_(std::move(file)), help_(std::move(help))
+{
+    std::error_code error;
+    if (std::filesystem::exists(file_, error) && !std::filesystem::is_regular_file(file_, error))
+        refuse("it is not a file");  // a pipe would be waited for
+    errno = 0;
+    in_.open(file_, std::ios::binary | std::ios::ate);
+    if (!in_)
+        throw IoError(fmt::format("cannot read '{}': {}\n  help: {}", file_.string(), std::strerror(errno), help_));
+    const auto size = static_cast<std::uint64_t>(in_.tellg());
+    in_.seekg(0);
+    std::string head(kind.size(), '\0');
+    in_.read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (!in_ || head != kind)
+        refuse(fmt::format("it does not begin with '{}'", kind));
+    if (size < kind.size() + ending)
+        refuse("it is cut short");
+
+    StableHash checksum;
+    checksum.add(head);
+    std::string piece(std::min<std::uint64_t>(size, 1 << 20), '\0');
+    for (std::uint64_t left = size - kind.size() - sizeof(std::uint64_t); left > 0;) {
+        const auto here = std::min<std::uint64_t>(left, piece.size());
+        left_ = here;
+        get_bytes(piece.data(), here);
+        checksum.add({piece.data(), here});
+        left -= here;
+    }
+    left_ = ending;
+    in_.seekg(static_cast<std::streamoff>(size - ending));
+    std::uint64_t length = 0, wanted = 0;
+    (*this)(length, wanted);
+    if (length != size)
+        refuse("it is cut short");
+    if (wanted != checksum.value())
+        refuse("its checksum does not fit");
+    in_.seekg(static_cast<std::streamoff>(kind.size()));
+    left_ = size - kind.size() - ending;
+}
+
+void BinaryReader::refuse(const std::string& reason) const
+{
+    throw IoError(fmt::format("'{}' is broken: {}\n  help: {}", file_.string(), reason, help_));
+}
+
+void BinaryReader::get_bytes(void* data, std::size_t size)
+{
+    if (size > left_)
+        refuse("it ends too early");
+    in_.read(static_cast<char*>(data), static_cast<std::streamsize>(size));
+    if (in_.gcount() != static_cast<std::streamsize>(size))
+        refuse("it cannot be read to its end");
+    left_ -= size;
+}
+
+std::size_t BinaryReader::get_count(std::size_t size_of_one)
+{
+    std::uint64_t count = 0;
+    get(count);
+    if (count > left_ / size_of_one)
+        refuse(fmt::format("it has no room for the {} values it claims", count));
+    return static_cast<std::size_t>(count);
+}
+
+}  // namespace deadpoint

@@ -1,0 +1,400 @@
+#include "deadpoint/machine/assembly/build.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/machine/assembly/assembly.hpp"
+#include "deadpoint/machine/assembly/contacts.hpp"
+#include "deadpoint/machine/assembly/inspect.hpp"
+#include "deadpoint/machine/assembly/interfaces.hpp"
+#include "deadpoint/machine/assembly/overlaps.hpp"
+#include "deadpoint/machine/assembly/round.hpp"
+#include "deadpoint/machine/assembly/select.hpp"
+#include "deadpoint/machine/geometry/polygon.hpp"
+#include "deadpoint/machine/geometry/seams.hpp"
+#include "deadpoint/machine/parts/cell_limit.hpp"
+#include "deadpoint/machine/parts/extrude.hpp"
+#include "deadpoint/machine/parts/frame.hpp"
+#include "deadpoint/machine/parts/gmsh_session.hpp"
+#include "deadpoint/machine/parts/layers.hpp"
+#include "deadpoint/machine/parts/solids.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <numbers>
+#include <set>
+
+namespace deadpoint::machine {
+
+namespace {
+
+/// Good enough not to try another axis.
+constexpr double good_quality = 0.3;
+
+std::string place(const Vec3& p)
+{
+    return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
+}
+
+void check(const MachineDescription& description)
+{
+    std::vector<std::string> problems;
+    std::set<std::string> names;
+    for (const PartDescription& part : description.parts) {
+        if (part.name.empty()) {
+            problems.emplace_back("a part has no name; give every part one");
+        }
+        if (!names.insert(part.name).second) {
+            problems.push_back(fmt::format("two parts are called '{}'; rename one", part.name));
+        }
+        if (!(part.size >= 0) || !(part.density >= 0)) {
+            problems.push_back(fmt::format("part '{}': cell size and density must not be negative", part.name));
+        }
+    }
+    if (description.parts.empty()) {
+        problems.emplace_back("the machine has no parts; describe at least one");
+    }
+    if (!(description.size > 0) || !(description.size_scale > 0)) {
+        problems.emplace_back("the cell size and its scale must be positive");
+    }
+    if (!(description.seam_tolerance > 0)) {
+        problems.emplace_back("the seam tolerance must be positive");
+    }
+    if (!problems.empty()) {
+        throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
+    }
+}
+
+/// The hexahedral mesh with the better worst cell over all axes that fit; empty kind of reason if there is none.
+struct HexahedronAttempt {
+    bool done = false;
+    PartMesh mesh;
+    std::string reason;
+};
+
+HexahedronAttempt try_hexahedra(const std::string& name, const std::vector<Prism>& prisms, const Frame& frame,
+                                double size, bool half)
+{
+    HexahedronAttempt best;
+    best.reason = "its shapes have no axis in common";
+    double best_quality = least_quality;
+    for (const Axis axis : common_axes(prisms)) {
+        const LayeredPart layered = layered_along(prisms, axis, half);
+        try {
+            const PlaneMesh plane = only_boxes(layered) ? grid_plane(layered, size) : mesh_plane(name, layered, size);
+            PartMesh mesh = extrude(layered, plane, size);
+            const Worst worst = worst_cell(mesh);
+            if (worst.quality >= best_quality) {
+                best_quality = worst.quality;
+                best = {true, std::move(mesh), {}};
+            } else if (!best.done) {
+                best.reason = fmt::format("hexahedra would have a scaled Jacobian of {:.3f} at {}", worst.quality,
+                                          place(to_machine(frame, worst.where)));
+            }
+        } catch (const InputError& error) {
+            if (!best.done) {
+                best.reason = error.what();
+            }
+        }
+        if (best_quality >= good_quality) {
+            break;
+        }
+    }
+    return best;
+}
+
+void check_quality(const PartDescription& part, const PartMesh& mesh)
+{
+    const Worst worst = worst_cell(mesh);
+    if (worst.quality >= least_quality) {
+        return;
+    }
+    throw InputError(fmt::format("part '{}' has bad cells: the worst, at {}, has quality {:.3f}, but {} is needed; "
+                                 "choose another cell size for this "
+                                 "part, set tetrahedra = true, or mend outlines that nearly touch there",
+                                 part.name, place(worst.where), worst.quality, least_quality));
+}
+
+/// Meshes the shapes in a frame of their own. @param towards  see frame_of()
+PartMesh mesh_shapes(const PartDescription& part, const std::vector<Prism>& prisms, const Vec3& towards, double size,
+                     bool half, Observer& observer)
+{
+    const Frame frame = frame_of(prisms, towards, half);
+    std::vector<Prism> seen;
+    for (const Prism& prism : prisms) {
+        seen.push_back(to_local(frame, prism));
+    }
+    if (!part.tetrahedra) {
+        HexahedronAttempt attempt = try_hexahedra(part.name, seen, frame, size, half);
+        if (attempt.done) {
+            return to_machine(frame, std::move(attempt.mesh));
+        }
+        observer.info(fmt::format("part '{}' gets tetrahedra: {}", part.name, attempt.reason));
+    }
+    PartMesh mesh = to_machine(frame, mesh_tetrahedra(part.name, seen, size, half, observer));
+    check_quality(part, mesh);
+    return mesh;
+}
+
+bool beyond_symmetry(const std::vector<Prism>& prisms)
+{
+    const auto beyond = [](const Prism& prism) {
+        if (prism.operation != Shape::Operation::add) {
+            return true;
+        }
+        const Prism flat = along(prism, prism.box ? Axis::z : prism.axis);
+        if (flat.axis == Axis::x) {
+            return flat.from > -1e-9;
+        }
+        if (flat.section.circle) {
+            return flat.section.circle->centre[0] - flat.section.circle->radius > -1e-9;
+        }
+        return std::all_of(flat.section.points.begin(), flat.section.points.end(),
+                           [](const Vec2& point) { return point[0] > -1e-9; });
+    };
+    return std::all_of(prisms.begin(), prisms.end(), beyond);
+}
+
+double section_area(const Prism& prism)
+{
+    if (const auto& circle = prism.section.circle) {
+        return std::numbers::pi *
+               (circle->radius * circle->radius - prism.section.bore_radius * prism.section.bore_radius);
+    }
+    double area = std::abs(signed_area(prism.section.points));
+    for (const auto& hole : prism.section.holes) {
+        area -= std::abs(signed_area(hole));
+    }
+    return area;
+}
+
+/// [m3], without what is cut away.
+double volume_of(const std::vector<Prism>& prisms)
+{
+    double volume = 0;
+    for (const Prism& shape : prisms) {
+        if (shape.operation == Shape::Operation::add) {
+            const Vec3 edges = shape.max - shape.min;
+            volume += shape.box ? edges[0] * edges[1] * edges[2] : section_area(shape) * (shape.to - shape.from);
+        }
+    }
+    return volume;
+}
+
+std::vector<Prism> joined_prisms(const MachineDescription& description, const PartDescription& part, Observer& observer)
+{
+    const auto* shapes = std::get_if<std::vector<Shape>>(&part.source);
+    if (shapes == nullptr) {
+        return {};
+    }
+    Healed joined =
+        healed(part.name, prisms_of(part.name, *shapes), description.seam_tolerance, description.half_model);
+    constexpr double worth_a_word = 1e-9;
+    constexpr double worth_a_warning = 1e-5;
+    if (joined.moved > worth_a_word) {
+        const auto text = fmt::format("part '{}': surfaces of its shapes that nearly meet are made one; the largest "
+                                      "move is {:.3g} um, near {}",
+                                      part.name, 1e6 * joined.moved, place(joined.where));
+        joined.moved > worth_a_warning ? observer.warn(text) : observer.info(text);
+    }
+    return std::move(joined.prisms);
+}
+
+/// @param prisms   of the part; none where it is imported
+/// @param machine  the box around all shapes
+PartMesh mesh_part(const MachineDescription& description, const PartDescription& part, const std::vector<Prism>& prisms,
+                   const BoxShape& machine, Observer& observer, const Waiting& waiting)
+{
+    const double size = in_frame((part.size > 0 ? part.size : description.size) * description.size_scale);
+    const bool half = description.half_model;
+    if (const auto* step = std::get_if<StepSource>(&part.source)) {
+        PartMesh mesh = mesh_step(part, *step, size, half, waiting);
+        check_quality(part, mesh);
+        return mesh;
+    }
+    if (const auto* file = std::get_if<MeshSource>(&part.source)) {
+        return read_mesh(part, *file, half, waiting);
+    }
+    if (half && beyond_symmetry(prisms)) {
+        return {};
+    }
+    check_cell_count(part.name, about_hexahedra(volume_of(prisms), size), size, observer);
+    const Vec3 towards = middle(machine) - middle(bounds_of(prisms));
+    PartMesh mesh = mesh_shapes(part, prisms, towards, size, half, observer);
+    if (mesh.cells.empty()) {
+        throw InputError(fmt::format("part '{}' has no material left after its cuts; correct its shapes", part.name));
+    }
+    return mesh;
+}
+
+void check_imported(const MeshPart& part, Observer& observer)
+{
+    if (!(part.min_quality > 1e-6)) {
+        throw InputError(fmt::format("part '{}': its mesh holds inverted or flat cells; mesh it again", part.name));
+    }
+    if (part.min_quality < least_quality) {
+        observer.warn(
+            fmt::format("part '{}': the worst cell of its mesh has quality {:.3f}", part.name, part.min_quality));
+    }
+}
+
+void make_round(Machine& machine, const PartDescription& part, Observer& observer)
+{
+    if (!part.second_order) {
+        return;
+    }
+    if (const std::size_t straight = add_round_edges(machine, part.density); straight > 0) {
+        observer.info(fmt::format("part '{}': {} cells are too thin for round edges and keep straight ones; make its "
+                                  "cells smaller along the circumference",
+                                  part.name, straight));
+    }
+}
+
+std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description, Assembly& assembly,
+                                           Observer& observer)
+{
+    const GmshSession session;
+    std::vector<std::vector<Prism>> drawn;
+    std::vector<Prism> all;
+    for (const PartDescription& part : description.parts) {
+        drawn.push_back(joined_prisms(description, part, observer));
+        all.insert(all.end(), drawn.back().begin(), drawn.back().end());
+    }
+    std::vector<std::vector<Prism>> shapes;
+    for (std::size_t i = 0; i < description.parts.size(); ++i) {
+        const PartDescription& part = description.parts[i];
+        const double done = static_cast<double>(i) / static_cast<double>(description.parts.size());
+        observer.progress(done, part.name);
+        const Waiting waiting = [&](double seconds) {
+            observer.progress(done, fmt::format("{}, for {:.0f} s", part.name, seconds));
+        };
+        PartMesh mesh = mesh_part(description, part, drawn[i], bounds_of(all), observer, waiting);
+        if (mesh.cells.empty()) {
+            assembly.machine.dropped_parts.push_back(part.name);
+            continue;
+        }
+        append(assembly, part, std::move(mesh));
+        make_round(assembly.machine, part, observer);
+        if (std::holds_alternative<MeshSource>(part.source)) {
+            check_imported(assembly.machine.parts.back(), observer);
+        }
+        shapes.push_back(std::move(drawn[i]));
+    }
+    observer.progress(1, "parts meshed");
+    if (assembly.machine.parts.empty()) {
+        throw InputError(
+            "every part lies at x > 0, but a half model keeps x <= 0; mirror the machine or build it whole");
+    }
+    return shapes;
+}
+
+std::vector<double> exposed_fractions(const Machine& machine, const std::vector<double>& covered)
+{
+    constexpr double noise = 1e-9;
+    std::vector<double> result(covered.size());
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        const double open = 1 - covered[i];
+        result[i] = open < noise ? 0.0 : (open > 1 - noise ? 1.0 : open);
+        if (machine.faces[i].symmetry) {
+            result[i] = 0;
+        }
+    }
+    return result;
+}
+
+void find_floating(Machine& machine)
+{
+    std::vector<char> tied(machine.parts.size(), 0);
+    for (const auto* contacts : {&machine.interfaces, &machine.bonds}) {
+        for (const Contact& contact : *contacts) {
+            tied[contact.part_a] = tied[contact.part_b] = 1;
+        }
+    }
+    for (std::size_t i = 0; i < machine.parts.size(); ++i) {
+        if (tied[i] == 0 && machine.parts.size() > 1) {
+            machine.floating_parts.push_back(machine.parts[i].name);
+        }
+    }
+}
+
+void connect(const MachineDescription& description, Assembly& assembly)
+{
+    Machine& machine = assembly.machine;
+    std::vector<double> covered(machine.faces.size(), 0.0);
+    machine.interfaces = find_interfaces(assembly, description.interfaces, covered);
+    std::vector<std::array<std::uint32_t, 2>> joined;
+    for (const Contact& contact : machine.interfaces) {
+        joined.push_back({std::min(contact.part_a, contact.part_b), std::max(contact.part_a, contact.part_b)});
+    }
+    machine.bonds = find_bonds(assembly, description.unbonded, joined, covered);
+    machine.exposed_fraction = exposed_fractions(machine, covered);
+    for (std::size_t i = 0; i < machine.faces.size(); ++i) {
+        const Face& face = machine.faces[i];
+        machine.parts[face.part].exposed_area += machine.exposed_fraction[i] * area(machine, face);
+    }
+}
+
+void select_surfaces(const MachineDescription& description, Assembly& assembly)
+{
+    std::vector<std::string> problems;
+    for (const SurfaceDescription& surface : description.surfaces) {
+        try {
+            assembly.machine.surfaces.push_back(select_surface(assembly, surface));
+        } catch (const InputError& error) {
+            problems.emplace_back(error.what());
+        }
+    }
+    if (!problems.empty()) {
+        throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
+    }
+}
+
+// Overlaps and floating parts are in the result, for whoever shows the plan.
+void warn_about(const Machine& machine, Observer& observer)
+{
+    for (const Contact& contact : machine.interfaces) {
+        if (contact.least_coverage() >= least_coverage) {
+            continue;
+        }
+        if (contact.stroke == 0) {
+            observer.info(
+                fmt::format("interface '{}': {:.1f} % of side a touch side b", contact.name, 100 * contact.coverage()));
+            continue;
+        }
+        const std::string text = fmt::format(
+            "interface '{}': over its stroke of {:.1f} mm the sides slide off each other; at the far end "
+            "{:.1f} % of side a touch side b, {:.1f} % in the mean over time",
+            contact.name, 1e3 * contact.stroke, 100 * contact.least_coverage(), 100 * contact.area / contact.area_a);
+        if (contact.least_coverage() < least_guided) {
+            observer.warn(text + "; check the direction of travel and the length of the guide");
+        } else {
+            observer.info(text);
+        }
+    }
+    for (const MeshSurface& surface : machine.surfaces) {
+        if (surface.faces.empty()) {
+            observer.warn(fmt::format("surface '{}' is empty: nothing there is exposed", surface.name));
+        }
+    }
+}
+
+}  // namespace
+
+Machine build_machine(const MachineDescription& description, Observer& observer)
+{
+    check(description);
+    observer.stage("mesh");
+    Assembly assembly;
+    assembly.second_order = std::ranges::any_of(description.parts, &PartDescription::second_order);
+    assembly.machine.half_model = description.half_model;
+    const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, observer);
+    inspect(assembly, description.seam_tolerance, observer);
+    connect(description, assembly);
+    select_surfaces(description, assembly);
+    assembly.machine.overlaps = find_overlaps(assembly, shapes);
+    find_floating(assembly.machine);
+    warn_about(assembly.machine, observer);
+    return std::move(assembly.machine);
+}
+
+}  // namespace deadpoint::machine

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "deadpoint/machine/assembly/assembly.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace deadpoint::machine {
+
+/// One side of a contact: faces, and the box they are clipped to.
+struct Side {
+    std::vector<std::uint32_t> faces;
+    std::optional<BoxShape> within;
+};
+
+/// Where two sides touch, with integration points; `name`, and the parts where there are no points, are left open.
+///
+/// Faces of both sides are unrolled into the parameters of the surface of side a and clipped against each other.
+/// Where side a travels, that is done again with its faces displaced to every stop, and weights and covered shares are
+/// those of the time. A stop that lifts a surface off the other by more than the gap has no contact there.
+/// @param gap      largest distance that counts as contact [m]
+/// @param covered  per face of the machine: the share of it in contact is added
+/// @param travel   of side a against side b; empty: none
+Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, double gap, std::vector<double>& covered,
+                     const std::vector<TravelStop>& travel = {});
+
+/// All bonds between touching parts of one body.
+/// @param unbonded  pairs "a|b" of name patterns
+/// @param joined    pairs of parts (lower index first) that an interface joins, not to be bonded
+/// @throws InputError for pairs that are not of the form "a|b"
+std::vector<Contact> find_bonds(const Assembly& assembly, const std::vector<std::string>& unbonded,
+                                const std::vector<std::array<std::uint32_t, 2>>& joined, std::vector<double>& covered);
+
+}  // namespace deadpoint::machine

@@ -1,0 +1,38 @@
+#include "deadpoint/machine/parts/cell_limit.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/io/child_process.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace deadpoint::machine {
+
+namespace {
+
+/// More than any numbers here count.
+constexpr double most_cells = 2e8;
+/// Of a cell while a part is meshed [byte]; 140 to 250 were measured with cubes, a million and two of them.
+constexpr double memory_of_a_cell = 200;
+/// From here on meshing takes minutes, and a run hours.
+constexpr double many_cells = 3e6;
+
+}  // namespace
+
+void check_cell_count(const std::string& part, double cells, double size, Observer& observer)
+{
+    const double most = std::min(most_cells, 2 * static_cast<double>(half_of_memory()) / memory_of_a_cell);
+    if (cells > most) {
+        throw InputError(
+            fmt::format("part '{}': cells of {:.3g} mm would be {:.1e} of them, but a part may have at most "
+                        "{:.0e} on this machine; make its size larger",
+                        part, 1e3 * size, cells, most));
+    }
+    if (cells > many_cells) {
+        observer.warn(fmt::format("part '{}': cells of {:.3g} mm will be about {:.1e} of them, which takes minutes to "
+                                  "mesh and hours to compute; check its size",
+                                  part, 1e3 * size, cells));
+    }
+}
+
+}  // namespace deadpoint::machine

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "deadpoint/core/observer.hpp"
+#include "deadpoint/machine/foreign/foreign_mesh.hpp"
+#include "deadpoint/machine/geometry/shapes.hpp"
+#include "deadpoint/machine/parts/part_mesh.hpp"
+
+#include <string>
+
+/// Sources that become tetrahedra, or come meshed. All need a GmshSession.
+namespace deadpoint::machine {
+
+/// Tetrahedra of about `size` in the shapes of a part. @param half keep x <= 0 only
+PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half,
+                         Observer& observer);
+
+/// Tetrahedra in the solids of a STEP file; faces named in the file become groups. The file is read in a process that
+/// can do nothing else (foreign_mesh.hpp).
+/// @throws IoError if the file cannot be read, InputError if it holds no solid
+PartMesh mesh_step(const PartDescription& part, const StepSource& source, double size, bool half,
+                   const Waiting& waiting);
+
+/// Cells of a Gmsh mesh file (MSH 2 or 4, text or binary); physical surfaces become groups. Planes and cylinders are
+/// recognised. The file is read in a process that can do nothing else (foreign_mesh.hpp).
+/// @throws IoError if the file cannot be read, InputError for another format and for cells other than first-order
+/// hexahedra or tetrahedra
+PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool half, const Waiting& waiting);
+
+}  // namespace deadpoint::machine

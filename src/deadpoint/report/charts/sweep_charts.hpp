@@ -1,0 +1,35 @@
+#pragma once
+
+#include "deadpoint/report/charts/svg_chart.hpp"
+#include "deadpoint/report/charts/sweep_figures.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Charts of one set of a study. Of a set with several axes the curves follow the first one, the others at their first
+/// steps; the map shows all of two axes.
+namespace deadpoint::report {
+
+/// E_SW over time, one curve per run; eight at most.
+Chart sweep_drift_chart(const SweepResult& result, std::size_t set);
+
+/// Rises at the end over the first axis, one curve per probe.
+Chart sweep_rise_chart(const SweepResult& result, std::size_t set);
+
+/// Largest |E_SW| and that at the end over the first axis, with the limits.
+Chart sweep_limit_chart(const SweepResult& result, std::size_t set);
+
+/// Largest |E_SW| and that at the end for every place of a set of two axes, with the window outlined, as an SVG
+/// document.
+/// @throws DomainError if the set has not two axes
+std::string sweep_map(const SweepResult& result, std::size_t set, const std::optional<study::DriftWindow>& window);
+
+/// Writes <set>-drift.svg, <set>-rises.svg, <set>-limits.svg and, for two axes, <set>-map.svg; what a set has no values
+/// for is left out.
+/// @param comments  for the head of each file
+/// @throws IoError if a file cannot be written
+void write_sweep_charts(const std::filesystem::path& folder, const SweepResult& result,
+                        const std::vector<std::string>& comments);
+
+}  // namespace deadpoint::report

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "deadpoint/study/pipeline/run_record.hpp"
+#include "deadpoint/study/sweep/drift_window.hpp"
+#include "deadpoint/study/sweep/sweep_plan.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A study of many runs with what they left behind, and the figures of it that all tables and charts show.
+namespace deadpoint::report {
+
+/// One entry per point in outcomes and records; a record is there if the run of the point is.
+struct SweepResult {
+    study::SweepStudy study;
+    std::vector<study::SweepPoint> points;
+    std::vector<study::PointOutcome> outcomes;
+    std::vector<std::optional<study::RunRecord>> records;
+};
+
+/// Drift of a run over its time; lengths in [m], in the sign of E_SW.
+struct SweepDrift {
+    double largest = 0;  ///< where |E_SW| is largest
+    double largest_time = 0;
+    double final = 0;
+    std::optional<study::GapFigures> gap;
+};
+
+/// What the tables show of a run.
+struct SweepFigures {
+    std::optional<SweepDrift> drift;               ///< without a dimension chain: none
+    std::map<std::string, double> rises;           ///< by probe, at the end [K]
+    std::optional<double> joint_heat;              ///< of all joints, at the end [W]
+    std::map<std::string, double> bearing_forces;  ///< peaks, by model and seat: "flexible B" [N]
+};
+SweepFigures sweep_figures(const study::RunRecord& run);
+
+/// The same for all points; nothing where there is no record, or that of an interrupted run.
+/// @throws DomainError if there is not one outcome and one record or gap per point
+std::vector<std::optional<SweepFigures>> sweep_figures(const SweepResult& result);
+
+/// Drift as it is held against limits.
+std::optional<study::PointDrift> magnitudes(const SweepFigures& figures);
+
+/// The best window of each set; nothing if the study has no limits.
+std::vector<std::optional<study::DriftWindow>> sweep_windows(const SweepResult& result);
+
+/// Numbers of an axis in one unit: that of its values if they share it, else the preferred one of their dimension.
+struct AxisNumbers {
+    std::string unit;
+    std::vector<double> values;  ///< per step; empty where the axis has no numbers
+};
+AxisNumbers axis_numbers(const study::SweepAxis& axis);
+
+/// Point at each place of a set, the last axis changing fastest.
+std::vector<std::size_t> points_of_set(const SweepResult& result, std::size_t set);
+
+/// Steps of a place by its index in that order.
+std::vector<std::size_t> steps_at(const study::SweepSet& set, std::size_t index);
+
+/// Labels of a place, "300 rpm, 100 kN"; "base case" for a set without axes.
+std::string place_label(const study::SweepSet& set, const std::vector<std::size_t>& steps);
+
+const char* state_name(study::PointOutcome::State state);
+
+/// What a window allows of each axis, in words: "speed 200 rpm to 400 rpm".
+std::string window_text(const study::SweepSet& set, const std::optional<study::DriftWindow>& window);
+
+/// The limits in words: "largest |E_SW| up to 10 um".
+std::string limits_text(const study::DriftLimits& limits);
+
+}  // namespace deadpoint::report

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/folder/json_file.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Forces of preloaded rods, what they close, and stress, in the files and the text of a run.
+namespace deadpoint::report {
+
+/// Force of every rod and across every closed bond.
+void add_frame_columns(std::vector<CsvColumn>& columns, const study::FrameResult& frame, const SeriesSampler& sample);
+
+/// stress.csv: the largest stress of every part asked for, at the times of the fields.
+void write_stress(const std::filesystem::path& path, const study::FrameResult& frame,
+                  const std::vector<std::string>& comments);
+
+nlohmann::ordered_json frame_json(const study::FrameResult& frame, const std::vector<double>& times);
+
+/// A table of rods, one of closed bonds, and one of stress at the end; empty where there is none.
+std::string frame_text(const study::FrameResult& frame);
+
+}  // namespace deadpoint::report

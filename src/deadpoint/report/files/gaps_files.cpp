@@ -1,0 +1,147 @@
+#include "deadpoint/report/files/gaps_files.hpp"
+
+#include "deadpoint/report/text/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace deadpoint::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double micrometre = 1e6;
+constexpr double kilonewton = 1e-3;
+
+struct Extreme {
+    double value = 0;
+    double time = 0;
+};
+
+// Between the steps the cubic hardly leaves their range; the step nearest the extreme is what is stated.
+Extreme largest(const std::vector<double>& time, const Series& series)
+{
+    const auto at = std::ranges::max_element(series.value, {}, [](double v) { return std::abs(v); });
+    return {*at, time[static_cast<std::size_t>(at - series.value.begin())]};
+}
+
+Extreme smallest(const std::vector<double>& time, const Series& series)
+{
+    const auto at = std::ranges::min_element(series.value);
+    return {*at, time[static_cast<std::size_t>(at - series.value.begin())]};
+}
+
+Json course_json(const std::vector<double>& time, const Series& series, double factor, const std::string& unit)
+{
+    const auto most = largest(time, series);
+    return {{"largest_" + unit, factor * most.value},
+            {"time_of_largest_s", most.time},
+            {"final_" + unit, factor * series.value.back()}};
+}
+
+Json clearance_json(const std::vector<double>& time, const ClearanceSeries& clearance)
+{
+    const auto least = smallest(time, clearance.change);
+    Json json{{"name", clearance.name},
+              {"kind", clearance.kind == ClearanceSeries::Kind::guide ? "guide" : "bearing"},
+              {"final_change_um", micrometre * clearance.change.value.back()},
+              {"least_change_um", micrometre * least.value},
+              {"time_of_least_s", least.time}};
+    if (clearance.initial) {
+        json["initial_um"] = micrometre * *clearance.initial;
+        json["least_um"] = micrometre * (*clearance.initial + least.value);
+        json["final_um"] = micrometre * (*clearance.initial + clearance.change.value.back());
+        json["used_up_s"] = clearance.used_up ? Json(*clearance.used_up) : Json(nullptr);
+    }
+    return json;
+}
+
+std::string clearances_text(const std::vector<ClearanceSeries>& clearances, const std::vector<double>& time)
+{
+    constexpr std::size_t shown = 3;
+    std::vector<const ClearanceSeries*> order;
+    for (const auto& clearance : clearances)
+        order.push_back(&clearance);
+    std::ranges::stable_sort(order, {}, [](const auto* c) { return c->change.value.back(); });
+    std::string text = "  clearances that close most at the end:";
+    for (std::size_t i = 0; i < std::min(shown, order.size()); ++i) {
+        const auto& c = *order[i];
+        text += fmt::format("{} {} {:+.1f}", i ? "," : "", c.name, micrometre * c.change.value.back());
+        if (c.initial)
+            text += fmt::format(" (least {:.1f} of {:.1f})", micrometre * (*c.initial + smallest(time, c.change).value),
+                                micrometre * *c.initial);
+    }
+    return text + " um\n";
+}
+
+}  // namespace
+
+std::vector<CsvColumn> gap_columns(const GapSeries& gaps, const SeriesSampler& sample)
+{
+    std::vector<CsvColumn> columns;
+    if (gaps.parallelism) {
+        for (const auto& corner : gaps.parallelism->corners)
+            columns.push_back({"gap " + corner.name, "um", sample(corner.gap, micrometre, 0)});
+        columns.push_back({"slope left to right", "um/m", sample(gaps.parallelism->left_right, micrometre, 0)});
+        columns.push_back({"slope front to back", "um/m", sample(gaps.parallelism->front_back, micrometre, 0)});
+    }
+    for (const auto& clearance : gaps.clearances)
+        columns.push_back({"clearance " + clearance.name, "um", sample(clearance.change, micrometre, 0)});
+    if (gaps.force)
+        columns.push_back({"force change", "kN", sample(*gaps.force, kilonewton, 0)});
+    return columns;
+}
+
+nlohmann::ordered_json gaps_json(const GapSeries& gaps, const std::vector<double>& time)
+{
+    Json json;
+    if (gaps.parallelism) {
+        auto& parallel = json["parallelism"];
+        parallel["terms"] =
+            "gap between slide and table at the slide's corners, change since the start; front is z < 0, "
+            "left is x < 0; a slope is positive where the gap opens more to the right or to the back";
+        for (const auto& corner : gaps.parallelism->corners) {
+            auto entry = course_json(time, corner.gap, micrometre, "um");
+            entry["x_mm"] = 1e3 * corner.x;
+            entry["z_mm"] = 1e3 * corner.z;
+            parallel["corners"][corner.name] = std::move(entry);
+        }
+        parallel["left_to_right"] = course_json(time, gaps.parallelism->left_right, micrometre, "um_per_m");
+        parallel["front_to_back"] = course_json(time, gaps.parallelism->front_back, micrometre, "um_per_m");
+    }
+    if (!gaps.clearances.empty()) {
+        json["clearance_terms"] =
+            "change since the start, below zero closes; of a bearing on the diameter, rings included, "
+            "of a guide both faces together";
+        for (const auto& clearance : gaps.clearances)
+            json["clearances"].push_back(clearance_json(time, clearance));
+    }
+    if (!gaps.left_out.empty())
+        json["left_out"] = gaps.left_out;
+    if (gaps.force) {
+        json["force"] = course_json(time, *gaps.force, kilonewton, "kN");
+        json["force"]["press_stiffness_N_per_m"] = gaps.press_stiffness;
+    }
+    return json;
+}
+
+std::string gaps_text(const GapSeries& gaps, const std::vector<double>& time)
+{
+    std::string text;
+    if (gaps.parallelism)
+        text +=
+            fmt::format("  slide against table at the end: left to right {:+.1f} um/m, front to back {:+.1f} um/m\n",
+                        micrometre * gaps.parallelism->left_right.value.back(),
+                        micrometre * gaps.parallelism->front_back.value.back());
+    if (!gaps.clearances.empty())
+        text += clearances_text(gaps.clearances, time);
+    if (gaps.force) {
+        const auto most = largest(time, *gaps.force);
+        text += fmt::format("  force at a fixed die height: {:+.1f} kN at most, after {}, {:+.1f} kN at the end\n",
+                            kilonewton * most.value, duration_text(most.time), kilonewton * gaps.force->value.back());
+    }
+    return text;
+}
+
+}  // namespace deadpoint::report

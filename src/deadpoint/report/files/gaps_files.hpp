@@ -1,0 +1,23 @@
+#pragma once
+
+#include "deadpoint/exchange/gaps.hpp"
+#include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/folder/json_file.hpp"
+
+#include <string>
+#include <vector>
+
+/// Corners of the slide, clearances and force at a fixed die height, in the files and the text of a run.
+namespace deadpoint::report {
+
+/// Columns of gaps.csv besides the time.
+std::vector<CsvColumn> gap_columns(const GapSeries& gaps, const SeriesSampler& sample);
+
+/// Largest and last values; null where nothing was followed.
+/// @param time  of the steps [s]
+nlohmann::ordered_json gaps_json(const GapSeries& gaps, const std::vector<double>& time);
+
+/// A line each for parallelism, clearances and force; empty where nothing was followed.
+std::string gaps_text(const GapSeries& gaps, const std::vector<double>& time);
+
+}  // namespace deadpoint::report

@@ -1,0 +1,447 @@
+#include "deadpoint/report/files/run_files.hpp"
+
+#include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/version.hpp"
+#include "deadpoint/io/write_file.hpp"
+#include "deadpoint/report/charts/svg_chart.hpp"
+#include "deadpoint/report/files/frame_files.hpp"
+#include "deadpoint/report/files/gaps_files.hpp"
+#include "deadpoint/report/files/heat_flows.hpp"
+#include "deadpoint/report/files/loads_files.hpp"
+#include "deadpoint/report/files/mesh_files.hpp"
+#include "deadpoint/report/files/view_file.hpp"
+#include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/folder/json_file.hpp"
+#include "deadpoint/report/text/accuracy_text.hpp"
+#include "deadpoint/report/text/drift_causes_text.hpp"
+#include "deadpoint/report/text/drift_summary_text.hpp"
+#include "deadpoint/report/text/friction_text.hpp"
+#include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/pipeline/run_summary.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace deadpoint::report {
+namespace {
+
+constexpr double micrometre = 1e6;
+constexpr double celsius = -273.15;
+
+using study::RunResult;
+
+// Regular times of the history, with the end.
+std::vector<double> history_times(const casefile::Case& input, const RunResult& result)
+{
+    const double end = result.thermal.time.back();
+    std::vector<double> times;
+    const double interval = input.output.history_interval;
+    const auto count = static_cast<long long>(std::floor(end / interval * (1 + 1e-12)));
+    for (long long i = 0; i <= count; ++i)
+        times.push_back(static_cast<double>(i) * interval);
+    if (end - times.back() > 1e-6 * interval)
+        times.push_back(end);
+    return times;
+}
+
+std::vector<double> sampled(const std::vector<double>& steps, const Series& series, const std::vector<double>& times,
+                            double factor, double offset)
+{
+    std::vector<double> values;
+    values.reserve(times.size());
+    for (const double time : times)
+        values.push_back(factor * interpolate(steps, series, time) + offset);
+    return values;
+}
+
+// Quantities known at the steps only: linear between them.
+std::vector<double> sampled_linear(const std::vector<double>& steps, const std::vector<double>& values,
+                                   const std::vector<double>& times, double factor, double offset)
+{
+    std::vector<double> result;
+    for (const double time : times) {
+        const auto upper = std::upper_bound(steps.begin(), steps.end(), time);
+        if (upper == steps.end()) {
+            result.push_back(factor * values.back() + offset);
+            continue;
+        }
+        const auto k = static_cast<std::size_t>(upper - steps.begin());
+        const double s = k == 0 ? 0 : (time - steps[k - 1]) / (steps[k] - steps[k - 1]);
+        result.push_back(factor * (k == 0 ? values[0] : (1 - s) * values[k - 1] + s * values[k]) + offset);
+    }
+    return result;
+}
+
+std::vector<std::string> head(const casefile::Case& input, const RunResult& result,
+                              const std::vector<std::string>& warnings)
+{
+    std::vector<std::string> lines{fmt::format("deadpoint {}", version),
+                                   fmt::format("case {}, hash {}", input.machine.name, casefile::case_hash(input))};
+    if (result.thermal.interrupted)
+        lines.push_back(fmt::format("interrupted at t = {:.1f} s", result.thermal.time.back()));
+    for (const auto& warning : warnings)
+        lines.push_back("warning: " + warning);
+    return lines;
+}
+
+std::vector<std::pair<const char*, const Series*>> dimensions(const DriftSeries& drift)
+{
+    return {{"E_SW", &drift.gap},
+            {"E_BG", &drift.bearing_to_ground},
+            {"E_WG", &drift.table_to_ground},
+            {"E_CS", &drift.crank_to_slide},
+            {"E_BC", &drift.clearance}};
+}
+
+void write_history(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
+                   const std::vector<std::string>& comments)
+{
+    const auto& history = result.thermal;
+    const auto times = history_times(input, result);
+    std::vector<CsvColumn> columns{{"time", "s", times}};
+    for (std::size_t i = 0; i < result.probes.size(); ++i)
+        columns.push_back({result.probes[i], "degC", sampled(history.time, history.probes[i], times, 1, celsius)});
+    for (const auto& joint : result.joints)
+        columns.push_back(
+            {joint.name + " temperature", "degC", sampled(history.time, joint.temperature, times, 1, celsius)});
+    for (const auto& joint : result.joints)
+        columns.push_back({joint.name + " heat", "W", sampled_linear(history.time, joint.heat, times, 1, 0)});
+    columns.push_back({"heat to air", "W", sampled_linear(history.time, history.to_air, times, result.whole, 0)});
+    columns.push_back({"heat to oil", "W", sampled_linear(history.time, history.to_oil, times, result.whole, 0)});
+    add_heat_flow_columns(
+        columns, result,
+        [&](const Series& series, double factor, double offset) {
+            return sampled(history.time, series, times, factor, offset);
+        },
+        [&](const std::vector<double>& values, double factor, double offset) {
+            return sampled_linear(history.time, values, times, factor, offset);
+        });
+    if (result.drift)
+        for (const auto& [name, series] : dimensions(*result.drift))
+            columns.push_back({name, "um", sampled(history.time, *series, times, micrometre, 0)});
+    if (result.frame)
+        add_frame_columns(columns, *result.frame, [&](const Series& series, double factor, double offset) {
+            return sampled(history.time, series, times, factor, offset);
+        });
+    write_csv(path, comments, columns);
+}
+
+// The parts that move the gap most, largest first.
+std::vector<std::size_t> strongest_parts(const DriftSeries& drift)
+{
+    std::vector<std::size_t> order(drift.by_part.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::abs(drift.by_part[a].back()) > std::abs(drift.by_part[b].back());
+    });
+    return order;
+}
+
+void write_contributions(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
+                         const std::vector<std::string>& comments)
+{
+    const auto times = history_times(input, result);
+    std::vector<CsvColumn> columns{{"time", "s", times}};
+    columns.push_back({"E_SW", "um", sampled(result.drift->time, result.drift->gap, times, micrometre, 0)});
+    for (const auto part : strongest_parts(*result.drift))
+        columns.push_back({result.parts[part], "um",
+                           sampled_linear(result.drift->time, result.drift->by_part[part], times, micrometre, 0)});
+    write_csv(path, comments, columns);
+}
+
+void write_gaps(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
+                const std::vector<std::string>& comments)
+{
+    const auto times = history_times(input, result);
+    auto columns = gap_columns(result.gaps, [&](const Series& series, double factor, double offset) {
+        return sampled(result.thermal.time, series, times, factor, offset);
+    });
+    if (columns.empty())
+        return;
+    columns.insert(columns.begin(), {"time", "s", times});
+    write_csv(path, comments, columns);
+}
+
+std::vector<double> in_hours(const std::vector<double>& seconds)
+{
+    std::vector<double> hours;
+    for (const double s : seconds)
+        hours.push_back(s / 3600);
+    return hours;
+}
+
+Chart temperature_chart(const casefile::Case& input, const RunResult& result)
+{
+    Chart chart;
+    chart.title = input.machine.name + ": temperature rise of the probes";
+    chart.subtitle = input.machine.description;
+    chart.x_label = "time [h]";
+    chart.y_label = "rise [K]";
+    const auto times = history_times(input, result);
+    for (std::size_t i = 0; i < result.probes.size(); ++i) {
+        ChartSeries series;
+        series.name = result.probes[i];
+        series.x = in_hours(times);
+        series.y = sampled(result.thermal.time, result.thermal.probes[i], times, 1, -input.machine.initial_temperature);
+        if (input.reference) {
+            const auto found = input.reference->rises.find(result.probes[i]);
+            if (found != input.reference->rises.end() && input.reference->time <= times.back() * 1.0001)
+                series.markers.push_back({input.reference->time / 3600, found->second});
+        }
+        chart.series.push_back(std::move(series));
+    }
+    if (input.reference)
+        chart.marker_note = input.reference->source;
+    return chart;
+}
+
+Chart drift_chart(const casefile::Case& input, const RunResult& result)
+{
+    Chart chart;
+    chart.title = input.machine.name + ": dimension chain at bottom dead point";
+    chart.subtitle = "E_SW is the gap between slide and table; above zero it opens";
+    chart.x_label = "time [h]";
+    chart.y_label = "change [um]";
+    const auto times = history_times(input, result);
+    for (const auto& [name, data] : dimensions(*result.drift)) {
+        ChartSeries series;
+        series.name = name;
+        series.x = in_hours(times);
+        series.y = sampled(result.drift->time, *data, times, micrometre, 0);
+        series.emphasised = data == &result.drift->gap;
+        chart.series.push_back(std::move(series));
+    }
+    return chart;
+}
+
+Chart contribution_chart(const casefile::Case& input, const RunResult& result)
+{
+    constexpr std::size_t shown = 6;
+    Chart chart;
+    chart.title = input.machine.name + ": which part moves the gap";
+    chart.subtitle = "shares of E_SW by the part that warms; the shares of all parts sum to E_SW";
+    chart.x_label = "time [h]";
+    chart.y_label = "share of E_SW [um]";
+    const auto times = history_times(input, result);
+    const auto order = strongest_parts(*result.drift);
+    std::vector<double> rest(times.size(), 0.0);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto y = sampled_linear(result.drift->time, result.drift->by_part[order[i]], times, micrometre, 0);
+        if (i < shown) {
+            ChartSeries series;
+            series.name = result.parts[order[i]];
+            series.x = in_hours(times);
+            series.y = y;
+            chart.series.push_back(std::move(series));
+        } else {
+            for (std::size_t k = 0; k < y.size(); ++k)
+                rest[k] += y[k];
+        }
+    }
+    if (order.size() > shown) {
+        ChartSeries series;
+        series.name = "all others";
+        series.x = in_hours(times);
+        series.y = rest;
+        series.dashed = true;
+        chart.series.push_back(std::move(series));
+    }
+    return chart;
+}
+
+nlohmann::ordered_json rises_json(const casefile::Case& input, const RunResult& result)
+{
+    nlohmann::ordered_json json;
+    const double end = result.thermal.time.back();
+    std::vector<std::pair<std::string, double>> times;
+    for (const double hours : {0.5, 1.0, 2.0, 3.0})
+        if (hours * 3600 < end * (1 - 1e-9))
+            times.emplace_back(fmt::format("{} h", hours), hours * 3600);
+    times.emplace_back("end", end);
+    for (std::size_t i = 0; i < result.probes.size(); ++i)
+        for (const auto& [name, time] : times)
+            json[result.probes[i]][name] = study::rise_at(input, result, i, time);
+    return json;
+}
+
+nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& machine, const RunResult& result,
+                                    const std::vector<std::string>& warnings)
+{
+    const auto summary = study::summarise(input, result);
+    const auto& history = result.thermal;
+    nlohmann::ordered_json json;
+    json["version"] = version;
+    json["case"] = {{"name", input.machine.name}, {"hash", casefile::case_hash(input)}};
+    json["interrupted"] = history.interrupted;
+    json["initial_temperature_degC"] = input.machine.initial_temperature + celsius;
+    json["warnings"] = warnings;
+    json["model"] = {{"cells", result.cells},
+                     {"heat_unknowns", result.heat_unknowns},
+                     {"deformation_cells", result.deformation_cells},
+                     {"deformation_unknowns", result.deformation_unknowns},
+                     {"element_order", input.numerics.order},
+                     {"second_order_parts", std::ranges::count(study::describe_orders(input, machine), 2)},
+                     {"half_model", machine.half_model},
+                     {"ranks", result.ranks}};
+    json["solution"] = {{"steps", history.time.size() - 1},
+                        {"rejected_steps", history.rejected_steps},
+                        {"heat_solves", history.linear_solves},
+                        {"heat_iterations", history.linear_iterations},
+                        {"deformation_iterations", result.elastic_iterations}};
+    for (const auto& [stage, seconds] : result.timings)
+        json["timings_s"][stage] = seconds;
+    json["peak_memory_bytes"] = result.peak_memory;
+    if (result.accuracy)
+        json["accuracy"] = accuracy_json(*result.accuracy);
+    const auto& energy = history.energy;
+    json["energy_J"] = {
+        {"generated", result.whole * energy.generated}, {"from_surfaces", result.whole * energy.from_surfaces},
+        {"to_air", result.whole * energy.to_air},       {"to_oil", result.whole * energy.to_oil},
+        {"stored", result.whole * energy.stored},       {"relative_mismatch", energy.mismatch()}};
+    if (nothing_happens(history, input.numerics.time_tolerance))
+        json["energy_J"]["relative_mismatch"] = nullptr;
+    if (const auto flows = heat_flows_json(result); !flows.is_null())
+        json["heat_flows_at_end"] = flows;
+    json["probe_rises_K"] = rises_json(input, result);
+    for (std::size_t i = 0; i < result.probes.size(); ++i)
+        json["time_to_95_percent_s"][result.probes[i]] = summary.time_to_95[i];
+    if (result.drift) {
+        json["drift_um"] = {{"largest_E_SW", micrometre * summary.largest_gap},
+                            {"time_of_largest_s", summary.largest_gap_time},
+                            {"final_E_SW", micrometre * summary.final_gap}};
+        for (const auto& [name, series] : dimensions(*result.drift))
+            json["drift_um"]["final"][name] = micrometre * series->value.back();
+        for (const auto part : strongest_parts(*result.drift))
+            json["drift_um"]["final_by_part"][result.parts[part]] = micrometre * result.drift->by_part[part].back();
+        if (!result.causes.empty())
+            json["drift_um"]["by_cause"] = drift_causes_json(result.causes);
+        if (const auto gaps = gaps_json(result.gaps, result.thermal.time); !gaps.is_null())
+            json["gaps"] = gaps;
+        json["warm_up_s"] = summary.warm_up_time ? nlohmann::ordered_json(*summary.warm_up_time) : nullptr;
+    }
+    json["drift_summary"] = drift_summary_json(result.probes, summary);
+    if (!result.friction.empty())
+        json["friction"] = nlohmann::ordered_json::parse(friction_json(result.friction));
+    if (result.frame)
+        json["frame"] = frame_json(*result.frame, history.time);
+    if (result.adjoint_check)
+        json["adjoint_check"] = {{"time_s", result.adjoint_check->time},
+                                 {"E_SW_um_by_adjoint", micrometre * result.adjoint_check->by_adjoint},
+                                 {"E_SW_um_by_deformation", micrometre * result.adjoint_check->by_deformation},
+                                 {"largest_joint_opening_um", micrometre * result.adjoint_check->joint_opening}};
+    if (input.reference) {
+        for (const auto& row : summary.comparison)
+            json["reference"]["rises_K"][row.probe] = {{"computed", row.rise}, {"reference", row.reference}};
+        json["reference"]["time_s"] = input.reference->time;
+        json["reference"]["source"] = input.reference->source;
+        json["reference"]["rms_residual_K"] = summary.rms_residual;
+        json["reference"]["rms_null_K"] = summary.rms_null;
+        json["reference"]["calibrated_on"] = input.reference->calibrated_on;
+    }
+    json["left_out"] = {"oil-film thinning in plain bearings", "inertial stretch of the links",
+                        "elastic moduli that depend on temperature"};
+    return json;
+}
+
+}  // namespace
+
+void write_run_files(const std::filesystem::path& folder, const casefile::Case& input, const Machine& machine,
+                     const RunResult& result, const std::vector<std::string>& warnings)
+{
+    const auto comments = head(input, result, warnings);
+    std::string resolved;
+    for (const auto& line : comments)
+        resolved += "# " + one_line(line) + "\n";
+    resolved += casefile::write_case(input);
+    write_file(folder / "case.toml", [&](std::ostream& out) { out << resolved; });
+    write_history(folder / "history.csv", input, result, comments);
+    if (result.loads)
+        write_loads_files(folder, input, *result.loads, warnings);
+    write_json(folder / "summary.json", summary_json(input, machine, result, warnings));
+    if (result.frame && !result.frame->stress.empty())
+        write_stress(folder / "stress.csv", *result.frame, comments);
+    if (result.accuracy)
+        write_accuracy_files(folder, *result.accuracy, comments);
+    if (result.view)
+        write_json(folder / "view.json", view_json(input, machine, *result.view));
+    write_svg_chart(folder / "temperatures.svg", temperature_chart(input, result), comments);
+    if (result.drift) {
+        write_contributions(folder / "contributions.csv", input, result, comments);
+        if (!result.causes.empty())
+            write_drift_causes(folder / "causes.csv", comments, result.causes);
+        write_gaps(folder / "gaps.csv", input, result, comments);
+        write_svg_chart(folder / "drift.svg", drift_chart(input, result), comments);
+        write_svg_chart(folder / "contributions.svg", contribution_chart(input, result), comments);
+    }
+}
+
+std::string run_text(const casefile::Case& input, const RunResult& result)
+{
+    const auto summary = study::summarise(input, result);
+    const double end = result.thermal.time.back();
+    std::string text = fmt::format("\n{}, after {}\n\n", input.machine.name, duration_text(end));
+    const bool compared = !summary.comparison.empty();
+    TextTable table(compared ? std::vector<std::string>{"probe", "rise [K]", "published [K]", "95 % after"}
+                             : std::vector<std::string>{"probe", "rise [K]", "95 % after"});
+    for (std::size_t i = 0; i < result.probes.size(); ++i) {
+        std::vector<std::string> row{result.probes[i], fmt::format("{:.2f}", study::rise_at(input, result, i, end))};
+        if (compared) {
+            const auto found = input.reference->rises.find(result.probes[i]);
+            row.push_back(found == input.reference->rises.end() ? "" : fmt::format("{:.2f}", found->second));
+        }
+        row.push_back(duration_text(summary.time_to_95[i]));
+        table.add_row(row);
+    }
+    if (result.loads)
+        text += "  " + loads_line(*result.loads) + "\n\n";
+    text += table.text();
+    if (compared)
+        text += fmt::format("  residual {:.2f} K rms; predicting no rise would give {:.2f} K ({})\n",
+                            summary.rms_residual, summary.rms_null, input.reference->source);
+    if (result.drift) {
+        text += fmt::format("\n  gap E_SW: largest {:+.1f} um after {}, {:+.1f} um at the end (+ opens)\n",
+                            micrometre * summary.largest_gap, duration_text(summary.largest_gap_time),
+                            micrometre * summary.final_gap);
+        text += drift_summary_line(*summary.gap_course);
+        text += "  by part at the end:";
+        const auto order = strongest_parts(*result.drift);
+        for (std::size_t i = 0; i < std::min<std::size_t>(4, order.size()); ++i)
+            text += fmt::format("{} {} {:+.1f}", i ? "," : "", result.parts[order[i]],
+                                micrometre * result.drift->by_part[order[i]].back());
+        text += " um\n" + drift_causes_line(result.causes);
+        text += gaps_text(result.gaps, result.thermal.time);
+        if (summary.warm_up_time)
+            text += fmt::format("  warm: the gap drifts by less than {} um/h from {} on\n",
+                                significant(input.chain->drift_rate_limit * 3600 * micrometre),
+                                duration_text(*summary.warm_up_time));
+        else if (input.chain->drift_rate_limit > 0)
+            text += fmt::format("  not warm yet: the gap still drifts by more than {} um/h\n",
+                                significant(input.chain->drift_rate_limit * 3600 * micrometre));
+    }
+    if (!result.friction.empty())
+        text += friction_text(result.friction) + "\n";
+    if (result.frame)
+        text += frame_text(*result.frame) + "\n";
+    text += heat_flows_text(result);
+    if (result.deformation_cells > 0 && result.deformation_cells != result.cells)
+        text += fmt::format("  mesh: {} cells for the heat, {} cells of their own for the deformation\n", result.cells,
+                            result.deformation_cells);
+    const auto& energy = result.thermal.energy;
+    text += fmt::format("  heat: {:.2f} MJ generated, {:.2f} to the air, {:.2f} to the oil, {:.2f} stored ({})\n",
+                        1e-6 * result.whole * (energy.generated + energy.from_surfaces),
+                        1e-6 * result.whole * energy.to_air, 1e-6 * result.whole * energy.to_oil,
+                        1e-6 * result.whole * energy.stored,
+                        nothing_happens(result.thermal, input.numerics.time_tolerance)
+                            ? "nothing happens"
+                            : fmt::format("balance closes to {:.0e}", energy.mismatch()));
+    if (result.accuracy)
+        text += "\n" + accuracy_text(*result.accuracy);
+    return text;
+}
+
+}  // namespace deadpoint::report

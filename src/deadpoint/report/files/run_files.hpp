@@ -1,0 +1,25 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The results of a run as files and as a short text for the terminal. Heat is that of the whole press throughout.
+namespace deadpoint::report {
+
+/// Writes into an existing folder: case.toml (resolved), history.csv, contributions.csv, gaps.csv, summary.json,
+/// temperatures.svg, drift.svg and contributions.svg; with loads also what write_loads_files writes, with
+/// stress also stress.csv, with a view also view.json, with causes of the drift also causes.csv.
+/// @param warnings  of the whole run; they stand in every file
+/// @throws IoError if a file cannot be written
+void write_run_files(const std::filesystem::path& folder, const casefile::Case& input, const Machine& machine,
+                     const study::RunResult& result, const std::vector<std::string>& warnings);
+
+/// The short text that ends a run.
+std::string run_text(const casefile::Case& input, const study::RunResult& result);
+
+}  // namespace deadpoint::report

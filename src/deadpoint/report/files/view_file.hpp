@@ -1,0 +1,37 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/pipeline/view_data.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The light data of a run that its page shows in motion: view.json and motion.json.
+namespace deadpoint::report {
+
+/// Values as 16-bit numbers: value = low + step * number, off by at most half a step.
+struct Quantised {
+    double low = 0;
+    double step = 0;  ///< 0 where all values are the same
+    std::vector<std::uint16_t> numbers;
+};
+/// @throws DomainError if a value is not finite
+Quantised quantise(std::span<const double> values);
+
+/// Base64 (RFC 4648) of the bytes.
+std::string base64(std::span<const std::uint8_t> bytes);
+
+/// Surface, parts, probes, and temperature [K] and displacement [m] as modes over time. Numbers in `data` are unsigned
+/// 16-bit integers, little-endian, in base64; a vector's components follow each other.
+nlohmann::ordered_json view_json(const casefile::Case& input, const Machine& machine, const study::ViewData& view);
+
+/// Poses of the bodies and places of the joints at up to 120 crank angles over a turn from bottom dead point.
+nlohmann::ordered_json motion_json(const study::LoadsResult& loads);
+
+}  // namespace deadpoint::report

@@ -1,0 +1,194 @@
+#include "deadpoint/report/folder/folder_claim.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/unique_name.hpp"
+#include "deadpoint/io/rename.hpp"
+#include "deadpoint/io/write_file.hpp"
+#include "deadpoint/report/folder/json_file.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <ranges>
+
+namespace deadpoint::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* unfinished = "unfinished";
+
+/// The name without "." and a slash at its end; a link to a folder is that folder. @throws IoError
+fs::path normal_target(const fs::path& given)
+{
+    auto target = given.lexically_normal();
+    if (!target.has_filename()) {
+        target = target.parent_path();  // "results/" is "results"
+    }
+    if (target.empty() || target == "." || target == ".." || target.filename() == ".." || !target.has_filename()) {
+        throw IoError(fmt::format("'{}' is no name for a new folder of results\n  help: give one with -o, for example "
+                                  "-o results",
+                                  given.string()));
+    }
+    std::error_code error;
+    return fs::is_symlink(target, error) && fs::is_directory(target, error) ? fs::canonical(target) : target;
+}
+
+void make_folders_above(const fs::path& target)
+{
+    std::error_code error;
+    fs::create_directories(folder_above(target), error);
+    if (error) {
+        throw IoError(fmt::format("cannot create the folder '{}': {}\n  help: check that the folder above it exists "
+                                  "and that you may write there",
+                                  folder_above(target).string(), error.message()));
+    }
+}
+
+bool says_unfinished(const fs::path& folder)
+{
+    try {
+        const auto json = read_json(folder / manifest_name);
+        return json && json->is_object() && json->contains(unfinished);
+    } catch (const InputError&) {  // broken, and not by us: it is not ours to remove
+        return false;
+    }
+}
+
+/// Whether nothing is in a folder but what a kill leaves of its first file.
+bool is_hardly_begun(const fs::path& folder)
+{
+    const auto prefix = part_prefix(manifest_name);
+    return std::ranges::all_of(fs::directory_iterator(folder), [&](const fs::directory_entry& entry) {
+        return is_unique_name(entry.path().filename().string(), prefix);
+    });
+}
+
+/// What stands beside a name and begins so.
+std::vector<fs::path> found(const std::string& prefix)
+{
+    std::vector<fs::path> result;
+    const auto beginning = fs::path(prefix).filename().string();
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder_above(prefix), error)) {
+        if (is_unique_name(entry.path().filename().string(), beginning) && !entry.is_symlink()) {
+            result.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(result);
+    return result;
+}
+
+/// @throws as ResultFiles, and where a folder cannot be read
+void remove_listed(const fs::path& folder)
+{
+    const auto foreign = foreign_files(folder);
+    std::vector<fs::path> all;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (std::ranges::find(foreign, entry.path()) == foreign.end() && entry.path() != folder / manifest_name) {
+            all.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(all, std::greater<>{});  // what lies below a folder comes before it
+    all.push_back(folder / manifest_name);     // last, so that a kill leaves what is still known
+    all.push_back(folder);
+    std::error_code ignored;  // a folder that is not empty stays
+    for (const auto& path : all) {
+        fs::remove(path, ignored);
+    }
+}
+
+}  // namespace
+
+fs::path folder_above(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+std::string partial_prefix(const fs::path& target) { return target.string() + ".partial-"; }
+std::string replaced_prefix(const fs::path& target) { return target.string() + ".replaced-"; }
+std::string kept_prefix(const fs::path& target) { return target.string() + ".kept-"; }
+
+bool is_whole(const fs::path& folder)
+{
+    std::error_code error;
+    return fs::exists(folder / manifest_name, error) && !says_unfinished(folder);
+}
+
+void mark_unfinished(const fs::path& folder)
+{
+    write_json(folder / manifest_name, {{"written_by", "deadpoint"}, {"format", result_format}, {unfinished, true}});
+}
+
+fs::path rename_uniquely(const fs::path& folder, const std::string& prefix)
+{
+    for (;;) {
+        const fs::path name = unique_name(prefix);
+        const auto error = rename_to_new(folder, name);
+        if (error != std::errc::file_exists) {
+            return error ? folder : name;
+        }
+    }
+}
+
+bool remove_written(const fs::path& folder)
+{
+    try {
+        remove_listed(folder);
+    } catch (const std::exception&) {
+        // it stays
+    }
+    std::error_code ignored;
+    return !fs::exists(fs::symlink_status(folder, ignored));
+}
+
+FolderClaim::FolderClaim(const fs::path& target) : target_(normal_target(target))
+{
+    make_folders_above(target_);
+    lock_ = std::make_unique<FileLock>(target_.string() + ".lock",
+                                       fmt::format("the folder '{}' is being written", target_.string()));
+    if (lock_->held()) {
+        tidy();
+    } else {
+        note(fmt::format("the file system of '{}' has no locks: start no second run into this folder",
+                         target_.string()));
+    }
+}
+
+void FolderClaim::tidy()
+{
+    std::ranges::for_each(found(replaced_prefix(target_)), [&](const auto& folder) { tidy_replaced(folder); });
+    std::ranges::for_each(found(partial_prefix(target_)), [&](const auto& folder) { tidy_partial(folder); });
+    std::error_code ignored;
+    for (const auto& part : found(part_prefix(target_.string() + ".checkpoint"))) {
+        fs::remove(part, ignored);
+    }
+}
+
+void FolderClaim::tidy_partial(const fs::path& folder)
+{
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) {
+        return;
+    }
+    if (is_whole(folder)) {
+        note(fmt::format("whole results of a run that was ended before they got their name are in '{}'",
+                         rename_uniquely(folder, kept_prefix(target_)).string()));
+    } else if (says_unfinished(folder) || is_hardly_begun(folder)) {
+        fs::remove_all(folder, ignored);
+    }
+}
+
+void FolderClaim::tidy_replaced(const fs::path& folder)
+{
+    std::error_code error;
+    if (!fs::is_directory(folder, error) || !is_whole(folder)) {
+        return;
+    }
+    if (!fs::exists(fs::symlink_status(target_)) && !rename_to_new(folder, target_)) {
+        note(fmt::format("'{}' has its results back, which a run had begun to replace when it was ended",
+                         target_.string()));
+    } else if (!remove_written(folder)) {
+        note(fmt::format("'{}' still holds files that deadpoint did not write", folder.string()));
+    }
+}
+
+}  // namespace deadpoint::report

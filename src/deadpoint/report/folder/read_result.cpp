@@ -1,0 +1,149 @@
+#include "deadpoint/report/folder/read_result.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/io/csv_table.hpp"
+#include "deadpoint/report/folder/result_json.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace deadpoint::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double micrometre = 1e-6;
+constexpr double zero_celsius = 273.15;
+
+template <class Content>
+Content needed(std::optional<Content> content, const fs::path& path)
+{
+    if (!content) {
+        throw IoError(
+            fmt::format("there is no '{}'\n  help: name a folder that 'deadpoint run' has written", path.string()));
+    }
+    return *std::move(content);
+}
+
+/// Rows go forward in time. The checksum says that they are as written; this, that they can be interpolated.
+void require_course(const CsvTable& table, const std::vector<double>& time)
+{
+    if (time.empty()) {
+        throw InputError(fmt::format("{}: there are no rows\n  help: compute the case again", table.file));
+    }
+    const auto back = std::ranges::adjacent_find(time, [](double now, double next) { return !(now < next); });
+    if (back != time.end()) {
+        throw InputError(fmt::format("{}:{}: the time does not increase\n  help: compute the case again", table.file,
+                                     table.lines[static_cast<std::size_t>(back - time.begin()) + 1]));
+    }
+}
+
+/// Every number below a value, by the names and indices that lead to it with points between.
+void flatten(const Json& json, const std::string& path, std::map<std::string, double>& numbers)
+{
+    const auto below = [&](const std::string& step) { return path.empty() ? step : path + "." + step; };
+    if (json.is_number()) {
+        numbers[path] = json.get<double>();
+    } else if (json.is_object()) {
+        for (const auto& [name, value] : json.items()) {
+            flatten(value, below(name), numbers);
+        }
+    } else if (json.is_array()) {
+        for (std::size_t i = 0; i < json.size(); ++i) {
+            flatten(json[i], below(std::to_string(i)), numbers);
+        }
+    }
+}
+
+void read_summary(const Json& json, study::RunRecord& run)
+{
+    run.machine = one_line(json.at("case").at("name").get<std::string>());
+    run.hash = json.at("case").at("hash").get<std::string>();
+    run.interrupted = json.at("interrupted").get<bool>();
+    run.initial_temperature = json.at("initial_temperature_degC").get<double>() + zero_celsius;
+    // A case without probes has null here.
+    for (const auto& [probe, rises] : json.at("probe_rises_K").items()) {
+        run.probes.push_back(probe);
+    }
+    if (const Json::json_pointer gap("/drift_summary/E_SW"); json.contains(gap)) {
+        const auto& course = json.at(gap);
+        run.gap = study::GapFigures{micrometre * course.at("first_hour").at("change_um").get<double>(),
+                                    micrometre * course.at("range_um").get<double>(), std::nullopt};
+        if (const auto& steady = course.at("steady_from_s"); steady.is_number()) {
+            run.gap->steady_from = steady.get<double>();
+        }
+    }
+    if (!json.contains("reference")) {
+        return;
+    }
+    const auto& reference = json.at("reference");
+    run.calibrated_on = reference.at("calibrated_on").get<std::vector<std::string>>();
+    run.calibrated_time = reference.at("time_s").get<double>();
+    if (reference.contains("rises_K")) {
+        for (const auto& [probe, rise] : reference.at("rises_K").items()) {
+            run.calibrated_probes.push_back(probe);
+        }
+    }
+}
+
+void read_history(const CsvTable& table, study::RunRecord& run)
+{
+    run.time = table.numbers(table.column("time"));
+    require_course(table, run.time);
+    for (const auto& probe : run.probes) {
+        auto rises = table.numbers(table.column(probe));
+        for (double& rise : rises) {
+            rise += zero_celsius - run.initial_temperature;
+        }
+        run.rises[probe] = std::move(rises);
+    }
+    // A joint is what has both a temperature and a heat.
+    const auto has = [&](const std::string& name) {
+        return std::ranges::any_of(table.columns, [&](const auto& column) { return column.name == name; });
+    };
+    constexpr std::string_view heat = " heat";
+    for (const auto& column : table.columns) {
+        const std::string joint =
+            column.name.ends_with(heat) ? column.name.substr(0, column.name.size() - heat.size()) : std::string();
+        if (!joint.empty() && column.unit == "W" && has(joint + " temperature")) {
+            run.joint_heat[joint] = table.numbers(table.column(column.name));
+        }
+        if (column.unit != "um") {
+            continue;
+        }
+        auto course = table.numbers(table.column(column.name));
+        for (double& value : course) {
+            value *= micrometre;
+        }
+        run.chain[column.name] = std::move(course);
+    }
+}
+
+}  // namespace
+
+study::RunRecord read_result(const fs::path& folder)
+{
+    const ResultFiles files(folder);
+    study::RunRecord run;
+    run.folder = folder.string();
+    const fs::path summary = folder / "summary.json";
+    try {
+        read_summary(needed(read_json(files, "summary.json"), summary), run);
+    } catch (const Json::exception& reason) {
+        throw InputError(
+            fmt::format("{}: {}\n  help: it is from another version of the program; compute the case again",
+                        summary.string(), reason.what()));
+    }
+    const fs::path history = folder / "history.csv";
+    read_history(parse_csv(needed(files.read("history.csv"), history), history.string()), run);
+    if (const auto loads = read_json(files, "loads.json")) {
+        run.has_loads = true;
+        flatten(*loads, "", run.loads);
+    }
+    return run;
+}
+
+}  // namespace deadpoint::report

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "deadpoint/io/csv_table.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+/// Internal to report/: the main results as plain HTML, for readers whose browser runs no scripts.
+namespace deadpoint::report {
+
+/// @param run  an entry of the page's data: summary and loads as far as they are there
+std::string run_tables(const nlohmann::ordered_json& run);
+
+/// @param sweep  sweep.json
+/// @param points  sweep.csv
+std::string sweep_tables(const nlohmann::ordered_json& sweep, const CsvTable& points);
+
+}  // namespace deadpoint::report

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "deadpoint/study/pipeline/accuracy.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+/// Internal to report/: what a run to a stated accuracy took, as text and files.
+namespace deadpoint::report {
+
+/// "not reached: ..." or "reached: ...", one line.
+std::string accuracy_line(const study::AccuracyReport& accuracy);
+/// That line and the table of the meshes, for the terminal.
+std::string accuracy_text(const study::AccuracyReport& accuracy);
+nlohmann::ordered_json accuracy_json(const study::AccuracyReport& accuracy);
+/// accuracy.csv, a row per mesh, and sizes.toml, the cell sizes of the last one as a case file states them.
+void write_accuracy_files(const std::filesystem::path& folder, const study::AccuracyReport& accuracy,
+                          std::span<const std::string> comments);
+
+}  // namespace deadpoint::report

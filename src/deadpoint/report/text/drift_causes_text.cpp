@@ -1,0 +1,88 @@
+#include "deadpoint/report/text/drift_causes_text.hpp"
+
+#include "deadpoint/report/folder/csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace deadpoint::report {
+namespace {
+
+constexpr double micrometre = 1e6;
+
+struct Row {
+    std::string kind;
+    std::string name;
+    double value = 0;  ///< [um]
+};
+
+std::vector<Row> rows_of(const DriftCauses& causes)
+{
+    std::vector<Row> rows;
+    const auto add = [&](const char* kind, const std::vector<std::pair<std::string, double>>& values) {
+        for (const auto& [name, value] : values)
+            rows.push_back({kind, name, micrometre * value});
+    };
+    add("friction", causes.joints);
+    add("heat source", causes.heat_sources);
+    add("surface", causes.surfaces);
+    for (const auto& [kind, value] :
+         {std::pair{"oil", causes.oil}, {"air", causes.air}, {"start", causes.start}, {"remainder", causes.remainder}})
+        rows.push_back({kind, {}, micrometre * value});
+    return rows;
+}
+
+const std::string& shown_name(const Row& row) { return row.name.empty() ? row.kind : row.name; }
+
+}  // namespace
+
+void write_drift_causes(const std::filesystem::path& path, std::span<const std::string> comments,
+                        const std::vector<DriftCauses>& causes)
+{
+    std::vector<std::string> kinds, names;
+    for (const auto& row : rows_of(causes.front())) {
+        kinds.push_back(row.kind);
+        names.push_back(row.name);
+    }
+    std::vector<CsvColumn> columns{{"cause", "", kinds}, {"name", "", names}};
+    for (const auto& at : causes) {
+        std::vector<double> values;
+        for (const auto& row : rows_of(at))
+            values.push_back(row.value);
+        columns.push_back({fmt::format("share of E_SW after {:.0f} s", at.time), "um", std::move(values)});
+    }
+    write_csv(path, comments, columns);
+}
+
+nlohmann::ordered_json drift_causes_json(const std::vector<DriftCauses>& causes)
+{
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const auto& at : causes) {
+        nlohmann::ordered_json json{{"time_s", at.time}, {"E_SW", micrometre * at.gap}};
+        for (const auto& row : rows_of(at)) {
+            if (row.name.empty())
+                json[row.kind] = row.value;
+            else
+                json[row.kind][row.name] = row.value;
+        }
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+std::string drift_causes_line(const std::vector<DriftCauses>& causes)
+{
+    if (causes.empty())
+        return {};
+    auto rows = rows_of(causes.back());
+    std::ranges::stable_sort(rows, std::ranges::greater{}, [](const Row& row) { return std::abs(row.value); });
+    constexpr std::size_t shown = 6;
+    std::string text = "  by cause at the end:";
+    for (std::size_t i = 0; i < std::min(shown, rows.size()); ++i)
+        if (std::abs(rows[i].value) >= 0.05)
+            text += fmt::format("{} {} {:+.1f}", i ? "," : "", shown_name(rows[i]), rows[i].value);
+    return text + " um\n";
+}
+
+}  // namespace deadpoint::report

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "deadpoint/study/laws/friction.hpp"
+
+#include <string>
+#include <vector>
+
+/// Friction heat at the operating points of a case, row by row, where it comes from, and what it asks of the motor.
+namespace deadpoint::report {
+
+/// Temperatures at which the heat is told [K].
+constexpr double friction_temperatures[] = {293.15, 313.15};
+
+/// For each operating point: table of the rows, contrast of rigid and flexible shaft, powers; ends with a line break.
+/// Empty without any.
+std::string friction_text(const std::vector<study::FrictionSummary>& summaries);
+
+/// The same as a JSON text (a list of objects, one per operating point), for summary.json and heat.json.
+std::string friction_json(const std::vector<study::FrictionSummary>& summaries);
+
+}  // namespace deadpoint::report

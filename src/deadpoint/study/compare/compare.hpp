@@ -1,0 +1,111 @@
+#pragma once
+
+#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A result held against measured or published values.
+namespace deadpoint::study {
+
+/// One value beside its reference, in SI units and the program's signs.
+struct ComparedValue {
+    std::string kind;   ///< "rises", "chain", "times", "loads"
+    std::string group;  ///< as the reference file says, else the kind
+    std::string name;   ///< "P1 at 3 h"
+    Dimension dimension = Dimension::none;
+    double reference = 0;
+    double computed = 0;
+    std::optional<double> baseline;  ///< what the baseline run has in its place
+    bool calibrated = false;
+    std::string note;
+    /// Computed less reference; differences of a relative 1e-12 come from units and count as none.
+    [[nodiscard]] double error() const;
+    /// Error over the magnitude of the reference; nothing where that is zero.
+    [[nodiscard]] std::optional<double> relative_error() const;
+};
+
+/// How far off a set of values is. Errors are computed less reference.
+struct ErrorFigures {
+    std::size_t count = 0;
+    double rms = 0;
+    double bias = 0;             ///< mean error
+    double largest = 0;          ///< error of largest magnitude, with its sign
+    std::size_t largest_at = 0;  ///< its index
+    /// Root mean square error of predicting that nothing changes: no rise, no drift. Only where that means something.
+    std::optional<double> rms_nothing;
+    /// The same of predicting the mean of the references for each: a baseline that knows their level. Of two or more.
+    std::optional<double> rms_mean;
+    std::optional<double> rms_baseline;  ///< of the baseline run
+};
+/// @param nothing  what is there if nothing changes; without it, no baselines
+/// @throws DomainError if there are no values, or not one reference for each
+ErrorFigures error_figures(const std::vector<double>& computed, const std::vector<double>& reference,
+                           std::optional<double> nothing);
+
+/// All values of one kind and group, fitted ones apart from predicted ones.
+struct ComparedGroup {
+    std::string kind;
+    std::string group;
+    Dimension dimension = Dimension::none;
+    bool calibrated = false;
+    ErrorFigures figures;
+    std::string largest_name;
+};
+
+struct ComparedCurve {
+    std::string name;
+    std::string measures;
+    Dimension dimension = Dimension::none;
+    std::vector<double> time;
+    std::vector<double> reference;
+    std::vector<double> computed;
+    std::vector<double> baseline;  ///< empty without a baseline run
+    bool calibrated = false;
+    std::string note;
+    ErrorFigures figures;
+};
+
+/// A claim in words and what the result says about it.
+struct Verdict {
+    enum class Outcome { holds, fails, unchecked };
+    std::string text;
+    std::string kind;
+    Outcome outcome = Outcome::unchecked;
+    std::string evidence;  ///< the numbers behind it, or why it is not checked
+    std::string note;
+};
+
+struct Comparison {
+    std::string reference;
+    std::string source;
+    std::string note;
+    std::string point;
+    std::string baseline;  ///< folder of the baseline run, empty without one
+    std::vector<ComparedValue> values;
+    std::vector<ComparedGroup> groups;
+    std::vector<ComparedCurve> curves;
+    std::vector<Verdict> verdicts;
+    std::vector<std::string> warnings;
+};
+
+/// What a reference file can name in this result.
+casefile::ResultContents contents(const RunRecord& run);
+
+/// Holds a run against the values of one operating point.
+///
+/// A value counts as calibrated if the file marks it so, or if it belongs to the case as it stands and the case was
+/// fitted to the rise of that probe at that time. Values between two rows of the history are interpolated linearly.
+///
+/// @param reference  read and checked against contents(run)
+/// @param baseline   another run whose errors stand beside, such as the base case where `run` is another operating
+///                   point: what predicting no change by the operating point would give. Checked likewise; may be null
+Comparison compare(const RunRecord& run, const casefile::ReferenceFile& reference, const std::string& point = "",
+                   const RunRecord* baseline = nullptr);
+
+/// The verdict on one claim.
+Verdict judge(const RunRecord& run, const casefile::ReferenceClaim& claim);
+
+}  // namespace deadpoint::study

@@ -1,0 +1,215 @@
+#include "deadpoint/study/drift/chain_model.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/study/drift/series_sum.hpp"
+#include "deadpoint/study/translate/linkage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace deadpoint::study {
+namespace {
+
+// Where the deformation moves the joints' centres in their bodies.
+std::vector<mechanism::CentreShift> shifts(const ChainModel& chain, const std::vector<double>& centre_values,
+                                           double play)
+{
+    std::vector<mechanism::CentreShift> result;
+    for (std::size_t j = 0; j < chain.linkage.joints.size(); ++j)
+        result.push_back(
+            {{centre_values[4 * j], centre_values[4 * j + 1]}, {centre_values[4 * j + 2], centre_values[4 * j + 3]}});
+    auto& crank = result[chain.description.crank_joint];
+    auto& ground =
+        chain.linkage.joints[chain.description.crank_joint].body_b == chain.linkage.ground ? crank.in_b : crank.in_a;
+    ground = ground + play * chain.description.pressed;
+    return result;
+}
+
+// Rigid motions of the mechanism's bodies, by part of the machine.
+std::vector<RigidMotion> motions_by_part(const Machine& machine, const Linkage& linkage,
+                                         const std::vector<PlanarPose>& motion)
+{
+    std::vector<RigidMotion> result(machine.parts.size());
+    for (std::size_t p = 0; p < machine.parts.size(); ++p) {
+        const auto body = std::find(linkage.bodies.begin(), linkage.bodies.end(), machine.parts[p].body);
+        if (body == linkage.bodies.end() || body - linkage.bodies.begin() == linkage.ground)
+            continue;
+        const auto& pose = motion[static_cast<std::size_t>(body - linkage.bodies.begin())];
+        result[p] = {pose.translation, pose.angle, {0, 0}};
+    }
+    return result;
+}
+
+// Largest distance between the two centres of a joint once the bodies have moved.
+double largest_opening(const ChainModel& chain, const std::vector<mechanism::CentreShift>& shifts,
+                       const std::vector<PlanarPose>& motion)
+{
+    double largest = 0;
+    for (std::size_t j = 0; j < chain.linkage.joints.size(); ++j) {
+        const auto& joint = chain.linkage.joints[j];
+        const auto moved = [&](int body, const Vec2& shift) {
+            const auto& m = motion[body];
+            const Vec2& c = joint.centre;
+            return shift + m.translation + m.angle * Vec2{-c[1], c[0]};
+        };
+        const Vec2 opening = moved(joint.body_a, shifts[j].in_a) - moved(joint.body_b, shifts[j].in_b);
+        if (joint.kind == LinkageJoint::Kind::revolute)
+            largest = std::max(largest, norm(opening));
+        else
+            largest = std::max(largest, std::abs(dot(opening, Vec2{-joint.direction[1], joint.direction[0]})));
+    }
+    return largest;
+}
+
+double mean_play(const std::vector<double>& shares, const std::vector<double>& growths)
+{
+    double sum = 0;
+    for (std::size_t b = 0; b < shares.size(); ++b)
+        sum += shares[b] * growths[b];
+    return shares.empty() ? 0 : sum / static_cast<double>(shares.size());
+}
+
+// What the crank's play follows of its bearings' growths.
+Series mean_play(const ChainModel& chain, const drift::BearingPlay& play, const ThermalHistory& history)
+{
+    const int count = chain.bearings();
+    Series mean{std::vector<double>(history.time.size(), 0.0), std::vector<double>(history.time.size(), 0.0)};
+    for (int b = 0; b < count; ++b) {
+        const auto& growth = history.functionals[static_cast<std::size_t>(drift::dimension_count + b)];
+        for (std::size_t i = 0; i < history.time.size(); ++i) {
+            mean.value[i] += play.taken(growth.value[i]) / count;
+            mean.rate[i] += play.slope(growth.value[i]) * growth.rate[i] / count;
+        }
+    }
+    return mean;
+}
+
+// The gap by part: its split, and that of each bearing's growth by the share of the growth that counts.
+std::vector<std::vector<double>> by_part(const ChainModel& chain, const drift::BearingPlay& play,
+                                         const ThermalHistory& history)
+{
+    const std::size_t parts = history.contributions.size() / static_cast<std::size_t>(1 + chain.bearings());
+    std::vector<std::vector<double>> result(history.contributions.begin(),
+                                            history.contributions.begin() + static_cast<std::ptrdiff_t>(parts));
+    for (std::size_t i = 0; i < history.time.size(); ++i) {
+        const auto shares = play_shares(play, play_growths(chain, history, i));
+        for (std::size_t b = 0; b < shares.size(); ++b)
+            for (std::size_t p = 0; p < parts; ++p)
+                result[p][i] +=
+                    chain.travel_by_play / chain.bearings() * shares[b] * history.contributions[(1 + b) * parts + p][i];
+    }
+    return result;
+}
+
+}  // namespace
+
+ChainModel::ChainModel(const casefile::Case& input, const Machine& machine)
+    : linkage(describe_linkage(input)), system(linkage), sensitivity(mechanism::bottom_dead_point(linkage)),
+      description(describe_chain(input, machine, linkage)),
+      dimensions(drift::chain_functionals(machine, linkage, sensitivity, description))
+{
+    if (std::abs(sensitivity.crank_angle) > 1e-3)
+        throw InputError(
+            fmt::format("the case's joints are not placed at bottom dead point: the crank would have to turn by {:.3f} "
+                        "degrees to get there; give all coordinates at bottom dead point",
+                        sensitivity.crank_angle * 57.29577951308232));
+    for (int j = 0; j < static_cast<int>(linkage.joints.size()); ++j) {
+        auto fitted = drift::joint_centres(machine, linkage, sensitivity, j, description.joints[j]);
+        for (auto& centre : {fitted.in_a, fitted.in_b})
+            for (const auto& component : centre)
+                centres.push_back(component);
+    }
+    travel_by_play = drift::travel_by_play(linkage, sensitivity, description);
+}
+
+double ChainModel::play_travel(const std::vector<double>& shares, const std::vector<double>& growths) const
+{
+    return travel_by_play * mean_play(shares, growths);
+}
+
+std::vector<double> play_shares(const drift::BearingPlay& play, const std::vector<double>& growths)
+{
+    std::vector<double> shares;
+    for (const double growth : growths)
+        shares.push_back(play.share(growth));
+    return shares;
+}
+
+Functional gap_functional(const ChainModel& chain, const std::vector<double>& shares)
+{
+    Functional result = chain.dimensions[drift::gap];
+    const double each = chain.travel_by_play / std::max(chain.bearings(), 1);
+    for (std::size_t b = 0; b < shares.size(); ++b)
+        drift::add(result, each * shares[b], chain.dimensions[drift::dimension_count + b]);
+    result.name = "E_SW";
+    return result;
+}
+
+fem::Adjoint gap_adjoint(const ChainModel& chain, const std::vector<fem::Adjoint>& adjoints,
+                         const std::vector<double>& shares)
+{
+    fem::Adjoint result = adjoints[drift::gap];
+    const double each = chain.travel_by_play / std::max(chain.bearings(), 1);
+    for (std::size_t b = 0; b < shares.size(); ++b) {
+        const auto& growth = adjoints[drift::dimension_count + b].owned;
+        for (std::size_t i = 0; i < growth.size(); ++i)
+            result.owned[i] += each * shares[b] * growth[i];
+    }
+    result.name = "E_SW";
+    return result;
+}
+
+std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, const std::vector<fem::Adjoint>& adjoints,
+                                 const fem::Field& field, double reference)
+{
+    std::vector<double> growths;
+    for (int b = 0; b < chain.bearings(); ++b)
+        growths.push_back(
+            model.apply(adjoints[static_cast<std::size_t>(drift::dimension_count + b)], field, reference));
+    return growths;
+}
+
+std::vector<double> play_growths(const ChainModel& chain, const ThermalHistory& history, std::size_t row)
+{
+    std::vector<double> growths;
+    for (int b = 0; b < chain.bearings(); ++b)
+        growths.push_back(history.functionals[static_cast<std::size_t>(drift::dimension_count + b)].value[row]);
+    return growths;
+}
+
+std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, const fem::Displacement& displacement)
+{
+    return model.evaluate({chain.dimensions.begin() + drift::dimension_count, chain.dimensions.end()}, displacement);
+}
+
+Closing close_joints(const Machine& machine, fem::Model& model, const ChainModel& chain,
+                     const fem::Displacement& displacement, const std::vector<double>& shares)
+{
+    const auto centres = model.evaluate(chain.centres, displacement);
+    const auto growths = play_growths(chain, model, displacement);
+    const double gap =
+        model.evaluate({chain.dimensions[drift::gap]}, displacement)[0] + chain.play_travel(shares, growths);
+    const auto moved = shifts(chain, centres, mean_play(shares, growths));
+    const auto motion = chain.system.closing_motion(chain.system.assembled(), moved);
+    return {motions_by_part(machine, chain.linkage, motion), gap, largest_opening(chain, moved, motion)};
+}
+
+DriftSeries drift_series(const ChainModel& chain, const drift::BearingPlay& play, const ThermalHistory& history)
+{
+    const auto& f = history.functionals;
+    DriftSeries drift;
+    drift.time = history.time;
+    drift.bearing_to_ground = f[drift::bearing_to_ground];
+    drift.table_to_ground = f[drift::table_to_ground];
+    const Series taken = mean_play(chain, play, history);
+    drift.clearance = combined({{-dot(chain.description.pressed, chain.linkage.stroke_direction), &taken}});
+    drift.play = combined({{chain.travel_by_play, &taken}});
+    drift.gap = combined({{1, &f[drift::gap]}, {1, &drift.play}});
+    drift.crank_to_slide = combined(
+        {{1, &drift.bearing_to_ground}, {-1, &drift.clearance}, {-1, &f[drift::slide_height]}, {-1, &drift.play}});
+    drift.by_part = by_part(chain, play, history);
+    return drift;
+}
+
+}  // namespace deadpoint::study

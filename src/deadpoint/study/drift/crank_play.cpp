@@ -1,0 +1,84 @@
+#include "deadpoint/study/drift/crank_play.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace deadpoint::study {
+namespace {
+
+const casefile::Joint& crank_joint(const casefile::Case& input) { return input.joints.at(input.chain->crank_joint); }
+
+bool is_stated(const casefile::Case& input)
+{
+    return !input.chain->bearing_play.empty() || crank_joint(input).clearance;
+}
+
+// By its elements; a joint without any by the law of its friction.
+bool is_rolling(const casefile::Case& input)
+{
+    const auto& joint = crank_joint(input);
+    if (!joint.elements.empty())
+        return std::ranges::any_of(joint.elements, [](const auto& element) { return element.type == "rolling"; });
+    const auto law = input.friction.find(joint.friction);
+    return law != input.friction.end() &&
+           (law->second.law == "palmgren" || law->second.law == "skf" || law->second.kind == "rolling");
+}
+
+double mean_of(const std::vector<double>& values)
+{
+    double sum = 0;
+    for (const double value : values)
+        sum += value / static_cast<double>(values.size());
+    return sum;
+}
+
+// Mean growth of the bearings' play at the time of its largest magnitude [m].
+double largest_growth(const ChainModel& chain, const ThermalHistory& history)
+{
+    double largest = 0;
+    for (std::size_t row = 0; row < history.time.size(); ++row) {
+        const double growth = mean_of(play_growths(chain, history, row));
+        largest = std::abs(growth) > std::abs(largest) ? growth : largest;
+    }
+    return largest;
+}
+
+}  // namespace
+
+drift::BearingPlay crank_play(const casefile::Case& input)
+{
+    using enum drift::BearingPlay::Kind;
+    const auto& stated = input.chain->bearing_play;
+    const auto& clearance = crank_joint(input).clearance;
+    if (stated == "none")
+        return {none, 0};
+    if (stated == "paper")
+        return {whole, 0};
+    if (clearance)
+        return {limited, 0.5 * *clearance};
+    return {is_rolling(input) ? none : whole, 0};
+}
+
+std::optional<std::string> play_warning(const casefile::Case& input, const ChainModel& chain,
+                                        const ThermalHistory& history)
+{
+    constexpr double shown = 1e-9;  // [m]
+    constexpr double micrometre = 1e6;
+    const double growth = largest_growth(chain, history);
+    const double effect = chain.travel_by_play * growth;
+    if (is_stated(input) || std::abs(effect) < shown)
+        return std::nullopt;
+    const bool taken = crank_play(input).kind != drift::BearingPlay::Kind::none;
+    return fmt::format(
+        "the play of the bearings of '{}' is not stated, and heat changes it by up to {:+.1f} um on the radius: {} "
+        "{:+.2f} um\n  help: state joints.{}.clearance, their play on the diameter at the start, or chain.bearing_play "
+        "= \"none\" (preloaded) or \"paper\" (all of the change counts)",
+        input.chain->crank_joint, micrometre * growth,
+        taken ? "all of it counts, though a bearing cannot close further than its play goes; of E_SW that makes up to"
+              : "rolling bearings are taken to run without play, so none of it counts; with play enough E_SW would "
+                "change by up to",
+        micrometre * effect, input.chain->crank_joint);
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,236 @@
+#include "deadpoint/study/drift/frame_state.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/pattern.hpp"
+#include "deadpoint/fem/estimate/tighten.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace deadpoint::study {
+namespace {
+
+Vec3 gravity_of(const casefile::Case& input)
+{
+    return input.foundation ? input.foundation->gravity * normalised(input.machine.gravity_direction) : Vec3{};
+}
+
+bool pair_matches(const std::string& pair, const std::string& a, const std::string& b)
+{
+    const auto bar = pair.find('|');
+    const auto first = pair.substr(0, bar), second = pair.substr(bar + 1);
+    return (matches(first, a) && matches(second, b)) || (matches(first, b) && matches(second, a));
+}
+
+Axis axis_of(const std::string& name) { return static_cast<Axis>(std::string("xyz").find(name)); }
+
+void add(std::vector<PartStress>& sum, const std::vector<PartStress>& other)
+{
+    for (std::size_t p = 0; p < sum.size(); ++p)
+        for (std::size_t i = 0; i < sum[p].stress.size(); ++i)
+            for (std::size_t c = 0; c < 6; ++c)
+                sum[p].stress[i][c] += other[p].stress[i][c];
+}
+
+StressPeak peak_of(const Machine& machine, const PartStress& part, double time)
+{
+    StressPeak peak{time, machine.parts[part.part].name, -1, {}, {}, 0, 0};
+    peak.highest_principal = std::numeric_limits<double>::lowest();
+    peak.lowest_principal = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+        const double here = von_mises(part.stress[i]);
+        const auto main = principal(part.stress[i]);
+        peak.highest_principal = std::max(peak.highest_principal, main[0]);
+        peak.lowest_principal = std::min(peak.lowest_principal, main[2]);
+        if (here <= peak.von_mises)
+            continue;
+        peak.von_mises = here;
+        peak.place = machine.nodes[part.nodes[i]];
+        peak.principal = main;
+    }
+    return peak;
+}
+
+std::vector<fem::PointData> field_data(const Machine& machine, const std::vector<PartStress>& stress)
+{
+    constexpr double megapascal = 1e-6;
+    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+    fem::PointData mises{"von Mises stress [MPa]", 1, std::vector<float>(machine.nodes.size(), nothing)};
+    fem::PointData main{"principal stresses [MPa]", 3, std::vector<float>(3 * machine.nodes.size(), nothing)};
+    for (const auto& part : stress)
+        for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+            mises.values[part.nodes[i]] = static_cast<float>(megapascal * von_mises(part.stress[i]));
+            const auto values = principal(part.stress[i]);
+            for (std::size_t c = 0; c < 3; ++c)
+                main.values[3 * part.nodes[i] + c] = static_cast<float>(megapascal * values[c]);
+        }
+    return {mises, main};
+}
+
+}  // namespace
+
+bool has_frame_state(const casefile::Case& input)
+{
+    return input.foundation || !input.preload.empty() || !input.output.stress.empty();
+}
+
+Foundation describe_foundation(const casefile::Case& input, const Machine& machine)
+{
+    Foundation result;
+    std::string surface = input.chain ? input.chain->ground_surface : std::string{};
+    if (input.foundation) {
+        const auto& stated = *input.foundation;
+        using enum Foundation::Kind;
+        result.kind = stated.kind == "clamped" ? clamped : stated.kind == "elastic" ? elastic : free;
+        result.vertical = stated.vertical_stiffness.value_or(0);
+        result.horizontal = stated.horizontal_stiffness.value_or(0);
+        if (!stated.surface.empty())
+            surface = stated.surface;
+    }
+    result.surface = surface_index(machine, surface);
+    return result;
+}
+
+FrameState::FrameState(const casefile::Case& input, const Machine& machine, fem::Model& model)
+    : machine_(machine), model_(model)
+{
+    find_gauges(input);
+    loads_ = fem::tighten(model_, machine_.parts.size(), rods_, wanted_, gravity_of(input));
+    const bool weights = norm(loads_.gravity) > 0;
+    auto gauges = rods_;
+    gauges.insert(gauges.end(), bonds_.begin(), bonds_.end());
+    adjoints_ = model_.adjoints(gauges);
+    if (!weights && loads_.initial_strain.empty())
+        return;
+    at_rest_ = model_.displacement(loads_);
+    if (weights)
+        gauges.push_back({"feet", ForceGauge::Kind::feet, 0, Axis::y});
+    const auto forces = model_.forces(gauges, loads_, *at_rest_);
+    for (std::size_t i = 0; i < rods_.size(); ++i)
+        start_.rods[i].start = forces[i];
+    for (std::size_t i = 0; i < bonds_.size(); ++i)
+        start_.bonds[i].start = forces[rods_.size() + i];
+    if (weights)
+        start_.support_force = forces.back();
+}
+
+void FrameState::find_gauges(const casefile::Case& input)
+{
+    std::set<std::string> taken;
+    for (const auto& [name, preload] : input.preload) {
+        const auto before = rods_.size();
+        for (int p = 0; p < static_cast<int>(machine_.parts.size()); ++p) {
+            const auto& part = machine_.parts[p].name;
+            if (std::ranges::none_of(preload.parts, [&](const auto& t) { return matches(t, part); }))
+                continue;
+            if (!taken.insert(part).second)
+                throw InputError(fmt::format("preload.{}: rod '{}' is preloaded twice; name it once", name, part));
+            rods_.push_back({part, ForceGauge::Kind::rod, p, axis_of(preload.axis)});
+            wanted_.push_back(preload.force);
+            start_.rods.push_back({part, name, preload.force, {}, preload.process_share});
+        }
+        if (rods_.size() == before)
+            throw InputError(fmt::format("preload.{}: none of its rods is in the modelled half", name));
+        for (const auto& pair : preload.closes) {
+            const auto known = bonds_.size();
+            for (int b = 0; b < static_cast<int>(machine_.bonds.size()); ++b) {
+                const auto& bond = machine_.bonds[b];
+                if (!pair_matches(pair, machine_.parts[bond.part_a].name, machine_.parts[bond.part_b].name))
+                    continue;
+                bonds_.push_back({bond.name, ForceGauge::Kind::bond, b, Axis::y});
+                start_.bonds.push_back({bond.name, name, bond.area, 0, {}, {}});
+            }
+            if (bonds_.size() == known)
+                throw InputError(fmt::format("preload.{}.closes: no bonded pair of parts is '{}'; see the bonded pairs "
+                                             "of `deadpoint check`",
+                                             name, pair));
+        }
+    }
+}
+
+int FrameState::finer_part(int bond) const
+{
+    const auto& contact = machine_.bonds[bond];
+    const auto cell = [&](std::uint32_t p) { return machine_.parts[p].volume / machine_.parts[p].cell_count; };
+    return static_cast<int>(cell(contact.part_a) < cell(contact.part_b) ? contact.part_a : contact.part_b);
+}
+
+std::vector<int> FrameState::stressed_parts(const casefile::Case& input) const
+{
+    std::vector<int> result;
+    for (int p = 0; p < static_cast<int>(machine_.parts.size()); ++p)
+        if (std::ranges::any_of(input.output.stress, [&](const auto& wanted) {
+                return wanted == machine_.parts[p].body || matches(wanted, machine_.parts[p].name);
+            }))
+            result.push_back(p);
+    return result;
+}
+
+// At the nodes of the finer side, each with its share of the contact points' area.
+Opening FrameState::opening(int bond, const PartStress& stress, double time) const
+{
+    struct Node {
+        double area = 0;
+        Vec3 normal{};
+    };
+    std::map<std::uint32_t, Node> nodes;
+    for (const auto& point : machine_.bonds[bond].points) {
+        const auto& a = machine_.faces[point.face_a];
+        const auto& face = static_cast<int>(a.part) == stress.part ? a : machine_.faces[point.face_b];
+        for (unsigned i = 0; i < face.node_count; ++i) {
+            auto& node = nodes[face.nodes[i]];
+            node.area += point.weight / face.node_count;
+            node.normal = node.normal + point.weight * point.normal;
+        }
+    }
+    Opening result{time, std::numeric_limits<double>::lowest(), {}, 0};
+    double area = 0;
+    for (std::size_t i = 0; i < stress.nodes.size(); ++i) {
+        const auto found = nodes.find(stress.nodes[i]);
+        if (found == nodes.end())
+            continue;
+        const double tension = normal_stress(stress.stress[i], normalised(found->second.normal));
+        area += found->second.area;
+        if (tension > 0)
+            result.share += found->second.area;
+        if (tension > result.largest) {
+            result.largest = tension;
+            result.place = machine_.nodes[stress.nodes[i]];
+        }
+    }
+    result.share /= area;
+    return result;
+}
+
+std::vector<fem::PointData> FrameState::add_time(const casefile::Case& input, double time,
+                                                 const fem::Field& temperature, const fem::Displacement& displacement,
+                                                 FrameResult& result) const
+{
+    const auto shown = stressed_parts(input);
+    auto parts = shown;
+    for (const auto& bond : bonds_)
+        parts.push_back(finer_part(bond.index));
+    if (parts.empty())
+        return {};
+    std::ranges::sort(parts);
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    auto stress = model_.stress(parts, displacement, temperature, input.machine.initial_temperature);
+    if (at_rest_)
+        add(stress, model_.stress(parts, *at_rest_, loads_));
+    const auto of = [&](int part) -> const PartStress& {
+        return *std::ranges::find_if(stress, [&](const auto& s) { return s.part == part; });
+    };
+    for (std::size_t i = 0; i < bonds_.size(); ++i)
+        result.bonds[i].openings.push_back(opening(bonds_[i].index, of(finer_part(bonds_[i].index)), time));
+    std::erase_if(stress, [&](const auto& s) { return !std::ranges::binary_search(shown, s.part); });
+    for (const auto& part : stress)
+        result.stress.push_back(peak_of(machine_, part, time));
+    return stress.empty() ? std::vector<fem::PointData>{} : field_data(machine_, stress);
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/observer.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/model.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// How the machine stands, what strains it besides heat, and what follows: forces of rods, what they close, stress.
+namespace deadpoint::study {
+
+/// A preloaded rod.
+struct RodForce {
+    std::string part;
+    std::string preload;    ///< name of its table in the case
+    double start = 0;       ///< [N]
+    Series change;          ///< by warming, at the steps [N]
+    double held_share = 0;  ///< of the process force
+};
+
+/// How a bond that only preload holds together would part somewhere, at one time.
+struct Opening {
+    double time = 0;
+    double largest = 0;  ///< tension [Pa]; negative: pressure everywhere
+    Vec3 place{};        ///< of it
+    double share = 0;    ///< of the bond's area under tension
+};
+
+/// A bond that only preload holds together.
+struct ClosedBond {
+    std::string name;  ///< "part|part"
+    std::string preload;
+    double area = 0;                ///< in this model [m2]
+    double start = 0;               ///< force across it, tension positive [N]
+    Series change;                  ///< by warming, at the steps [N]
+    std::vector<Opening> openings;  ///< at the field times
+};
+
+/// The largest stress of a part at one time.
+struct StressPeak {
+    double time = 0;
+    std::string part;
+    double von_mises = 0;  ///< [Pa]
+    Vec3 place{};
+    std::array<double, 3> principal{};  ///< at that place, largest first [Pa]
+    double highest_principal = 0;       ///< of the part [Pa]
+    double lowest_principal = 0;        ///< of the part [Pa]
+};
+
+struct FrameResult {
+    std::vector<RodForce> rods;
+    std::vector<ClosedBond> bonds;
+    std::optional<double> support_force;  ///< upwards on the feet, of the whole machine, where weights act [N]
+    std::vector<StressPeak> stress;
+};
+
+/// True if the case asks for anything that the deformation alone gives, without a dimension chain.
+bool has_frame_state(const casefile::Case& input);
+
+/// How the feet stand.
+Foundation describe_foundation(const casefile::Case& input, const Machine& machine);
+
+/// The state of the machine at rest and what is watched of it. Collective, as fem::Model.
+class FrameState {
+public:
+    /// @throws InputError for rods that nothing holds, pairs that are not bonded, or weights that nothing carries
+    FrameState(const casefile::Case& input, const Machine& machine, fem::Model& model);
+
+    /// Of rods and closed bonds, in this order.
+    [[nodiscard]] const std::vector<fem::Adjoint>& adjoints() const { return adjoints_; }
+    /// What a run starts from: forces at rest.
+    [[nodiscard]] FrameResult start() const { return start_; }
+    /// Adds stress and openings at one time; returns what the field file shows of it.
+    std::vector<fem::PointData> add_time(const casefile::Case& input, double time, const fem::Field& temperature,
+                                         const fem::Displacement& displacement, FrameResult& result) const;
+
+private:
+    void find_gauges(const casefile::Case& input);
+    [[nodiscard]] int finer_part(int bond) const;
+    [[nodiscard]] std::vector<int> stressed_parts(const casefile::Case& input) const;
+    [[nodiscard]] Opening opening(int bond, const PartStress& stress, double time) const;
+
+    const Machine& machine_;
+    fem::Model& model_;
+    std::vector<ForceGauge> rods_, bonds_;
+    std::vector<double> wanted_;
+    RestLoads loads_;
+    std::optional<fem::Displacement> at_rest_;
+    std::vector<fem::Adjoint> adjoints_;
+    FrameResult start_;
+};
+
+/// Gives rods and bonds their courses out of the history's functionals from `first` on.
+void read_courses(const ThermalHistory& history, std::size_t first, FrameResult& result);
+
+/// Warns of rods that no longer hold what they must and of closed bonds that would open.
+void warn_about_frame(const casefile::Case& input, const ThermalHistory& history, const FrameResult& result,
+                      Observer& observer);
+
+}  // namespace deadpoint::study

@@ -1,0 +1,216 @@
+#include "deadpoint/study/drift/gap_model.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/drift/clearances.hpp"
+#include "deadpoint/drift/corners.hpp"
+#include "deadpoint/study/drift/series_sum.hpp"
+#include "deadpoint/study/translate/bearing_groups.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace deadpoint::study {
+namespace {
+
+drift::SlideTurn slide_turn(const ChainModel& chain)
+{
+    drift::SlideTurn turn;
+    const Vec2& stroke = chain.linkage.stroke_direction;
+    turn.about = dot(chain.system.slide_point(), Vec2{stroke[1], -stroke[0]});
+    const auto poses = chain.system.assembled();
+    std::vector<mechanism::CentreShift> shifts(chain.linkage.joints.size());
+    for (auto& shift : shifts) {
+        Vec2 weight{};
+        for (int c = 0; c < 2; ++c) {
+            shift.in_b[c] = 1;
+            weight[c] = chain.system.closing_motion(poses, shifts)[chain.linkage.slide_body].angle;
+            shift.in_b[c] = 0;
+        }
+        turn.weight.push_back(weight);
+    }
+    return turn;
+}
+
+std::string bearing_name(const casefile::Case& input, const Machine& machine, const std::string& joint,
+                         const std::vector<int>& bearing, bool alone)
+{
+    if (alone)
+        return joint;
+    const auto& contact = machine.interfaces[bearing.front()];
+    for (const auto part : {contact.part_a, contact.part_b})
+        if (input.bodies.at(machine.parts[part].body).thermal_only)
+            return joint + " " + machine.parts[part].name;
+    return joint + contact.name.substr(contact.name.rfind('.')).replace(0, 1, " ");
+}
+
+std::string direction_name(const Vec3& across)
+{
+    constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+    for (std::size_t c = 0; c < 3; ++c)
+        if (std::abs(across[c]) > 0.999)
+            return fmt::format("along {}", axes[c]);
+    return fmt::format("along ({:.2f}, {:.2f}, {:.2f})", across[0], across[1], across[2]);
+}
+
+Parallelism parallelism(std::vector<CornerSeries> corners, bool mirrored)
+{
+    if (mirrored)
+        for (const std::size_t at : {1u, 3u}) {
+            auto image = corners[at - 1];
+            image.name.replace(image.name.find("left"), 4, "right");
+            image.x = -image.x;
+            corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(at), std::move(image));
+        }
+    const auto& c = corners;
+    const double width = 0.5 * (c[1].x + c[3].x - c[0].x - c[2].x);
+    const double depth = 0.5 * (c[2].z + c[3].z - c[0].z - c[1].z);
+    const auto slope = [&](double length, const std::array<double, 4>& signs) {
+        return combined({{signs[0] / length, &c[0].gap},
+                         {signs[1] / length, &c[1].gap},
+                         {signs[2] / length, &c[2].gap},
+                         {signs[3] / length, &c[3].gap}});
+    };
+    Parallelism result;
+    result.left_right = slope(width, {-0.5, 0.5, -0.5, 0.5});
+    result.front_back = slope(depth, {-0.5, -0.5, 0.5, 0.5});
+    result.corners = std::move(corners);
+    return result;
+}
+
+// When initial + change first reaches 0, linear between the steps.
+std::optional<double> used_up(const std::vector<double>& time, const ClearanceSeries& clearance)
+{
+    const auto left = [&](std::size_t i) { return *clearance.initial + clearance.change.value[i]; };
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (left(i) > 0)
+            continue;
+        return i == 0 ? time[0] : time[i - 1] + (time[i] - time[i - 1]) * left(i - 1) / (left(i - 1) - left(i));
+    }
+    return std::nullopt;
+}
+
+void add_corners(GapModel& model, const Machine& machine, const ChainModel& chain)
+{
+    for (auto& corner : drift::corner_gaps(machine, chain.linkage, chain.sensitivity, chain.description,
+                                           chain.dimensions, slide_turn(chain))) {
+        model.corners.push_back({corner.name, corner.x, corner.z, {}});
+        model.functionals.push_back(std::move(corner.gap));
+    }
+}
+
+// Clearances of one joint, whose contacts are given.
+class JointClearances {
+public:
+    JointClearances(GapModel& model, const casefile::Case& input, const Machine& machine, const std::string& joint)
+        : model_(model), input_(input), machine_(machine), joint_(joint)
+    {}
+
+    void of_guide(const std::vector<int>& contacts)
+    {
+        const auto found = drift::guide_clearances(machine_, contacts);
+        for (const auto& clearance : found)
+            keep(found.size() == 1 ? joint_ : joint_ + " " + direction_name(clearance.across),
+                 ClearanceSeries::Kind::guide, clearance.growth);
+        if (found.empty())
+            model_.left_out.push_back(fmt::format("{}: no two of its faces look opposite ways", joint_));
+    }
+
+    void of_bearings(const std::vector<int>& contacts, const Vec2& centre)
+    {
+        const auto bearings = bearings_of(input_, machine_, contacts);
+        for (const auto& bearing : bearings)
+            try {
+                keep(bearing_name(input_, machine_, joint_, bearing, bearings.size() == 1),
+                     ClearanceSeries::Kind::bearing, drift::bearing_clearance(machine_, bearing, centre));
+            } catch (const InputError& error) {
+                model_.left_out.push_back(fmt::format("{}: {}", joint_, error.what()));
+            }
+    }
+
+private:
+    void keep(const std::string& name, ClearanceSeries::Kind kind, Functional growth)
+    {
+        growth.name = "clearance " + name;
+        model_.clearances.push_back({name, kind, joint_});
+        model_.functionals.push_back(std::move(growth));
+    }
+
+    GapModel& model_;
+    const casefile::Case& input_;
+    const Machine& machine_;
+    const std::string& joint_;
+};
+
+}  // namespace
+
+GapModel describe_gaps(const casefile::Case& input, const Machine& machine, const ChainModel& chain)
+{
+    GapModel model;
+    model.mirrored = machine.half_model;
+    if (input.chain->corners)
+        add_corners(model, machine, chain);
+    if (!input.chain->clearances)
+        return model;
+    int next = 0;
+    std::size_t index = 0;
+    for (const auto& [name, joint] : input.joints) {
+        std::vector<int> contacts(joint.interfaces.size());
+        std::iota(contacts.begin(), contacts.end(), next);
+        next += static_cast<int>(contacts.size());
+        const auto centre = chain.sensitivity.joint_centres[index++];
+        JointClearances clearances(model, input, machine, name);
+        if (joint.kind == "slide")
+            clearances.of_guide(contacts);
+        else
+            clearances.of_bearings(contacts, centre);
+    }
+    return model;
+}
+
+GapSeries gap_series(const casefile::Case& input, const GapModel& model, const ThermalHistory& history, int first,
+                     const DriftSeries& drift)
+{
+    GapSeries result;
+    auto next = static_cast<std::size_t>(first);
+    if (!model.corners.empty()) {
+        auto corners = model.corners;
+        for (auto& corner : corners)
+            corner.gap = combined({{1, &history.functionals[next++]}, {1, &drift.play}});
+        result.parallelism = parallelism(std::move(corners), model.mirrored);
+    }
+    result.left_out = model.left_out;
+    for (const auto& clearance : model.clearances) {
+        ClearanceSeries series{clearance.name,
+                               clearance.kind,
+                               history.functionals[next++],
+                               input.joints.at(clearance.joint).clearance,
+                               {}};
+        if (series.initial)
+            series.used_up = used_up(history.time, series);
+        result.clearances.push_back(std::move(series));
+    }
+    if (input.chain->press_stiffness) {
+        result.press_stiffness = *input.chain->press_stiffness;
+        result.force = combined({{-result.press_stiffness, &drift.gap}});
+    }
+    return result;
+}
+
+std::vector<std::string> gap_warnings(const GapSeries& gaps)
+{
+    std::vector<std::string> warnings;
+    for (const auto& clearance : gaps.clearances)
+        if (clearance.used_up)
+            warnings.push_back(fmt::format("the clearance of {:.0f} um of '{}' is used up {:.2f} h after the start: "
+                                           "from then on it would jam, and "
+                                           "what is computed holds no longer; give it more clearance, or cool it",
+                                           1e6 * *clearance.initial, clearance.name, *clearance.used_up / 3600));
+    return warnings;
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/gaps.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
+
+#include <string>
+#include <vector>
+
+/// Internal to study/: corners of the slide, clearances and the force at a fixed die height.
+namespace deadpoint::study {
+
+/// What a case's chain follows besides its dimensions, as functionals of the deformation.
+struct GapModel {
+    struct Clearance {
+        std::string name;
+        ClearanceSeries::Kind kind = ClearanceSeries::Kind::bearing;
+        std::string joint;
+    };
+    std::vector<CornerSeries> corners;  ///< of the model: two in a half model
+    std::vector<Clearance> clearances;
+    std::vector<std::string> left_out;    ///< joints without a clearance, with the reason
+    std::vector<Functional> functionals;  ///< of corners, then of clearances
+    bool mirrored = false;                ///< the corners at x > 0 are mirror images
+};
+
+GapModel describe_gaps(const casefile::Case& input, const Machine& machine, const ChainModel& chain);
+
+/// The curves, out of the history's functionals from index `first` on, in the order of GapModel::functionals.
+/// @param drift  of the same history: what the crank's play adds to the corners, and E_SW
+GapSeries gap_series(const casefile::Case& input, const GapModel& model, const ThermalHistory& history, int first,
+                     const DriftSeries& drift);
+
+/// Warnings of clearances that heat uses up.
+std::vector<std::string> gap_warnings(const GapSeries& gaps);
+
+}  // namespace deadpoint::study

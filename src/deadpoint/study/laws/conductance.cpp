@@ -1,0 +1,229 @@
+#include "deadpoint/study/laws/conductance.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/tribology/conductance/bearing_conductance.hpp"
+#include "deadpoint/tribology/conductance/fractal_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace deadpoint::study {
+namespace {
+
+using casefile::Conductance;
+using tribology::ContactConductance;
+
+/// One interface with all that its law may ask for.
+struct Place {
+    const casefile::Case& input;
+    const Machine& machine;
+    const LoadsResult* loads;
+    double speed;
+    const std::string& joint_name;
+    const casefile::Joint& joint;
+    const casefile::Interface& interface;
+    std::size_t index;  ///< into Machine::interfaces
+    std::size_t first;  ///< of the joint's interfaces there
+
+    [[nodiscard]] const Contact& contact() const { return machine.interfaces[index]; }
+    /// With the values at the initial temperature.
+    [[nodiscard]] casefile::Material material(std::uint32_t part) const
+    {
+        return material(input.parts.at(machine.parts[part].name).material);
+    }
+    [[nodiscard]] casefile::Material material(const std::string& called) const
+    {
+        return at_temperature(input.materials.at(called), input.machine.initial_temperature);
+    }
+    [[nodiscard]] std::string path() const
+    {
+        return fmt::format("joints.{}.interfaces.{}", joint_name, interface.name);
+    }
+};
+
+/// The joint exists once in the press, of which the half model holds a half.
+bool halved(const Place& at)
+{
+    return at.machine.half_model && std::ranges::none_of(at.joint.bodies, [&](const std::string& body) {
+               return at.input.bodies.at(body).mirror;
+           });
+}
+
+double area_side_by_side(const Place& at)
+{
+    double area = 0;
+    for (std::size_t i = 0; i < at.joint.interfaces.size(); ++i) {
+        const auto& other = at.joint.interfaces[i];
+        if (other.seat == at.interface.seat && other.journal == at.interface.journal &&
+            other.stands_still == at.interface.stands_still)
+            area += at.machine.interfaces[at.first + i].area;
+    }
+    return halved(at) ? 2 * area : area;
+}
+
+double mean_load(const LoadsResult& loads, const std::string& joint)
+{
+    const auto found = std::ranges::find(loads.linkage.joints, joint, &LinkageJoint::name);
+    const auto index = static_cast<std::size_t>(found - loads.linkage.joints.begin());
+    for (const auto& guide : loads.guides)
+        if (guide.joint == static_cast<int>(index))
+            return guide.mean_normal;
+    return tribology::duty_mean(tribology::duty_of(loads.history, loads.history.joints.at(index)), 1, 0);
+}
+
+double contact_pressure(const Place& at, InterfaceConductance& result)
+{
+    const auto& given = at.interface.conductance.pressure;
+    if (!given && !at.loads)
+        throw InputError(
+            fmt::format("{}.conductance: the law \"{}\" needs the contact pressure, and there are no loads "
+                        "to compute it from\n  help: add pressure = \"1 MPa\", or describe the linkage "
+                        "with its driver and slide body",
+                        at.path(), at.interface.conductance.law));
+    result.pressure = given ? *given : mean_load(*at.loads, at.joint_name) / area_side_by_side(at);
+    result.pressure_from_loads = !given;
+    return *result.pressure;
+}
+
+tribology::GapFluid fluid_of(const Conductance& c)
+{
+    return {c.fluid_conductivity.value_or(0), c.gas_jump.value_or(0)};
+}
+
+ContactConductance fractal(const Place& at, double pressure)
+{
+    const auto& c = at.interface.conductance;
+    const auto a = at.material(at.contact().part_a);
+    const auto b = at.material(at.contact().part_b);
+    tribology::FractalContact contact;
+    contact.dimension = c.fractal_dimension.value_or(0);
+    contact.roughness = c.fractal_roughness.value_or(0);
+    contact.sample = c.sample_length.value_or(0);
+    contact.separation = c.separation.value_or(0);
+    contact.hardness = c.hardness.value_or(0);
+    contact.modulus =
+        tribology::contact_modulus(a.youngs_modulus, a.poissons_ratio, b.youngs_modulus, b.poissons_ratio);
+    contact.conductivity1 = a.conductivity;
+    contact.conductivity2 = b.conductivity;
+    return tribology::fractal_conductance(contact, fluid_of(c), pressure);
+}
+
+ContactConductance rough(const Place& at, double pressure)
+{
+    const auto& c = at.interface.conductance;
+    tribology::RoughContact contact;
+    contact.roughness = c.roughness.value_or(0);
+    contact.slope = c.slope ? *c.slope : tribology::slope_of_roughness(contact.roughness);
+    contact.hardness = c.hardness.value_or(0);
+    contact.conductivity1 = at.material(at.contact().part_a).conductivity;
+    contact.conductivity2 = at.material(at.contact().part_b).conductivity;
+    auto result = tribology::rough_conductance(contact, fluid_of(c), pressure);
+    if (!c.slope)
+        result.notes.push_back(fmt::format("slope {:.3g} estimated from the roughness", contact.slope));
+    return result;
+}
+
+ContactConductance oil_film(const Conductance& c)
+{
+    if (c.thickness)
+        return tribology::film_conductance(fluid_of(c), *c.thickness);
+    return tribology::journal_film_conductance(c.fluid_conductivity.value_or(0), c.clearance.value_or(0),
+                                               c.eccentricity.value_or(0));
+}
+
+tribology::SolidHeat solid_of(const casefile::Material& m) { return {m.conductivity, m.density, m.specific_heat}; }
+
+ContactConductance rolling_elements(const Place& at)
+{
+    const auto& c = at.interface.conductance;
+    const auto material = c.material.empty() ? at.material(at.contact().part_a) : at.material(c.material);
+    const Vec2 inner = c.inner_spot.value_or(Vec2{}), outer = c.outer_spot.value_or(Vec2{});
+    tribology::BearingPath path;
+    path.elements.assign(static_cast<std::size_t>(c.loaded_elements.value_or(0)),
+                         {{inner[0], inner[1]}, {outer[0], outer[1]}});
+    path.element_diameter = c.element_diameter.value_or(0);
+    path.element = solid_of(material);
+    path.ring = path.element;
+    if (c.pitch_diameter) {
+        const double ratio = path.element_diameter / *c.pitch_diameter;
+        path.rolling_speed = at.speed * *c.pitch_diameter * (1 - ratio * ratio) / 4;
+    }
+    path.film_thickness = c.thickness.value_or(0);
+    path.film_conductivity = c.fluid_conductivity.value_or(0);
+    const auto& contact = at.contact();
+    const bool cut = at.machine.parts[contact.part_a].cut;
+    return tribology::bearing_conductance(path).per_area(cut ? 2 * contact.area : contact.area);
+}
+
+ContactConductance by_law(const Place& at, InterfaceConductance& result)
+{
+    const auto& law = at.interface.conductance.law;
+    if (law == "fractal")
+        return fractal(at, contact_pressure(at, result));
+    if (law == "cooper_mikic_yovanovich")
+        return rough(at, contact_pressure(at, result));
+    if (law == "oil_film")
+        return oil_film(at.interface.conductance);
+    if (law == "rolling_elements")
+        return rolling_elements(at);
+    throw InputError(fmt::format("{}.conductance: there is no law '{}'", at.path(), law));
+}
+
+InterfaceConductance conductance_of(const Place& at)
+{
+    InterfaceConductance result;
+    result.joint = at.joint_name;
+    result.name = at.interface.name;
+    result.area = at.contact().area;
+    const auto& given = at.interface.conductance;
+    if (given.law.empty()) {
+        result.law = "given";
+        result.film_a = given.resistance > 0 ? 2 / given.resistance : given.side_a;
+        result.film_b = given.resistance > 0 ? 2 / given.resistance : given.side_b;
+        return result;
+    }
+    result.law = given.law;
+    try {
+        const auto value = by_law(at, result);
+        result.film_a = result.film_b = 2 * value.conductance;
+        result.in_range = value.in_range;
+        result.notes = value.notes;
+    } catch (const DomainError& error) {
+        throw DomainError(fmt::format("{}: {}", at.path(), error.what()));
+    }
+    return result;
+}
+
+}  // namespace
+
+double conductance_speed(const casefile::Case& input)
+{
+    const int running = first_running_segment(input);
+    return running < 0 ? 0 : input.operation[static_cast<std::size_t>(running)].speed;
+}
+
+std::string out_of_range_text(const InterfaceConductance& conductance)
+{
+    std::string reasons;
+    for (const auto& note : conductance.notes)
+        reasons += (reasons.empty() ? "" : "; ") + note;
+    return fmt::format("joints.{}.interfaces.{}: the conductance by law '{}' is outside its tested range: {}",
+                       conductance.joint, conductance.name, conductance.law, reasons);
+}
+
+std::vector<InterfaceConductance> interface_conductances(const casefile::Case& input, const Machine& machine,
+                                                         const LoadsResult* loads, double speed)
+{
+    std::vector<InterfaceConductance> result;
+    for (const auto& [name, joint] : input.joints) {
+        const std::size_t first = result.size();
+        for (const auto& interface : joint.interfaces)
+            result.push_back(
+                conductance_of({input, machine, loads, speed, name, joint, interface, result.size(), first}));
+    }
+    return result;
+}
+
+}  // namespace deadpoint::study

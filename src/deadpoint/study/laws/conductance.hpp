@@ -1,0 +1,53 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/tribology/conductance/conductance.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// How the interfaces of a case conduct.
+namespace deadpoint::study {
+
+/// The conductance of one interface and where it comes from.
+struct InterfaceConductance {
+    std::string joint;
+    std::string name;
+    std::string law;                 ///< "given" where the case states the value
+    std::optional<double> pressure;  ///< only of laws that need it [Pa]
+    bool pressure_from_loads = false;
+    double area = 0;    ///< in contact, of the modelled half [m2]
+    double film_a = 0;  ///< [W/m2/K]
+    double film_b = 0;
+    bool in_range = true;
+    std::vector<std::string> notes;
+
+    [[nodiscard]] double resistance() const { return 1 / film_a + 1 / film_b; }  ///< R'' [m2 K/W]
+};
+
+/// Conductances of all interfaces, in the order of the machine's.
+///
+/// A law's conductance h is put half on either side, film_a = film_b = 2 h. Where the case gives no contact pressure it
+/// is the mean load of the joint over the turn by the area of the interfaces that carry it side by side: those of the
+/// joint with the same `seat`, `journal` and `stands_still`; the others lie in series. A slide's load is that of both
+/// faces with their preload, spread over both. In a half model, a joint that exists once has twice the modelled area.
+/// Rolling elements turn with the crank at `speed`.
+///
+/// @param loads  for pressures that the case leaves out; may be null
+/// @param speed  of the crank [rad/s]
+/// @throws InputError   if a pressure is needed and neither given nor computed; DomainError from the laws, naming the
+///                      interface
+std::vector<InterfaceConductance> interface_conductances(const casefile::Case& input, const Machine& machine,
+                                                         const LoadsResult* loads, double speed);
+
+/// The speed of the crank at which conductances hold: that of the first segment in which the press runs, else 0
+/// [rad/s].
+double conductance_speed(const casefile::Case& input);
+
+/// The warning about a conductance outside its law's tested range.
+std::string out_of_range_text(const InterfaceConductance& conductance);
+
+}  // namespace deadpoint::study

@@ -1,0 +1,378 @@
+#include "deadpoint/study/laws/friction.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/study/laws/viscosity.hpp"
+#include "deadpoint/study/translate/loads.hpp"
+#include "deadpoint/tribology/friction/calibrated.hpp"
+#include "deadpoint/tribology/friction/heat_law.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <sstream>
+
+namespace deadpoint::study {
+namespace {
+
+using tribology::Duty;
+
+constexpr double reporting_temperature = 313.15;  // 40 degC
+constexpr const char* reference_key = "reference";
+constexpr double negligible = 1e-6;  // share of the largest joint force below which a joint is unloaded
+
+std::string original_name(const LoadsResult& loads, std::size_t joint)
+{
+    const auto& name = loads.linkage.joints[joint].name;
+    return loads.images[joint] ? name.substr(0, name.size() - 1) : name;
+}
+
+// Of a joint of the linkage; of a slide, the sum of its faces.
+Duty joint_duty(const LoadsResult& loads, std::size_t index, const casefile::Joint& joint)
+{
+    const auto& cycle = loads.history.joints[index];
+    if (loads.linkage.joints[index].kind == LinkageJoint::Kind::slide)
+        return tribology::guide_duty(loads.history, cycle, describe_guide(joint));
+    return tribology::duty_of(loads.history, cycle);
+}
+
+// Bearings or bushes that share the joint.
+std::size_t element_count(const casefile::Joint& joint) { return std::max<std::size_t>(1, joint.elements.size()); }
+
+double load_duty(const std::vector<RubbingJoint>& joints, tribology::FrictionKind kind)
+{
+    const double exponent = kind == tribology::FrictionKind::rolling ? tribology::rolling_load_exponent : 1.0;
+    double sum = 0;
+    for (const auto& joint : joints)
+        for (const auto& duty : joint.duties)
+            sum += tribology::duty_mean(duty, exponent, 1);
+    return sum;
+}
+
+double largest_joint_force(const LoadsResult& loads)
+{
+    double largest = 0;
+    for (const auto& joint : loads.history.joints)
+        for (const auto& force : joint.force)
+            largest = std::max(largest, norm(force));
+    return largest;
+}
+
+bool carries_nothing(const std::vector<RubbingJoint>& joints, const LoadsResult& loads)
+{
+    const double limit = negligible * largest_joint_force(loads);
+    const auto unloaded = [&](const Duty& duty) { return tribology::peak_force(duty) <= limit; };
+    return std::ranges::all_of(joints,
+                               [&](const RubbingJoint& joint) { return std::ranges::all_of(joint.duties, unloaded); });
+}
+
+FrictionPower friction_power(const FrictionSummary& summary, const PowerBalance& balance, double temperature,
+                             double period)
+{
+    FrictionPower power;
+    power.temperature = temperature;
+    for (const auto& row : summary.rows)
+        power.friction += row.heat(temperature).value;
+    power.motor = balance.process + power.friction;
+    power.torque = power.friction * period / (2 * std::numbers::pi);
+    if (balance.rated > 0)
+        power.share_of_motor = power.motor / balance.rated;
+    return power;
+}
+
+PowerBalance power_balance(const casefile::Case& input, const FrictionSummary& summary, const LoadsResult& loads)
+{
+    const auto& turn = loads.history;
+    const auto weight = tribology::turn_weights(turn.time, turn.period);
+    PowerBalance balance;
+    balance.drive = loads.drive.mean_power;
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+        balance.process -= weight[i] * turn.process_force[i] * turn.slide_speed[i];
+        balance.swing += weight[i] * std::abs(turn.drive_torque[i] * turn.speed[i]);
+    }
+    if (input.crankshaft && input.crankshaft->belt)
+        balance.rated = input.crankshaft->belt->power;
+    balance.at.push_back(friction_power(summary, balance, input.machine.initial_temperature, turn.period));
+    if (input.machine.initial_temperature != reporting_temperature)
+        balance.at.push_back(friction_power(summary, balance, reporting_temperature, turn.period));
+    return balance;
+}
+
+// A warning without its numbers, which differ from one operating point to the next; names with digits stay.
+std::string without_numbers(const std::string& text)
+{
+    std::string result;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const auto first = std::ranges::find_if(word, [](unsigned char c) { return std::isalnum(c) != 0; });
+        if (first == word.end() || std::isdigit(static_cast<unsigned char>(*first)) == 0)
+            result += word + " ";
+    }
+    return result;
+}
+
+std::string operating_point(double speed, double force)
+{
+    return fmt::format("at {:.4g} rpm and {:.4g} kN", speed * 30 / std::numbers::pi, force / 1e3);
+}
+
+std::string unloaded_text(const FrictionHeat& row)
+{
+    return fmt::format("friction.{}: its joints carry no load at the reference (the linkage is balanced about them), "
+                       "so its load part follows the speed only; state a preload, or an offset of the process force",
+                       row.row);
+}
+
+std::vector<std::string> power_warnings(const FrictionSummary& summary)
+{
+    std::vector<std::string> warnings;
+    if (!summary.balance)
+        return warnings;
+    const auto& balance = *summary.balance;
+    const auto place = operating_point(summary.speed, summary.force);
+    if (balance.mismatch() > power_tolerance)
+        warnings.push_back(fmt::format("{}: without friction the drive gives {:.4g} W and the process takes {:.4g} W; "
+                                       "raise mechanism.positions",
+                                       place, balance.drive, balance.process));
+    for (const auto& power : balance.at)
+        if (power.share_of_motor && *power.share_of_motor > 1)
+            warnings.push_back(fmt::format("{}: process and friction with all joints at {:.0f} degC take {:.4g} W, but "
+                                           "crankshaft.belt.power is {:.4g} W; check the friction laws and the motor",
+                                           place, power.temperature - 273.15, power.motor, balance.rated));
+    return warnings;
+}
+
+// Errors of a law, said where they belong.
+template <class Action>
+auto for_row(const std::string& row, const Action& action)
+{
+    try {
+        return action();
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("friction.{}: {}", row, error.what()));
+    }
+}
+
+}  // namespace
+
+FrictionLaws::FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known)
+    : input_(input), machine_(machine), known_(known)
+{
+    if (known_)
+        for (const auto& warning : known_->warnings)
+            heard_.push_back(without_numbers(warning));
+}
+
+void FrictionLaws::keep_warnings(const LoadsResult& loads, bool at_reference)
+{
+    const bool first = !known_ && computed_.size() == 1;
+    for (const auto& warning : loads.warnings) {
+        const auto bare = without_numbers(warning);
+        if (std::ranges::find(heard_, bare) != heard_.end())
+            continue;
+        heard_.push_back(bare);
+        warnings_.push_back(first ? warning
+                                  : fmt::format("{}{}: {}", operating_point(loads.speed, loads.force),
+                                                at_reference ? ", a reference of friction" : "", warning));
+    }
+}
+
+const LoadsResult& FrictionLaws::compute(const std::string& key, const casefile::Case& input)
+{
+    auto& slot = computed_[key];
+    if (!slot) {
+        if (!has_loads(input))
+            throw InputError(
+                "its heat follows the loads of the linkage, which the case does not describe\n  help: name "
+                "the driver's joint with `driver = true` and the body that carries the tool with "
+                "`mechanism.slide_body`");
+        slot = std::make_unique<LoadsResult>(compute_loads(input, machine_, 0));
+        keep_warnings(*slot, key.starts_with(reference_key));
+    }
+    return *slot;
+}
+
+const LoadsResult& FrictionLaws::loads(const casefile::Segment& segment)
+{
+    if (known_ && known_->speed == segment.speed && known_->force == segment.force)
+        return *known_;
+    auto input = input_;
+    input.operation = {segment};
+    return compute(fmt::format("{} {}", segment.speed, segment.force), input);
+}
+
+const LoadsResult& FrictionLaws::reference(const casefile::Friction& friction)
+{
+    auto input = input_;
+    casefile::Segment segment;
+    segment.speed = friction.reference_speed;
+    segment.force = *friction.reference_force;
+    if (input.crankshaft) {
+        const bool changed = input.crankshaft->model != "flexible" || friction.reference_stiffness;
+        input.crankshaft->model = "flexible";
+        if (friction.reference_stiffness)
+            for (auto& bearing : input.crankshaft->bearings)
+                bearing.stiffness = {{{*friction.reference_stiffness, 0}, {0, *friction.reference_stiffness}}};
+        if (!changed)
+            return loads(segment);
+    } else {
+        return loads(segment);
+    }
+    input.operation = {segment};
+    return compute(fmt::format("{} {} {} {}", reference_key, segment.speed, segment.force,
+                               friction.reference_stiffness.value_or(0)),
+                   input);
+}
+
+std::vector<RubbingJoint> FrictionLaws::rubbing_joints(const std::string& row, const LoadsResult& loads) const
+{
+    const auto measure = tribology::load_measure(input_.friction.at(row).load_measure);
+    std::vector<RubbingJoint> result;
+    for (std::size_t j = 0; j < loads.linkage.joints.size(); ++j) {
+        const auto name = original_name(loads, j);
+        const auto& joint = input_.joints.at(name);
+        if (joint.friction != row)
+            continue;
+        RubbingJoint rubbing{name, &joint, {}};
+        if (joint.driver && loads.crankshaft) {
+            for (const auto& bearing : loads.crankshaft->cycle().bearings)
+                rubbing.duties.push_back(tribology::measured(tribology::duty_of(bearing, loads.speed), measure));
+        } else {
+            const auto duty = tribology::measured(joint_duty(loads, j, joint), measure);
+            const auto count = element_count(joint);
+            rubbing.duties.assign(count, tribology::shared(duty, 1.0 / static_cast<double>(count)));
+        }
+        result.push_back(std::move(rubbing));
+    }
+    return result;
+}
+
+FrictionHeat FrictionLaws::calibrated(const std::string& row, const casefile::Segment& segment)
+{
+    const auto& given = input_.friction.at(row);
+    tribology::CalibratedFriction law;
+    law.kind = tribology::friction_kind(given.kind);
+    law.load_part = given.load_part;
+    law.viscous_part = given.viscous_part;
+    law.exponent = given.exponent;
+    law.reference_speed = given.reference_speed;
+    law.scale = given.scale;
+
+    FrictionHeat result;
+    auto ratio = tribology::speed_ratio(law, segment.speed);
+    if (given.reference_force && segment.speed > 0) {
+        const auto& at_reference = reference(given);
+        const auto then = rubbing_joints(row, at_reference);
+        result.unloaded = carries_nothing(then, at_reference);
+        if (!result.unloaded) {
+            ratio.load = load_duty(rubbing_joints(row, loads(segment)), law.kind) / load_duty(then, law.kind);
+            result.load_ratio = ratio.load;
+        }
+    }
+    tribology::ViscosityLaw viscosity;
+    if (!given.lubricant.empty())
+        viscosity = viscosity_law(input_, given.lubricant);
+    result.heat = tribology::calibrated_heat(law, viscosity, segment.speed, ratio);
+    result.load_part = given.scale * given.load_part * ratio.load;
+    return result;
+}
+
+FrictionHeat FrictionLaws::physical(const std::string& row, const casefile::Segment& segment)
+{
+    FrictionHeat result;
+    if (segment.speed == 0) {
+        result.heat = tribology::constant_heat(0);
+        result.load_part = 0;
+        return result;
+    }
+    const auto parts = physical_heat(input_, input_.friction.at(row), rubbing_joints(row, loads(segment)));
+    result.heat = parts.heat;
+    result.load_part = parts.load_part;
+    result.ring_heat = parts.ring_heat;
+    return result;
+}
+
+FrictionHeat FrictionLaws::heat(const std::string& row, const casefile::Segment& segment)
+{
+    const auto& friction = input_.friction.at(row);
+    auto result =
+        for_row(row, [&] { return friction.law == "calibrated" ? calibrated(row, segment) : physical(row, segment); });
+    result.row = row;
+    result.law = friction.law;
+    for (const auto& [name, joint] : input_.joints)
+        if (joint.friction == row)
+            result.joints.push_back(name);
+    return result;
+}
+
+void FrictionLaws::contrast_bearings(FrictionSummary& result, const LoadsResult& loads)
+{
+    if (!loads.crankshaft)
+        return;
+    const auto& rigid = loads.crankshaft->rigid.bearings;
+    const std::vector<BearingCycle>* flexible = nullptr;
+    if (loads.crankshaft->flexible) {
+        flexible = &loads.crankshaft->flexible->bearings;
+    } else {
+        for (const auto& [name, joint] : input_.joints) {
+            const auto row = input_.friction.find(joint.friction);
+            if (joint.driver && row != input_.friction.end() && row->second.reference_force &&
+                row->second.reference_speed == loads.speed)
+                flexible = &reference(row->second).crankshaft->flexible->bearings;
+        }
+        result.same_loads = false;
+    }
+    if (!flexible)
+        return;
+    for (std::size_t b = 0; b < rigid.size(); ++b)
+        result.bearings.push_back({rigid[b].name, rigid[b].mean_power_4_3 / (*flexible)[b].mean_power_4_3,
+                                   std::pow(rigid[b].peak / (*flexible)[b].peak, tribology::rolling_load_exponent)});
+}
+
+FrictionSummary FrictionLaws::summary(const casefile::Segment& segment)
+{
+    FrictionSummary result;
+    result.speed = segment.speed;
+    result.force = segment.force;
+    for (const auto& [name, row] : input_.friction)
+        result.rows.push_back(heat(name, segment));
+    if (!has_loads(input_) || !(segment.speed > 0))
+        return result;
+    const auto& now = loads(segment);
+    contrast_bearings(result, now);
+    result.balance = power_balance(input_, result, now);
+    return result;
+}
+
+std::vector<FrictionSummary> FrictionLaws::summaries()
+{
+    std::vector<FrictionSummary> result;
+    for (const auto& segment : input_.operation) {
+        const auto same = [&](const FrictionSummary& other) {
+            return other.speed == segment.speed && other.force == segment.force;
+        };
+        if (segment.speed > 0 && std::ranges::none_of(result, same))
+            result.push_back(summary(segment));
+    }
+    return result;
+}
+
+std::vector<std::string> FrictionLaws::warnings(const std::vector<FrictionSummary>& summaries) const
+{
+    auto result = warnings_;
+    const auto add = [&](const std::string& text) {
+        if (std::ranges::find(result, text) == result.end())
+            result.push_back(text);
+    };
+    for (const auto& summary : summaries) {
+        for (const auto& row : summary.rows)
+            if (row.unloaded)
+                add(unloaded_text(row));
+        for (const auto& warning : power_warnings(summary))
+            add(warning);
+    }
+    return result;
+}
+
+}  // namespace deadpoint::study

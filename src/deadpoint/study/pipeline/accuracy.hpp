@@ -1,0 +1,46 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/accuracy.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a run to a stated accuracy came to.
+namespace deadpoint::study {
+
+/// One mesh on the way.
+struct AccuracyRound {
+    long long cells = 0;
+    double value = 0;              ///< the gap at the end [m], or the largest final rise of a probe [K]
+    std::optional<double> change;  ///< largest over the run against the mesh before [m] or [K]
+    double estimate = 0;           ///< what finer parts would change, by the duals [m] or [K]
+    int refined = 0;               ///< parts that are finer than in the mesh before
+    std::string worst_part;        ///< of the largest share of the estimate
+    double seconds = 0;            ///< wall time
+};
+
+/// One part at the end.
+struct AccuracyPart {
+    std::string name;
+    double first_size = 0;  ///< cell size asked for at the start [m]
+    double size = 0;        ///< at the end [m]
+    long long cells = 0;    ///< at the end
+    double share = 0;       ///< of the estimate at the end [m] or [K]
+    bool fixed = false;     ///< its mesh comes from a file
+};
+
+struct AccuracyReport {
+    casefile::Accuracy wanted;
+    bool reached = false;
+    std::string why_not;  ///< where it was not reached
+    std::vector<AccuracyRound> rounds;
+    std::vector<AccuracyPart> parts;
+    double time_tolerance = 0;  ///< used [K]
+    double max_step = 0;        ///< used [s]
+    double time_change = 0;     ///< by steps half as long, on the first mesh [m] or [K]
+    double time_seconds = 0;    ///< spent on that
+    double seconds = 0;         ///< wall time of all
+};
+
+}  // namespace deadpoint::study

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/laws/conductance.hpp"
+#include "deadpoint/study/laws/friction.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+
+#include <string>
+#include <vector>
+
+/// What the laws of a case say before any field is solved: friction heat, conductances, film coefficients.
+namespace deadpoint::study {
+
+/// Friction heat of a row of [friction], of the whole press.
+struct JointHeat {
+    std::string row;
+    std::string law;
+    std::string lubricant;
+    std::vector<std::string> joints;  ///< that name the row
+    std::vector<double> heat;         ///< at HeatTables::temperatures [W]
+    std::vector<bool> in_range;
+};
+
+/// Film of a surface at one rise above the ambient.
+struct FilmValue {
+    double speed = 0;       ///< of the surface's law [rad/s, or m/s if it moves]
+    double rise = 0;        ///< [K]
+    double convection = 0;  ///< [W/m2/K]
+    double radiation = 0;
+    bool in_range = true;
+};
+
+struct FilmTable {
+    std::string surface;
+    std::string law;
+    double area = 0;     ///< of the modelled half [m2]
+    double length = 0;   ///< of natural convection; 0: none [m]
+    double ambient = 0;  ///< for which the values hold [K]
+    std::vector<FilmValue> at_rest;
+    std::vector<FilmValue> running;  ///< empty where speed changes nothing
+};
+
+struct HeatTables {
+    int segment = -1;
+    double speed = 0;                  ///< of the crank [rad/s]
+    std::vector<double> temperatures;  ///< [K]
+    std::vector<JointHeat> joints;
+    std::vector<FrictionSummary> friction;  ///< at every speed and force of the operation
+    std::vector<InterfaceConductance> conductances;
+    std::vector<FilmTable> films;
+    std::vector<std::string> warnings;
+};
+
+/// The tables of a case in one segment of its operation, by the same laws as a run.
+///
+/// Joint heat at 20, 30, ... 70 degC; films at 5, 10 and 20 K above the ambient at the segment's start, at rest and at
+/// the segment's speed.
+///
+/// @param machine  may be null for a case without parts: then there are friction rows only
+/// @param loads    for contact pressures and speeds that the case leaves out; may be null
+/// @throws InputError, DomainError as the translations
+HeatTables heat_tables(const casefile::Case& input, const Machine* machine, const LoadsResult* loads, int segment);
+
+}  // namespace deadpoint::study

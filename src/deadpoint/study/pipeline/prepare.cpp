@@ -1,0 +1,202 @@
+#include "deadpoint/study/pipeline/prepare.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/machine/assembly/build.hpp"
+#include "deadpoint/study/pipeline/check_machine.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/machine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace deadpoint::study {
+namespace {
+
+bool has_condition(const casefile::Surface& surface)
+{
+    return surface.film || surface.temperature || !surface.temperature_formula.empty() || surface.heat_flux ||
+           surface.insulated;
+}
+
+[[noreturn]] void throw_claimed_twice(const Machine& machine, std::uint32_t face, const std::string& first,
+                                      const std::string& second)
+{
+    throw InputError(fmt::format(
+        "surfaces.{} and surfaces.{} both claim a face of part '{}'; narrow one of them with 'within' or 'parts'",
+        first, second, machine.parts[machine.faces[face].part].name));
+}
+
+bool apart(const std::optional<BoxShape>& a, const std::optional<BoxShape>& b)
+{
+    constexpr double rounding = 1e-9;
+    for (std::size_t i = 0; a && b && i < 3; ++i)
+        if (a->max[i] < b->min[i] + rounding || b->max[i] < a->min[i] + rounding)
+            return true;
+    return false;
+}
+
+// Which surfaces claim a face, and which share of it they claim together. Boxes that meet share the faces between them.
+class Claims {
+public:
+    Claims(const casefile::Case& input, const Machine& machine) : input_(input), machine_(machine) {}
+    void add(const MeshSurface& surface)
+    {
+        for (const auto& entry : surface.faces) {
+            auto& [names, share] = claims_[entry.face];
+            for (const auto& other : names)
+                if (!apart(input_.surfaces.at(other).within, input_.surfaces.at(surface.name).within))
+                    throw_claimed_twice(machine_, entry.face, other, surface.name);
+            names.push_back(surface.name);
+            share += entry.fraction;
+        }
+    }
+    [[nodiscard]] double share(std::uint32_t face) const
+    {
+        const auto found = claims_.find(face);
+        return found == claims_.end() ? 0 : found->second.share;
+    }
+
+private:
+    struct Claim {
+        std::vector<std::string> names;
+        double share = 0;
+    };
+    const casefile::Case& input_;
+    const Machine& machine_;
+    std::map<std::uint32_t, Claim> claims_;
+};
+
+// Leaves to an exposed surface what nothing else claims.
+void leave_unclaimed(const Machine& machine, const Claims& claims, MeshSurface& surface)
+{
+    constexpr double rounding = 1e-9;
+    for (auto& entry : surface.faces)
+        entry.fraction *= std::max(0.0, 1 - claims.share(entry.face));
+    std::erase_if(surface.faces, [](const SurfaceFace& entry) { return entry.fraction < rounding; });
+    surface.area = 0;
+    for (const auto& entry : surface.faces)
+        surface.area += entry.fraction * face_area(machine, machine.faces[entry.face]);
+}
+
+void settle_claims(const casefile::Case& input, Machine& machine)
+{
+    Claims by_place(input, machine), by_exposure(input, machine);
+    for (const auto& surface : machine.surfaces) {
+        const auto& description = input.surfaces.at(surface.name);
+        if (has_condition(description))
+            (description.select == "exposed" ? by_exposure : by_place).add(surface);
+    }
+    for (auto& surface : machine.surfaces) {
+        const auto& description = input.surfaces.at(surface.name);
+        if (description.select == "exposed" && has_condition(description))
+            leave_unclaimed(machine, by_place, surface);
+    }
+}
+
+/// Area of the whole faces that a surface takes by their middles [m2].
+double area_by_middles(const Machine& machine, const MeshSurface& surface)
+{
+    double area = 0;
+    for (const auto& entry : surface.faces)
+        area += entry.central ? face_area(machine, machine.faces[entry.face]) : 0;
+    return area;
+}
+
+// A temperature, a foot or a face of the dimension chain goes by nodes, and so by whole faces.
+void require_middles(const casefile::Case& input, const Machine& machine, Observer& observer)
+{
+    constexpr double worth_a_word = 0.01;
+    for (const auto& surface : machine.surfaces) {
+        const auto& own = input.surfaces.at(surface.name);
+        if (own.film || own.heat_flux || own.insulated)
+            continue;
+        const double held = area_by_middles(machine, surface);
+        if (held == 0)
+            throw InputError(
+                fmt::format("surfaces.{}: no face has its middle in its box, and what is not spread over "
+                            "an area goes by whole faces\n  help: correct the box, or make the cells there "
+                            "smaller",
+                            surface.name));
+        if (own.temperature || !own.temperature_formula.empty())
+            if (std::abs(held - surface.area) > worth_a_word * surface.area)
+                observer.warn(fmt::format("surfaces.{}: the temperature is held on whole faces, {:.4g} cm2 of them, "
+                                          "where its box has {:.4g} cm2; let the box end where cells end, or make them "
+                                          "smaller",
+                                          surface.name, 1e4 * held, 1e4 * surface.area));
+    }
+}
+
+// Stages and progress of another observer, without what it has been told already.
+class Repeated : public Observer {
+public:
+    explicit Repeated(Observer& to) : to_(to) {}
+    void progress(double fraction, std::string_view detail) override { to_.progress(fraction, detail); }
+    [[nodiscard]] bool cancelled() const override { return to_.cancelled(); }
+
+private:
+    Observer& to_;
+};
+
+}  // namespace
+
+Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer)
+{
+    if (input.parts.empty())
+        throw InputError(
+            "the case has no [parts]: there is nothing to mesh\n  help: add the solids of its bodies; motion "
+            "and forces of the linkage alone are computed by 'deadpoint loads'");
+    auto machine = machine::build_machine(describe_machine(input, size_scale), observer);
+    settle_claims(input, machine);
+    require_middles(input, machine, observer);
+    require_probes_on_parts(input, machine);
+    for (const auto& warning : cold_formulas(input, machine))
+        observer.warn(warning);
+    for (const auto& warning : loose_bodies(machine))
+        observer.warn(warning);
+    return machine;
+}
+
+casefile::Case case_of_deformation(casefile::Case input)
+{
+    if (input.numerics.deformation_order == 0)
+        return input;
+    input.numerics.order = input.numerics.deformation_order;
+    for (auto& [name, part] : input.parts)
+        part.order = 0;
+    return input;
+}
+
+double deformation_scale(const casefile::Case& input, const Machine& machine)
+{
+    if (input.numerics.deformation_size > 0)
+        return input.numerics.deformation_size;
+    const double unknowns = 3 * static_cast<double>(count_corners(case_of_deformation(input), machine).unknowns());
+    return unknowns <= static_cast<double>(fem::largest_factor) ? 1 : std::cbrt(unknowns / wanted_unknowns);
+}
+
+std::optional<Machine> prepare_deformation_machine(const casefile::Case& input, double size_scale,
+                                                   const Machine& machine, Observer& observer)
+{
+    const double scale = deformation_scale(input, machine);
+    const auto own = case_of_deformation(input);
+    const bool alike = describe_orders(own, machine) == describe_orders(input, machine);
+    if (!input.chain || (scale == 1 && alike))
+        return std::nullopt;
+    observer.stage("mesh of the deformation");
+    Repeated quiet(observer);
+    try {
+        auto coarse = machine::build_machine(describe_machine(own, size_scale * scale), quiet);
+        settle_claims(input, coarse);
+        return coarse;
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("the mesh of the deformation, with cells {:.2f} times as large as those of the "
+                                     "heat:\n{}\n  help: choose numerics.deformation_size nearer to 1",
+                                     scale, error.what()));
+    }
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "deadpoint/exchange/deformation.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/light_surface.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/conduction/checkpoint.hpp"
+#include "deadpoint/fem/model.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+/// The temperature and deformation of a run on a light surface, for the page that shows it.
+namespace deadpoint::study {
+
+inline constexpr std::size_t view_triangles = 30000;
+inline constexpr double view_tolerance = 0.005;  ///< of the largest rise: what leaving out modes may change
+inline constexpr std::size_t view_modes = 12;    ///< at most
+/// Modes beyond which the rise differs by less than this, root mean square, move nothing: the deformation sums up what
+/// the temperature does over lengths, so that its largest error stays below about 1 % of its largest value.
+inline constexpr double view_deformation_tolerance = 0.025;
+
+/// A quantity at vertices and times: base + sum over k of ViewData::coefficients[k] modes[k].
+template <class Value>
+struct ModalField {
+    std::vector<Value> base;
+    std::vector<std::vector<Value>> modes;  ///< the first of the modes, perhaps not all
+};
+
+struct ViewData {
+    LightSurface surface;
+    std::vector<double> time;        ///< [s]
+    double reference = 0;            ///< initial temperature [K]
+    ModalField<double> temperature;  ///< [K]
+    ModalField<Vec3> displacement;   ///< with the linkage closed [m]; empty where the case has no dimension chain
+    std::vector<std::vector<double>> coefficients;  ///< [mode][time]
+    double largest_rise = 0;                        ///< against the first time, either sign, in the whole machine [K]
+    double error = 0;                               ///< largest, anywhere in the machine, by the modes left out [K]
+};
+
+/// Times at which fields are kept: in each segment denser after its start, where temperatures change fastest; about 36.
+std::vector<double> view_times(const std::vector<HeatSegment>& segments);
+
+/// Rigid motions of the parts that close the joints again after a deformation.
+using CloseJoints = std::function<std::vector<RigidMotion>(const fem::Displacement&)>;
+
+/// Keeps fields during the run and makes light data of them at its end.
+///
+/// The deformation is linear in the temperature, or in the rise that stands for its strain, so it is solved for the
+/// main modes instead of at each time.
+class ViewRecorder {
+public:
+    void add(double time, const fem::Field& field);
+    [[nodiscard]] bool empty() const { return times_.empty(); }
+    /// What was added.
+    [[nodiscard]] std::vector<fem::HandedField> kept() const;
+
+    /// Collective. Empties the recorder.
+    /// @param reference  temperature without deformation [K]
+    /// @param close      empty: no deformation
+    ViewData finish(const Machine& machine, fem::Model& model, double reference, const CloseJoints& close);
+
+private:
+    std::vector<double> times_;
+    std::vector<std::vector<float>> fields_;
+};
+
+}  // namespace deadpoint::study

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/refine/estimate.hpp"
+
+#include <functional>
+#include <vector>
+
+/// Runs on finer and finer parts until the figure that is asked for stands still.
+namespace deadpoint::study {
+
+struct PartError {
+    double error = 0;    ///< its share, of whatever unit, >= 0
+    double cells = 0;    ///< > 0
+    double order = 2;    ///< the error falls as size^order
+    bool fixed = false;  ///< cannot be refined
+};
+
+/// Factors on the cell sizes of the parts that bring the sum of their errors down to a target with the fewest cells:
+/// least sum of n_p f_p^-3 with sum of e_p f_p^order = target, hence f_p ~ (n_p / (order e_p))^(1 / (order + 3)), held
+/// between `least` and 1. Factors above 0.93 become 1: those parts keep their meshes.
+/// @param most_cells  a weaker target is taken where the cells would become more
+std::vector<double> size_factors(const std::vector<PartError>& parts, double target, double least, double most_cells);
+
+struct RefinedRun {
+    casefile::Case input;  ///< with the sizes of all parts and the time steps as used, without its accuracy
+    Machine machine;
+    RunResult result;
+};
+
+/// What the last run, of the refined case, is to leave besides its result.
+using OptionsOfLast = std::function<RunOptions(const casefile::Case&)>;
+
+/// Computes a case to its `numerics.accuracy`, stated in study/pipeline/accuracy.hpp and docs/theory.md. The result's
+/// `accuracy` says what it took and whether it was reached. Collective.
+/// @param size_scale  on the cell sizes to start from
+/// @param options     without `start_from`; empty function: nothing
+/// @throws InputError if the case asks for no accuracy; as prepare_machine and run_case
+RefinedRun run_to_accuracy(const casefile::Case& input, double size_scale, const OptionsOfLast& options,
+                           Observer& observer);
+
+}  // namespace deadpoint::study

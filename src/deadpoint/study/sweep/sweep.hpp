@@ -1,0 +1,43 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/observer.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/sweep/sweep_plan.hpp"
+
+#include <csignal>
+#include <functional>
+#include <vector>
+
+/// Running many cases that share what does not change between them.
+namespace deadpoint::study {
+
+/// Runs one case on the model it shares and leaves its results where they belong. With several workers it is called in
+/// a process of its own: what it changes in memory is lost, what it writes stays.
+using PointAction = std::function<void(const SweepPoint&, const casefile::Case&, const Machine&, SharedModel&)>;
+
+/// Asks the process of a point to stop; whoever lets an Observer be cancelled by signals handles it quietly. A process
+/// that does not is ended by it.
+inline constexpr int stop_signal = SIGUSR1;
+
+struct SweepOptions {
+    int workers = 0;  ///< points at a time, on one rank; 0: as many as cores and memory hold
+    /// Called when a group of points is prepared, with their number and how many will run at a time.
+    std::function<void(const Machine&, std::size_t points, int workers)> on_prepared;
+};
+
+/// Runs points, grouped by what they share (shared_part): each group's machine is meshed and its model prepared once;
+/// with several workers, child processes then take the points over in turn, each with the prepared memory as it is.
+///
+/// A point whose case fails is recorded with the reason, and the others go on; so is one whose process dies. Once the
+/// observer is cancelled no further point is begun; those being run stop too and count as left.
+///
+/// @param cases    of the points, same order
+/// @param pending  indices of the points to run
+/// @return as the points; those not pending are left as State::left
+/// @throws IoError if a process cannot be started
+std::vector<PointOutcome> run_points(const std::vector<SweepPoint>& points, const std::vector<casefile::Case>& cases,
+                                     const std::vector<std::size_t>& pending, const SweepOptions& options,
+                                     const PointAction& action, Observer& observer);
+
+}  // namespace deadpoint::study

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+#include <vector>
+
+/// Internal to study/: which contacts of a joint make one bearing.
+namespace deadpoint::study {
+
+/// The contacts of a revolute joint by bearing, in their order: one bearing's contacts share a ring, a part of a body
+/// that is `thermal_only`.
+std::vector<std::vector<int>> bearings_of(const casefile::Case& input, const Machine& machine,
+                                          const std::vector<int>& contacts);
+
+}  // namespace deadpoint::study

@@ -1,0 +1,386 @@
+#include "deadpoint/study/translate/heat.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/formula.hpp"
+#include "deadpoint/core/pattern.hpp"
+#include "deadpoint/study/laws/conductance.hpp"
+#include "deadpoint/study/laws/film.hpp"
+#include "deadpoint/study/laws/load_zone.hpp"
+#include "deadpoint/study/translate/courses.hpp"
+#include "deadpoint/study/translate/enclosures.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/study/translate/oil.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <set>
+
+namespace deadpoint::study {
+
+namespace {
+
+int index_of(const std::map<std::string, casefile::Friction>& friction, const std::string& name)
+{
+    const auto found = friction.find(name);
+    return found == friction.end() ? -1 : static_cast<int>(std::distance(friction.begin(), found));
+}
+
+InterfaceLaw interface_law(const casefile::Case& input, const Machine& machine, const LoadsResult* loads,
+                           const std::string& name, const casefile::Interface& interface,
+                           const InterfaceConductance& conductance)
+{
+    const auto& joint = input.joints.at(name);
+    InterfaceLaw law;
+    law.film_a = conductance.film_a;
+    law.film_b = conductance.film_b;
+    const auto by_row = input.oil.find(joint.friction);
+    law.oil = interface.oil > 0 ? interface.oil : by_row != input.oil.end() ? by_row->second : 0;
+    law.oil_temperature = joint.oil_temperature;
+    law.turns_fully = joint.turns_fully && !interface.stands_still;
+    law.source = index_of(input.friction, joint.friction);
+    law.heat_weight = interface.heat_share;
+    law.heat_part = interface.heat_into.empty() ? -1 : part_index(machine, interface.heat_into);
+    if (!interface.heat_into.empty() && law.heat_part < 0)
+        throw InputError(fmt::format("joints.{}.interfaces.{}: part '{}' of `heat_into` is not in the modelled half",
+                                     name, interface.name, interface.heat_into));
+    if (interface.load_zone && loads)
+        law.load_zone = load_zone(input, name, *loads);
+    return law;
+}
+
+std::vector<InterfaceLaw> interface_laws(const casefile::Case& input, const Machine& machine, const LoadsResult* loads,
+                                         const std::vector<InterfaceConductance>& conductances)
+{
+    std::vector<InterfaceLaw> laws;
+    for (const auto& [name, joint] : input.joints)
+        for (const auto& interface : joint.interfaces)
+            laws.push_back(interface_law(input, machine, loads, name, interface, conductances[laws.size()]));
+    return laws;
+}
+
+/// The part of a case that gives each segment its laws.
+class Segments {
+public:
+    Segments(const casefile::Case& input, const Machine& machine, FrictionLaws& friction, const LoadsResult* loads,
+             Observer& observer)
+        : input_(input), machine_(machine), friction_(friction), loads_(loads), observer_(observer)
+    {}
+
+    void describe(HeatProblem& problem)
+    {
+        double start = 0;
+        for (std::size_t s = 0; s < input_.operation.size(); ++s) {
+            problem.segments.push_back(segment(s, start, problem));
+            start += input_.operation[s].duration;
+        }
+    }
+
+    /// Interface laws at the operating point of a segment, before the oil warms. While the press stands its joints
+    /// conduct as they did when it last ran.
+    std::vector<InterfaceLaw> interfaces(std::size_t s)
+    {
+        const auto* running = running_segment(s);
+        if (!running)
+            return interface_laws(input_, machine_, nullptr, checked(nullptr, 0));
+        const LoadsResult* loads = loads_ ? &friction_.loads(*running) : nullptr;
+        if (!loads)
+            refuse_zones("", "the case does not describe the linkage and its loads");
+        return interface_laws(input_, machine_, loads, checked(loads, running->speed));
+    }
+
+private:
+    HeatSegment segment(std::size_t s, double start, const HeatProblem& problem)
+    {
+        const auto& operation = input_.operation[s];
+        HeatSegment result;
+        result.duration = operation.duration;
+        result.ambient = segment_ambient(input_, operation, start);
+        for (const auto& [name, row] : input_.friction) {
+            const auto friction = friction_.heat(name, operation);
+            result.heat.push_back(friction.heat);
+            result.ring_heat.push_back(friction.ring_heat);
+            result.zoned_heat.push_back(friction.load_part.value_or(0));
+            if (!friction.load_part)
+                refuse_zones(name, fmt::format("friction.{} has no load part of its own by its law", name));
+        }
+        for (const auto& [name, source] : input_.heat_sources)
+            result.body_heat.push_back(operation.speed > 0 || source.at_rest
+                                           ? scaled_power(*source.power, modelled_share(machine_))
+                                           : TimeCourse{});
+        result.enclosure_power = enclosure_power(input_, machine_, operation);
+        result.oil_flow = oil_flows(input_, machine_, operation);
+        result.interfaces = interfaces(s);
+        warm_within_joints(result.interfaces, machine_, problem.oil, result.oil_flow);
+        return result;
+    }
+
+    /// The segment itself if the press runs in it, else the one before in which it ran, else the first that runs.
+    [[nodiscard]] const casefile::Segment* running_segment(std::size_t s) const
+    {
+        for (std::size_t i = s + 1; i-- > 0;)
+            if (input_.operation[i].speed > 0)
+                return &input_.operation[i];
+        const int first = first_running_segment(input_);
+        return first < 0 ? nullptr : &input_.operation[static_cast<std::size_t>(first)];
+    }
+
+    std::vector<InterfaceConductance> checked(const LoadsResult* loads, double speed)
+    {
+        auto conductances = interface_conductances(input_, machine_, loads, speed);
+        for (const auto& conductance : conductances)
+            if (!conductance.in_range && warned_.insert(out_of_range_text(conductance)).second)
+                observer_.warn(out_of_range_text(conductance));
+        return conductances;
+    }
+
+    void refuse_zones(const std::string& row, const std::string& reason) const
+    {
+        for (const auto& [name, joint] : input_.joints)
+            for (const auto& interface : joint.interfaces)
+                if (interface.load_zone && (row.empty() || joint.friction == row))
+                    throw InputError(
+                        fmt::format("joints.{}.interfaces.{}: there is no load zone, since {}\n  help: remove "
+                                    "`load_zone`",
+                                    name, interface.name, reason));
+    }
+
+    const casefile::Case& input_;
+    const Machine& machine_;
+    FrictionLaws& friction_;
+    const LoadsResult* loads_;
+    Observer& observer_;
+    std::set<std::string> warned_;
+};
+
+// Inner rings turn with the journals, outer rings stand in the seats.
+void name_rings(const casefile::Case& input, const Machine& machine, HeatProblem& problem)
+{
+    int contact = 0;
+    for (const auto& [name, joint] : input.joints)
+        for (const auto& interface : joint.interfaces) {
+            const int index = contact++;
+            const int row = index_of(input.friction, joint.friction);
+            if (row < 0 || !input.friction.at(joint.friction).ring_expansion)
+                continue;
+            const auto on_ground = [&](std::uint32_t part) {
+                const auto& body = input.bodies.at(machine.parts[part].body);
+                return body.ground;
+            };
+            const auto& touching = machine.interfaces[static_cast<std::size_t>(index)];
+            auto& source = problem.sources[static_cast<std::size_t>(row)];
+            const auto moves = [&](std::uint32_t part) {
+                return !on_ground(part) && !input.bodies.at(machine.parts[part].body).thermal_only;
+            };
+            if (interface.journal)
+                source.inner_rings.push_back({index, moves(touching.part_b)});
+            if (interface.seat)
+                source.outer_rings.push_back({index, on_ground(touching.part_b)});
+        }
+    for (const auto& [name, row] : input.friction)
+        if (row.ring_expansion) {
+            const auto& source = problem.sources[static_cast<std::size_t>(index_of(input.friction, name))];
+            if (source.inner_rings.empty() || source.outer_rings.empty())
+                throw InputError(
+                    fmt::format("friction.{}: the ring temperature difference needs the joint's journals and "
+                                "seats\n  help: mark its interfaces with journal = true and seat = true",
+                                name));
+        }
+}
+
+std::vector<BodyHeat> body_heats(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<BodyHeat> result;
+    for (const auto& [name, source] : input.heat_sources) {
+        BodyHeat heat;
+        heat.name = name;
+        for (std::size_t p = 0; p < machine.parts.size(); ++p)
+            if (std::ranges::any_of(
+                    source.parts, [&](const std::string& pattern) { return matches(pattern, machine.parts[p].name); }))
+                heat.parts.push_back(static_cast<int>(p));
+        heat.surface = source.surface.empty() ? -1 : surface_index(machine, source.surface);
+        if (heat.parts.empty() && heat.surface < 0)
+            throw InputError(fmt::format("heat_sources.{}: none of its parts is in the modelled half", name));
+        result.push_back(std::move(heat));
+    }
+    return result;
+}
+
+SurfaceCondition film_condition(const casefile::Case& input, const Machine& machine, const std::string& name,
+                                const LoadsResult* loads)
+{
+    SurfaceCondition condition;
+    condition.kind = SurfaceCondition::Kind::film;
+    const auto& given = *input.surfaces.at(name).film;
+    const auto film = surface_film(given, machine, name, loads);
+    condition.coefficient = film.constant.value_or(0);
+    if (!film.constant)
+        for (const auto& operation : input.operation)
+            condition.laws.push_back(film.law_at(operation.speed));
+    condition.emissivity = given.emissivity;
+    if (given.ambient)
+        condition.ambient = time_course(*given.ambient, 0);
+    return condition;
+}
+
+/// @throws DomainError, when it is called, where the formula is not above absolute zero
+std::function<double(const Vec3&, double)> formula_course(const std::string& surface, const std::string& text)
+{
+    return [surface, formula = std::make_shared<Formula>(text)](const Vec3& position, double time) {
+        const double value = (*formula)(position, time);
+        if (!(value > 0))
+            throw DomainError(fmt::format("surfaces.{}.temperature_formula gives {:.6g} K at ({:.4g}, {:.4g}, {:.4g}) "
+                                          "m, t = {:.6g} s, which is not "
+                                          "above absolute zero\n  help: its result is in kelvin: 20 degC are 293.15",
+                                          surface, value, position[0], position[1], position[2], time));
+        return value;
+    };
+}
+
+std::vector<SurfaceCondition> surface_conditions(const casefile::Case& input, const Machine& machine,
+                                                 const LoadsResult* loads)
+{
+    std::vector<SurfaceCondition> conditions;
+    for (const auto& [name, surface] : input.surfaces) {
+        SurfaceCondition condition;
+        if (surface.film) {
+            condition = film_condition(input, machine, name, loads);
+        } else if (surface.temperature) {
+            condition.kind = SurfaceCondition::Kind::temperature;
+            condition.temperature = [course = time_course(*surface.temperature, 0)](const Vec3&, double time) {
+                return course(time);
+            };
+        } else if (!surface.temperature_formula.empty()) {
+            condition.kind = SurfaceCondition::Kind::temperature;
+            condition.temperature = formula_course(name, surface.temperature_formula);
+        } else if (surface.heat_flux) {
+            condition.kind = SurfaceCondition::Kind::flux;
+            condition.flux = time_course(*surface.heat_flux, 0);
+        } else {
+            continue;
+        }
+        condition.name = name;
+        condition.enclosure = enclosure_of(input, name);
+        condition.surface = surface_index(machine, name);
+        conditions.push_back(std::move(condition));
+    }
+    return conditions;
+}
+
+std::vector<HeatProbe> heat_probes(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<HeatProbe> probes;
+    for (const auto& [name, probe] : input.probes) {
+        HeatProbe result{name, part_index(machine, probe.part), probe.position};
+        if (result.part < 0)
+            throw InputError(fmt::format("probes.{}: part '{}' is not in the modelled half", name, probe.part));
+        if (machine.half_model && result.position[0] > 0)
+            result.position[0] = -result.position[0];
+        probes.push_back(std::move(result));
+    }
+    return probes;
+}
+
+std::vector<double> initial_temperatures(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<double> result;
+    for (const auto& mesh : machine.parts) {
+        const auto part = input.parts.find(mesh.name);
+        const auto of_body = input.bodies.at(mesh.body).initial_temperature;
+        const auto own = part == input.parts.end() ? std::nullopt : part->second.initial_temperature;
+        result.push_back(own ? *own : of_body.value_or(input.machine.initial_temperature));
+    }
+    return result;
+}
+
+void warn_about(const casefile::Case& input, Observer& observer)
+{
+    std::set<std::string> used;
+    for (const auto& [name, joint] : input.joints)
+        if (!joint.interfaces.empty())
+            used.insert(joint.friction);
+    for (const auto& [name, friction] : input.friction)
+        if (!used.contains(name))
+            observer.warn(fmt::format("friction.{} heats nothing: no joint with interfaces names it", name));
+    const auto& operation = input.operation;
+    const bool forces_differ = std::any_of(operation.begin(), operation.end(), [&](const casefile::Segment& s) {
+        return s.force != operation.front().force;
+    });
+    const bool some_ignore_it = std::any_of(input.friction.begin(), input.friction.end(), [](const auto& row) {
+        return row.second.law == "calibrated" && !row.second.reference_force;
+    });
+    if (forces_differ && some_ignore_it)
+        observer.warn(
+            "the process force changes between segments, but calibrated friction heat without `reference_force` "
+            "follows the speed only: its load part stays as given");
+}
+
+}  // namespace
+
+std::vector<int> describe_orders(const casefile::Case& input, const Machine& machine)
+{
+    std::vector<int> orders;
+    for (const auto& part : machine.parts) {
+        const auto own = input.parts.find(part.name);
+        orders.push_back(own != input.parts.end() && own->second.order > 0 ? own->second.order : input.numerics.order);
+    }
+    return orders;
+}
+
+CornerCount count_corners(const casefile::Case& input, const Machine& machine)
+{
+    const auto orders = describe_orders(input, machine);
+    std::vector<bool> second(machine.nodes.size(), false);
+    for (const auto& cell : machine.cells)
+        for (int i = 0; orders[cell.part] == 2 && i < (cell.kind == CellKind::hexahedron ? 8 : 4); ++i)
+            second[cell.nodes[i]] = true;
+    const auto of_second = static_cast<long long>(std::ranges::count(second, true));
+    return {static_cast<long long>(machine.nodes.size()) - of_second, of_second};
+}
+
+HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer,
+                          const LoadsResult* loads)
+{
+    FrictionLaws friction(input, &machine, loads);
+    return describe_heat(input, machine, observer, loads, friction);
+}
+
+HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, Observer& observer,
+                          const LoadsResult* loads, FrictionLaws& friction)
+{
+    warn_about(input, observer);
+    HeatProblem problem;
+    for (const auto& [name, row] : input.friction)
+        problem.sources.push_back({name, machine.half_model ? 0.5 : 1.0, {}, {}});
+    name_rings(input, machine, problem);
+    problem.oil = oil_circuits(input, machine);
+    problem.enclosures = enclosures(input, machine);
+    problem.body_heat = body_heats(input, machine);
+    problem.surfaces = surface_conditions(input, machine, loads);
+    problem.radiation = radiation_inside(problem.surfaces, machine);
+    Segments segments(input, machine, friction, loads, observer);
+    problem.interfaces = segments.interfaces(0);
+    segments.describe(problem);
+    problem.probes = heat_probes(input, machine);
+    problem.initial_temperature = [start = initial_temperatures(input, machine)](int part, const Vec3&) {
+        return start[static_cast<std::size_t>(part)];
+    };
+    problem.time_tolerance = input.numerics.time_tolerance;
+    problem.initial_step = input.numerics.initial_step;
+    problem.max_step = input.numerics.max_step;
+    problem.solver_tolerance = input.numerics.solver_tolerance;
+
+    double end = 0;
+    for (const auto& operation : input.operation)
+        end += operation.duration;
+    if (input.output.fields || !input.output.stress.empty() || !input.preload.empty()) {
+        for (const double time : input.output.field_times)
+            if (time < end * (1 - 1e-9))
+                problem.field_times.push_back(time);
+        problem.field_times.push_back(end);
+        std::sort(problem.field_times.begin(), problem.field_times.end());
+    }
+    return problem;
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,140 @@
+#include "deadpoint/study/translate/linkage.hpp"
+
+#include "deadpoint/casefile/check/directions.hpp"
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/study/translate/bearing_groups.hpp"
+#include "deadpoint/study/translate/lookup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace deadpoint::study {
+namespace {
+
+int body_index(const Linkage& linkage, const std::string& name)
+{
+    const auto found = std::find(linkage.bodies.begin(), linkage.bodies.end(), name);
+    return found == linkage.bodies.end() ? -1 : static_cast<int>(found - linkage.bodies.begin());
+}
+
+// First contact of each joint in Machine::interfaces.
+std::map<std::string, int> first_contacts(const casefile::Case& input)
+{
+    std::map<std::string, int> first;
+    int next = 0;
+    for (const auto& [name, joint] : input.joints) {
+        first[name] = next;
+        next += static_cast<int>(joint.interfaces.size());
+    }
+    return first;
+}
+
+// The sides of a joint's contacts that belong to a body; in a bearing with rings only those with the given mark.
+std::vector<drift::ContactSide> sides_on(const Machine& machine, const casefile::Joint& joint, int first,
+                                         const std::string& body)
+{
+    std::vector<drift::ContactSide> sides;
+    for (int i = 0; i < static_cast<int>(joint.interfaces.size()); ++i) {
+        const auto& contact = machine.interfaces[first + i];
+        if (machine.parts[contact.part_a].body == body)
+            sides.push_back({first + i, false});
+        if (machine.parts[contact.part_b].body == body)
+            sides.push_back({first + i, true});
+    }
+    return sides;
+}
+
+void require_sides(const std::vector<drift::ContactSide>& sides, const std::string& joint, const std::string& body)
+{
+    if (sides.empty())
+        throw InputError(fmt::format(
+            "joints.{}: no interface of this joint lies on a part of body '{}', so its centre there cannot follow "
+            "the deformation; add the interface",
+            joint, body));
+}
+
+}  // namespace
+
+Linkage describe_linkage(const casefile::Case& input)
+{
+    const auto& stated = input.mechanism.slide_body;
+    if (stated.empty() && !input.chain)
+        throw InputError(
+            "the case does not say which body carries the tool; add slide_body to [mechanism], or a [chain]");
+    Linkage linkage;
+    linkage.stroke_direction = casefile::stroke_direction(input);
+    for (const auto& [name, body] : input.bodies) {
+        const bool used =
+            std::any_of(input.joints.begin(), input.joints.end(), [&, &body_name = name](const auto& joint) {
+                const auto& bodies = joint.second.bodies;
+                return std::find(bodies.begin(), bodies.end(), body_name) != bodies.end();
+            });
+        if (!used && !body.ground)
+            continue;
+        if (body.ground)
+            linkage.ground = static_cast<int>(linkage.bodies.size());
+        linkage.bodies.push_back(name);
+    }
+    linkage.driver = -1;
+    for (const auto& [name, joint] : input.joints) {
+        LinkageJoint result;
+        result.name = name;
+        result.kind = joint.kind == "slide" ? LinkageJoint::Kind::slide : LinkageJoint::Kind::revolute;
+        result.body_a = body_index(linkage, joint.bodies.at(0));
+        result.body_b = body_index(linkage, joint.bodies.at(1));
+        result.centre = joint.centre;
+        result.direction = (1 / norm(joint.direction)) * joint.direction;
+        result.guides_rotation = joint.guides_rotation;
+        if (joint.driver)
+            linkage.driver = static_cast<int>(linkage.joints.size());
+        linkage.joints.push_back(result);
+    }
+    if (linkage.driver < 0)
+        throw InputError("no joint has driver = true; mark the joint of the crank in the frame");
+    const auto& slide = stated.empty() ? input.chain->slide_body : stated;
+    linkage.slide_body = body_index(linkage, slide);
+    if (linkage.slide_body < 0)
+        throw InputError(fmt::format("body '{}' carries the tool, but no joint holds it; add its guide", slide));
+    return linkage;
+}
+
+drift::ChainDescription describe_chain(const casefile::Case& input, const Machine& machine, const Linkage& linkage)
+{
+    const auto& chain = *input.chain;
+    const auto first = first_contacts(input);
+    drift::ChainDescription result;
+    result.slide_surface = surface_index(machine, chain.slide_surface);
+    result.table_surface = surface_index(machine, chain.table_surface);
+    result.pressed = chain.reaction_angle ? Vec2{std::cos(*chain.reaction_angle), std::sin(*chain.reaction_angle)}
+                                          : linkage.stroke_direction;
+    int index = 0;
+    for (const auto& [name, joint] : input.joints) {
+        drift::JointSurfaces surfaces{sides_on(machine, joint, first.at(name), joint.bodies.at(0)),
+                                      sides_on(machine, joint, first.at(name), joint.bodies.at(1))};
+        if (joint.kind == "revolute") {
+            require_sides(surfaces.in_a, name, joint.bodies[0]);
+            require_sides(surfaces.in_b, name, joint.bodies[1]);
+        }
+        if (name == chain.crank_joint) {
+            result.crank_joint = index;
+            const bool ground_is_b = linkage.joints[index].body_b == linkage.ground;
+            result.seats = ground_is_b ? surfaces.in_b : surfaces.in_a;
+            std::vector<int> contacts;
+            for (int i = 0; i < static_cast<int>(joint.interfaces.size()); ++i)
+                if (joint.interfaces[i].seat || joint.interfaces[i].journal)
+                    contacts.push_back(first.at(name) + i);
+            result.bearings = bearings_of(input, machine, contacts);
+        }
+        result.joints.push_back(std::move(surfaces));
+        ++index;
+    }
+    if (result.seats.empty() || result.bearings.empty())
+        throw InputError(fmt::format("joints.{}: the crank's bearings need interfaces on the frame, marked 'seat' "
+                                     "(ring or bush in the frame) and "
+                                     "'journal' (ring or bush on the shaft)",
+                                     chain.crank_joint));
+    return result;
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/drift/chain.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
+namespace deadpoint::study {
+
+/// The planar linkage of a case: bodies that take part in a joint of kind revolute or slide, joints in the order of
+/// `Case::joints`.
+/// The slide is that of [mechanism], else that of [chain].
+/// @throws InputError if there is no driver, no slide is named, or nothing says where its stroke points
+Linkage describe_linkage(const casefile::Case& input);
+
+/// The dimension chain of a case on its meshed machine.
+///
+/// A joint's centre in a body is fitted on that body's sides of the joint's interfaces; in a bearing with rings, on
+/// those marked `seat` (ground) and `journal` (shaft).
+/// @throws InputError if a joint of the chain touches a body nowhere, or bearings lack their seats
+drift::ChainDescription describe_chain(const casefile::Case& input, const Machine& machine, const Linkage& linkage);
+
+}  // namespace deadpoint::study

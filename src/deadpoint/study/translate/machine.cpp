@@ -1,0 +1,157 @@
+#include "deadpoint/study/translate/machine.hpp"
+
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/study/translate/travel.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <string>
+
+namespace deadpoint::study {
+namespace {
+
+Axis axis_named(const std::string& text, const std::string& surface)
+{
+    if (text == "x")
+        return Axis::x;
+    if (text == "y")
+        return Axis::y;
+    if (text == "z")
+        return Axis::z;
+    throw InputError(fmt::format("surfaces.{}: axis '{}' is not one of 'x', 'y', 'z'", surface, text));
+}
+
+template <typename T>
+T needed(const std::optional<T>& value, const char* key, const casefile::Surface& surface, const std::string& name)
+{
+    if (!value)
+        throw InputError(fmt::format("surfaces.{}: select = \"{}\" needs '{}'", name, surface.select, key));
+    return *value;
+}
+
+PartDescription part_of(const casefile::Case& input, const std::string& name, const casefile::Part& part)
+{
+    const auto material = input.materials.find(part.material);
+    if (material == input.materials.end())
+        throw InputError(fmt::format("parts.{}: there is no material '{}'", name, part.material));
+    if (!input.bodies.contains(part.body))
+        throw InputError(fmt::format("parts.{}: there is no body '{}'", name, part.body));
+
+    PartDescription result;
+    result.name = name;
+    result.body = part.body;
+    result.size = part.size.value_or(0);
+    result.density = material->second.density;
+    result.translation = part.position;
+    result.tetrahedra = part.tetrahedra;
+    result.second_order = (part.order > 0 ? part.order : input.numerics.order) == 2;
+    const int sources = (part.shapes.empty() ? 0 : 1) + (part.step.empty() ? 0 : 1) + (part.mesh.empty() ? 0 : 1);
+    if (sources != 1)
+        throw InputError(fmt::format("parts.{}: give exactly one of 'shapes', 'step' and 'mesh'", name));
+    if (!part.shapes.empty())
+        result.source = part.shapes;
+    else if (!part.step.empty())
+        result.source = StepSource{part.step, part.unit.value_or(StepSource{}.unit)};
+    else
+        result.source = MeshSource{part.mesh, part.unit.value_or(MeshSource{}.unit)};
+    return result;
+}
+
+SurfaceSelector side_of(const casefile::Case& input, const casefile::Joint& joint, const casefile::Interface& interface,
+                        const std::string& side, const std::string& name)
+{
+    if (interface.diameter && input.parts.contains(side)) {
+        SurfaceSelector selector;
+        selector.kind = SurfaceSelector::Kind::cylinder;
+        selector.parts = {side};
+        selector.axis = Axis::z;
+        selector.centre = joint.centre;
+        selector.diameter = *interface.diameter;
+        return selector;
+    }
+    const auto surface = input.surfaces.find(side);
+    if (surface != input.surfaces.end())
+        return selector_of(surface->second, side);
+    if (input.parts.contains(side))
+        throw InputError(
+            fmt::format("joints: interface '{}' names the part '{}' but no diameter; add the diameter of its "
+                        "cylinder about the joint's centre, or name a surface",
+                        name, side));
+    throw InputError(
+        fmt::format("joints: interface '{}' names '{}', which is neither a surface nor a part", name, side));
+}
+
+void set_plane(SurfaceSelector& selector, const casefile::Surface& surface, const std::string& name)
+{
+    if (surface.normal != Vec3{}) {
+        selector.normal = normalised(surface.normal);
+        selector.point = surface.point;
+        return;
+    }
+    selector.axis = axis_named(surface.axis, name);
+    selector.position = needed(surface.position, "position", surface, name);
+}
+
+}  // namespace
+
+SurfaceSelector selector_of(const casefile::Surface& surface, const std::string& name)
+{
+    using Kind = SurfaceSelector::Kind;
+    SurfaceSelector selector;
+    selector.parts = surface.parts;
+    selector.within = surface.within;
+    if (surface.select == "exposed") {
+        selector.kind = Kind::exposed;
+    } else if (surface.select == "all") {
+        selector.kind = Kind::all;
+    } else if (surface.select == "box") {
+        selector.kind = Kind::all;
+        selector.within = needed(surface.within, "within", surface, name);
+    } else if (surface.select == "plane") {
+        selector.kind = Kind::plane;
+        set_plane(selector, surface, name);
+    } else if (surface.select == "cylinder") {
+        selector.kind = Kind::cylinder;
+        selector.axis = axis_named(surface.axis, name);
+        selector.centre = needed(surface.centre, "centre", surface, name);
+        selector.diameter = needed(surface.diameter, "diameter", surface, name);
+    } else if (surface.select == "group") {
+        selector.kind = Kind::group;
+        selector.group = surface.group;
+    } else {
+        throw InputError(
+            fmt::format("surfaces.{}: select = \"{}\" is unknown; use 'exposed', 'all', 'plane', 'cylinder', 'box' "
+                        "or 'group'",
+                        name, surface.select));
+    }
+    return selector;
+}
+
+MachineDescription describe_machine(const casefile::Case& input, double size_scale)
+{
+    if (!(size_scale > 0))
+        throw InputError(fmt::format("the scale of the cell sizes must be positive, not {}", size_scale));
+    MachineDescription result;
+    result.size = input.numerics.size;
+    result.size_scale = size_scale;
+    result.seam_tolerance = input.numerics.seam_tolerance;
+    result.half_model = input.machine.half_model;
+    result.unbonded = input.machine.unbonded;
+    for (const auto& [name, part] : input.parts)
+        result.parts.push_back(part_of(input, name, part));
+    for (const auto& [name, surface] : input.surfaces)
+        result.surfaces.push_back({name, selector_of(surface, name)});
+    const auto travels = describe_travel(input);
+    for (const auto& [joint_name, joint] : input.joints) {
+        const auto travel = travels.find(joint_name);
+        for (const casefile::Interface& interface : joint.interfaces) {
+            const std::string name = joint_name + "." + interface.name;
+            result.interfaces.push_back({name, side_of(input, joint, interface, interface.a, name),
+                                         side_of(input, joint, interface, interface.b, name), 0,
+                                         travel == travels.end() ? Travel{} : travel->second, interface.partial});
+        }
+    }
+    return result;
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "deadpoint/tribology/friction/duty.hpp"
+#include "deadpoint/tribology/friction/lubricant.hpp"
+
+#include <string>
+
+/// Friction heat by a calibrated law of the temperature, scaled from the state at which it was calibrated.
+namespace deadpoint::tribology {
+
+/// How the two parts of the heat scale with speed and load.
+enum class FrictionKind {
+    rolling,  ///< load part ~ n F^1.33, viscous part ~ n^(5/3) (Palmgren)
+    pin,      ///< load part ~ n F, viscous part ~ n^2 (Coulomb and Petroff)
+    guide     ///< load part ~ n F; viscous part ~ n^2, usually zero
+};
+
+/// @throws InputError if the name is not "rolling", "pin" or "guide"
+FrictionKind friction_kind(const std::string& name);
+
+/// A friction law H(T) = c0 s + c1 s^q (nu(T) / 1 mm2/s)^p with s = speed / reference speed, and q = 5/3 or 2 by kind.
+struct CalibratedFriction {
+    FrictionKind kind = FrictionKind::pin;
+    double load_part = 0;        ///< c0 [W]
+    double viscous_part = 0;     ///< c1 [W]
+    double exponent = 1;         ///< p [-]
+    double reference_speed = 0;  ///< at which c0 and c1 hold [rad/s]
+    double scale = 1;            ///< factor on the whole heat [-]
+};
+
+/// How much more a joint does than at the reference: factors on the parts of its heat, all 1 at the reference.
+struct DutyRatio {
+    double load = 1;     ///< of mean(F^1.33 |w|) (rolling) or mean(F |w|) (pin, guide)
+    double viscous = 1;  ///< of mean(|w|^(5/3)) (rolling) or mean(w^2) (pin, guide)
+};
+
+/// The same path at another speed of the crank, and another force: load s f^1.33 (rolling) or s f, viscous s^(5/3) or
+/// s^2, with s the ratio of speeds (sign dropped) and f that of forces.
+/// @param load_ratio  f, force over the force of the reference, not negative
+/// @throws InputError if the reference speed is not positive, the speed not finite, or the load ratio negative
+DutyRatio speed_ratio(const CalibratedFriction& friction, double speed, double load_ratio = 1);
+
+/// From the joint's duty now and at the reference, which may differ in force, stiffness or linkage. For the peak load
+/// measure hand in duties that went through measured().
+/// @throws InputError if at the reference the joint does not move, or carries no load
+DutyRatio duty_ratio(FrictionKind kind, const Duty& now, const Duty& reference);
+
+/// The friction heat of a joint at given duty, as a curve over the joint's temperature:
+///     scale (c0 load + c1 viscous (nu(T)/1 mm2/s)^p)
+///
+/// The two-part form is the decomposition of Table 5 of Zheng et al. 2018, exact to the digits printed there. A rolling
+/// part with p = 2/3 follows Palmgren's law to its low branch: where nu n < 2000 mm2/s rpm, n the crank's speed, it
+/// stays at 160/2000^(2/3) = 1.008 times its value at nu = 2000 mm2/s rpm / n; at a duty of the same course it then
+/// goes with speed and no viscosity. Out of range where the viscosity is. Left out: load in the viscous part, and any
+/// sliding of which the duty does not know.
+///
+/// @param friction   the law
+/// @param viscosity  kinematic, of the joint's lubricant; may be empty where the viscous part is zero
+/// @param speed      of the crank, any sign [rad/s]; decides the branch, and at zero there is no heat
+/// @param ratio      factors not negative
+/// @throws InputError if a part, the scale or a factor is negative or not finite, the reference speed is not positive,
+///         or a viscous part has no lubricant
+HeatLaw calibrated_heat(const CalibratedFriction& friction, const ViscosityLaw& viscosity, double speed,
+                        const DutyRatio& ratio);
+
+/// The same at the load of the reference.
+///
+/// @param viscosity  of the joint's lubricant; may be null where the viscous part is zero
+/// @param speed      of the crank, any sign [rad/s]; at zero speed there is no heat
+/// @throws InputError as above
+HeatLaw calibrated_heat(const CalibratedFriction& friction, const ViscosityCurve* viscosity, double speed);
+
+}  // namespace deadpoint::tribology

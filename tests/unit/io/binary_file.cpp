@@ -1,0 +1,165 @@
+#include "deadpoint/io/binary_file.hpp"
+
+#include "../../scratch_folder.hpp"
+#include "deadpoint/core/error.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <doctest/doctest.h>
+#include <limits>
+#include <sstream>
+#include <sys/stat.h>
+
+using namespace deadpoint;
+
+namespace {
+
+constexpr std::string_view kind = "test-kind-1\n";
+
+struct Leaf {
+    double value = 0;
+    bool flag = false;
+};
+constexpr auto members(const Leaf*) { return std::tuple{&Leaf::value, &Leaf::flag}; }
+
+struct Tree {
+    std::string name;
+    std::vector<Leaf> leaves;
+    std::vector<std::vector<double>> columns;
+    std::vector<bool> flags;
+    int count = 0;
+};
+constexpr auto members(const Tree*)
+{
+    return std::tuple{&Tree::name, &Tree::leaves, &Tree::columns, &Tree::flags, &Tree::count};
+}
+
+Tree example()
+{
+    constexpr double smallest = std::numeric_limits<double>::denorm_min();
+    return {"oak\n", {{0.1, true}, {-0.0, false}}, {{}, {1e300, smallest, std::nan("")}}, {true, false, true}, -7};
+}
+
+std::string bytes_of(const Tree& tree)
+{
+    std::ostringstream out;
+    BinaryWriter writer(out, kind);
+    writer(tree, 2.5);
+    writer.finish();
+    return out.str();
+}
+
+void read_all(const std::filesystem::path& file, Tree& tree, double& last)
+{
+    BinaryReader reader(file, kind, "write it again");
+    reader(tree, last);
+}
+
+/// The message with which a file of these bytes is refused; empty if it is not.
+std::string refusal(const ScratchFolder& folder, const std::string& bytes)
+{
+    Tree tree;
+    double last = 0;
+    try {
+        read_all(folder.file("file", bytes), tree, last);
+    } catch (const IoError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// A length and a checksum that fit, as somebody would write them who means harm.
+std::string stamped(std::string bytes)
+{
+    bytes.resize(bytes.size() - sizeof(std::uint64_t));
+    StableHash hash;
+    hash.add(bytes);
+    const auto checksum = hash.value();
+    return bytes.append(reinterpret_cast<const char*>(&checksum), sizeof checksum);
+}
+
+}  // namespace
+
+TEST_CASE("what is written is read bit by bit")
+{
+    const ScratchFolder folder;
+    const auto tree = example();
+    Tree read{"old", {{}, {}, {}}, {{1}}, {}, 3};
+    double last = 0;
+    read_all(folder.file("file", bytes_of(tree)), read, last);
+    CHECK(read.name == tree.name);
+    REQUIRE(read.leaves.size() == 2);
+    CHECK(read.leaves[0].value == 0.1);
+    CHECK(read.leaves[0].flag);
+    CHECK(std::signbit(read.leaves[1].value));
+    REQUIRE(read.columns.size() == 2);
+    CHECK(read.columns[0].empty());
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(std::bit_cast<std::uint64_t>(read.columns[1][i]) == std::bit_cast<std::uint64_t>(tree.columns[1][i]));
+    CHECK(read.flags == tree.flags);
+    CHECK(read.count == -7);
+    CHECK(last == 2.5);
+}
+
+TEST_CASE("a file that was cut anywhere is refused with its name and what to do")
+{
+    const ScratchFolder folder;
+    const auto whole = bytes_of(example());
+    CHECK(refusal(folder, whole).empty());
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        CAPTURE(size);
+        const auto message = refusal(folder, whole.substr(0, size));
+        CHECK(message.find("file' is broken") != std::string::npos);
+        CHECK(message.find("write it again") != std::string::npos);
+    }
+    CHECK_FALSE(refusal(folder, whole + '\0').empty());
+    CHECK_FALSE(refusal(folder, whole + whole).empty());
+}
+
+TEST_CASE("a file in which any bit has changed is refused")
+{
+    const ScratchFolder folder;
+    const auto whole = bytes_of(example());
+    for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+        auto changed = whole;
+        changed[bit / 8] = static_cast<char>(changed[bit / 8] ^ (1 << bit % 8));
+        CAPTURE(bit);
+        CHECK_FALSE(refusal(folder, changed).empty());
+    }
+}
+
+TEST_CASE("no count is believed that the file is too short for, even with a checksum that fits")
+{
+    const ScratchFolder folder;
+    const auto whole = bytes_of(example());
+    int refused = 0;
+    for (std::size_t at = kind.size(); at + 3 * sizeof(std::uint64_t) <= whole.size(); ++at)
+        for (const std::uint64_t count : {std::uint64_t{1} << 20, std::uint64_t{1} << 61, ~std::uint64_t{0}}) {
+            auto changed = whole;
+            std::memcpy(changed.data() + at, &count, sizeof count);
+            refused += refusal(folder, stamped(changed)).empty() ? 0 : 1;
+        }
+    CHECK(refused > 100);  // wherever a count was met; other places are numbers
+}
+
+TEST_CASE("reading on beyond the last value is refused")
+{
+    const ScratchFolder folder;
+    BinaryReader reader(folder.file("file", bytes_of(example())), kind, "");
+    Tree tree;
+    double last = 0;
+    reader(tree, last);
+    CHECK_THROWS_AS(reader(last), IoError);
+    CHECK_THROWS_AS(BinaryReader(folder.path / "none", kind, ""), IoError);
+    CHECK_THROWS_AS(BinaryReader(folder.file("other", bytes_of(example())), "test-kind-2\n", ""), IoError);
+}
+
+TEST_CASE("a folder or a pipe in the place of the file is refused at once")
+{
+    const ScratchFolder folder;
+    const auto pipe = folder.path / "pipe";
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    for (const auto& file : {folder.path, pipe})
+        CHECK_THROWS_WITH_AS(BinaryReader(file, kind, ""), doctest::Contains("it is not a file"), IoError);
+}

@@ -1,0 +1,325 @@
+/// Requirement: interfaces and surfaces that name a law get the library's values for what the case says.
+#include "../messages.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/study/laws/conductance.hpp"
+#include "deadpoint/study/laws/film.hpp"
+#include "deadpoint/study/laws/surface_geometry.hpp"
+#include "deadpoint/study/pipeline/heat_tables.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/surroundings/paper_film.hpp"
+#include "deadpoint/tribology/conductance/bearing_conductance.hpp"
+#include "deadpoint/tribology/conductance/fractal_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numbers>
+
+using namespace deadpoint;
+using doctest::Approx;
+using messages::error_of;
+using messages::has;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double exact = 1e-12;  // the same formula on the same numbers
+
+/// The case with laws, its mesh and its loads; made once.
+struct Press {
+    casefile::Case input;
+    Machine machine;
+    study::LoadsResult loads;
+};
+
+const Press& press()
+{
+    static const Press made = [] {
+        Press p;
+        p.input = casefile::read_case(DEADPOINT_SOURCE_DIR "/cases/starter-by-laws/case.toml").value;
+        Observer quiet;
+        p.machine = study::prepare_machine(p.input, 1.5, quiet);
+        p.loads = study::compute_loads(p.input, &p.machine, 0);
+        return p;
+    }();
+    return made;
+}
+
+/// Conductance of an interface of the press, the first of its joint changed.
+study::InterfaceConductance conductance(const std::string& joint, const casefile::Conductance* changed = nullptr,
+                                        bool with_loads = true)
+{
+    auto input = press().input;
+    if (changed)
+        input.joints.at(joint).interfaces.at(0).conductance = *changed;
+    if (!with_loads)  // or the guide would ask for them
+        for (auto& interface : input.joints.at("guide").interfaces)
+            interface.conductance.pressure = 1e5;
+    const auto all =
+        study::interface_conductances(input, press().machine, with_loads ? &press().loads : nullptr, 2 * pi);
+    return *std::ranges::find(all, joint, &study::InterfaceConductance::joint);
+}
+
+study::SurfaceFilm film_of(const std::string& surface)
+{
+    return study::surface_film(*press().input.surfaces.at(surface).film, press().machine, surface, &press().loads);
+}
+
+casefile::Conductance fractal()
+{
+    casefile::Conductance c;
+    c.law = "fractal";
+    c.fractal_dimension = 1.5;
+    c.fractal_roughness = 1e-10;
+    c.sample_length = 1e-3;
+    c.separation = 2e-6;
+    c.hardness = 2.2e9;
+    c.fluid_conductivity = 0.14;
+    return c;
+}
+
+}  // namespace
+
+TEST_CASE("oil films of journals follow their clearance, half of the resistance on either side")
+{
+    const auto c = conductance("crank_bearing");
+    CHECK(c.law == "oil_film");
+    CHECK(c.film_a == Approx(2 * 0.14 / (40e-6 * 0.8)).epsilon(exact));  // sqrt(1 - 0.6^2) = 0.8
+    CHECK(c.film_b == c.film_a);
+    CHECK(c.resistance() == Approx(40e-6 * 0.8 / 0.14).epsilon(exact));
+    CHECK_FALSE(c.pressure);
+}
+
+TEST_CASE("rough contact takes conductivities from the parts and the pressure from the guide's load")
+{
+    const auto c = conductance("guide");
+    // 2 kN presses each of the two faces; they are covered wholly, 200 mm by 250 mm each.
+    REQUIRE(c.pressure);
+    CHECK(*c.pressure == Approx(4000 / (2 * 0.2 * 0.25)).epsilon(0.2));  // side force of the rod on top
+    CHECK(*c.pressure >= 40e3 * (1 - 1e-9));
+    CHECK(c.pressure_from_loads);
+    const tribology::RoughContact iron{1.1e-6, tribology::slope_of_roughness(1.1e-6), 2.2e9, 48.5, 48.5};
+    CHECK(c.film_a ==
+          Approx(2 * tribology::rough_conductance(iron, {0.14, 0}, *c.pressure).conductance).epsilon(exact));
+}
+
+TEST_CASE("fractal contact in a bearing is pressed by its mean load over the area of both seats")
+{
+    const auto given = fractal();
+    const auto c = conductance("crank_bearing", &given);
+    const auto& history = press().loads.history;
+    const auto driver = static_cast<std::size_t>(press().loads.linkage.driver);
+    double mean = 0;  // the positions are evenly spaced in time
+    for (const auto& force : history.joints[driver].force)
+        mean += norm(force) / static_cast<double>(history.time.size());
+    CHECK(*c.pressure == Approx(mean / (2 * pi * 0.08 * 0.06)).epsilon(1e-6));  // areas are those of true cylinders
+    tribology::FractalContact contact{1.5, 1e-10, 1e-3, 2e-6, 2.2e9, 0, 59, 42};
+    contact.modulus = tribology::contact_modulus(115e9, 0.34, 210e9, 0.29);
+    CHECK(c.film_a ==
+          Approx(2 * tribology::fractal_conductance(contact, {0.14, 0}, *c.pressure).conductance).epsilon(1e-9));
+}
+
+TEST_CASE("a stated pressure goes before the loads, and without either the law is refused")
+{
+    auto given = fractal();
+    CHECK(has(error_of([&] { conductance("crank_bearing", &given, false); }), "joints.crank_bearing.interfaces.front"));
+    CHECK(has(error_of([&] { conductance("crank_bearing", &given, false); }), "add pressure"));
+    given.pressure = 1e6;
+    const auto c = conductance("crank_bearing", &given);
+    CHECK(*c.pressure == 1e6);
+    CHECK_FALSE(c.pressure_from_loads);
+    CHECK(c.film_a == conductance("crank_bearing", &given, false).film_a);
+}
+
+TEST_CASE("rolling elements conduct by their spots, faster when they roll")
+{
+    casefile::Conductance c;
+    c.law = "rolling_elements";
+    c.loaded_elements = 9;
+    c.element_diameter = 0.02;
+    c.pitch_diameter = 0.1;
+    c.inner_spot = Vec2{2e-3, 2e-4};
+    c.outer_spot = Vec2{2e-3, 3e-4};
+    const auto turning = conductance("crank_bearing", &c);
+    tribology::BearingPath path;
+    path.elements.assign(9, {{2e-3, 2e-4}, {2e-3, 3e-4}});
+    path.element_diameter = 0.02;
+    path.element = path.ring = {59, 8800, 377};  // CuSn8, side a
+    path.rolling_speed = 2 * pi * 0.1 / 4 * (1 - 0.04);
+    CHECK(turning.film_a ==
+          Approx(2 * tribology::bearing_conductance(path).per_area(turning.area).conductance).epsilon(1e-9));
+    c.pitch_diameter.reset();
+    CHECK(conductance("crank_bearing", &c).film_a < turning.film_a);
+    c.inner_spot = Vec2{2e-3, -1e-3};
+    CHECK(has(error_of([&] { conductance("crank_bearing", &c); }), "joints.crank_bearing.interfaces.front: "));
+}
+
+TEST_CASE("walls, plates, cylinders and disks take their lengths from the case or the geometry")
+{
+    const auto upright = film_of("air_uprights");
+    CHECK(upright.air.natural_length == 0.7);
+    const surroundings::AirSurface wall{surroundings::NaturalFlow::vertical, 0.7};
+    CHECK(upright.law_at(1)(293.15)(305).value == surroundings::film_law(wall, 293.15)(305).value);
+    CHECK(film_of("air_bed").air.natural_length == Approx(0.15).epsilon(1e-9));
+    const auto rim = film_of("flywheel_rim");
+    CHECK(rim.air.forced_length == Approx(0.4).epsilon(1e-9));
+    CHECK(rim.speed_at(2 * pi) == 2 * pi);
+    CHECK(rim.speed_at(-3) == 3);
+    CHECK(rim.law_at(2 * pi)(293.15)(300).value > 1.5 * rim.law_at(0)(293.15)(300).value);
+    CHECK(film_of("flywheel_faces").air.forced_length == Approx(0.4).epsilon(1e-9));  // not of the polygon in it
+    CHECK(film_of("table_top").air.natural == surroundings::NaturalFlow::facing_up);
+    casefile::Film film;
+    film.law = "vertical";
+    const auto message = error_of([&] { study::surface_film(film, press().machine, "air_uprights", &press().loads); });
+    CHECK(has(message, "surfaces.air_uprights.film"));
+    CHECK(has(message, "add length"));
+}
+
+TEST_CASE("what moves has the root mean square speed of its faces")
+{
+    const auto& history = press().loads.history;
+    double square = 0;
+    for (const double speed : history.slide_speed)
+        square += speed * speed / static_cast<double>(history.slide_speed.size());
+    const auto slide = film_of("air_slide");
+    CHECK(slide.speed_at(2 * pi) == Approx(std::sqrt(square)).epsilon(1e-9));  // it does not turn
+    CHECK(slide.speed_at(pi) == Approx(std::sqrt(square) / 2).epsilon(1e-9));
+    CHECK(slide.speed_at(0) == 0);
+    // The flywheel's rim turns about the axis: omega R, less what the chords of the mesh cut off.
+    const auto& surfaces = press().machine.surfaces;
+    const auto& rim = *std::ranges::find(surfaces, std::string("flywheel_rim"), &MeshSurface::name);
+    CHECK(study::rms_speed(press().machine, rim, press().loads) == Approx(2 * pi * 0.2).epsilon(0.02));
+    const auto& frame = *std::ranges::find(surfaces, std::string("air_bed"), &MeshSurface::name);
+    CHECK(has(error_of([&] { study::rms_speed(press().machine, frame, press().loads); }), "does not move"));
+    casefile::Film film;
+    film.law = "moving";
+    CHECK(has(error_of([&] { study::surface_film(film, press().machine, "air_slide", nullptr); }), "add speed"));
+    film.speed = 0.3;
+    const auto given = study::surface_film(film, press().machine, "air_slide", nullptr);
+    CHECK(given.speed_at(1) == 0.3);
+    CHECK(given.speed_at(0) == 0);
+}
+
+TEST_CASE("the paper's constants and enclosed air")
+{
+    casefile::Film film;
+    film.law = "paper";
+    film.constant = "crankshaft";
+    CHECK(*study::surface_film(film, press().machine, "air_bed", nullptr).constant == 9.7);
+    film.constant = "frame";
+    CHECK(*study::surface_film(film, press().machine, "air_bed", nullptr).constant == 5);
+    film.law = "enclosed";
+    film.exchange = 2;
+    const auto closed = study::surface_film(film, press().machine, "air_bed", nullptr);
+    const double open = surroundings::film_law(closed.air, 293.15)(303.15).value;
+    CHECK(closed.law_at(1)(293.15)(303.15).value == Approx(open / (1 + open * closed.area / 2)).epsilon(exact));
+}
+
+TEST_CASE("the paper's correlations as printed, with its Table 7")
+{
+    casefile::Film film;
+    film.law = "paper_vertical";
+    film.length = 2;
+    const auto wall = study::surface_film(film, press().machine, "air_bed", nullptr);
+    // 0.13 Ra^(1/3), Ra = 9.80665 0.0262.. 8 K (2 m)^3 / nu^2 0.707 with Table 7 at 24 degC; figures of the model page
+    const auto at = wall.law_at(1)(293.15)(301.15);
+    CHECK(at.value ==
+          Approx(surroundings::compare_natural_film(surroundings::NaturalFlow::vertical, 2, 301.15, 293.15).paper)
+              .epsilon(exact));
+    CHECK(at.value == Approx(5.56).epsilon(0.01));
+    CHECK(at.slope > 0);
+    CHECK(wall.law_at(1)(293.15)(285.15).value == Approx(at.value).epsilon(exact));  // colder counts as warmer
+    CHECK(wall.law_at(1)(293.15)(293.15).value == 0);
+    film.law = "paper_rotating_cylinder";
+    film.length.reset();
+    film.diameter = 0.17;
+    const auto shaft = study::surface_film(film, press().machine, "air_crankshaft", nullptr);
+    CHECK(shaft.law_at(20.94)(293.15)(303.15).value ==
+          Approx(surroundings::compare_rotating_film(20.94, 0.17, 298.15).paper).epsilon(exact));
+    CHECK(shaft.law_at(0)(293.15)(303.15).value > 0);
+}
+
+TEST_CASE("half a plate has the length of the whole one")
+{
+    auto input = casefile::read_case(DEADPOINT_TEST_DATA "/study/blocks.toml").value;
+    casefile::Surface top;
+    top.parts = {"middle"};
+    top.select = "plane";
+    top.axis = "y";
+    top.position = 0.3;
+    input.surfaces["top"] = top;
+    Observer quiet;
+    const auto machine = study::prepare_machine(input, 1, quiet);
+    REQUIRE(machine.half_model);
+    CHECK(machine.surfaces.at(0).area == Approx(0.01).epsilon(1e-9));
+    CHECK(*study::area_over_perimeter(machine, machine.surfaces.at(0)) == Approx(0.2 * 0.1 / 0.6).epsilon(1e-9));
+}
+
+TEST_CASE("the heat problem takes conductances and film laws, one per segment")
+{
+    auto input = press().input;
+    input.operation.push_back(input.operation.front());
+    input.operation.back().speed = 0;
+    Observer quiet;
+    const auto problem = study::describe_heat(input, press().machine, quiet, &press().loads);
+    const auto conductances = study::interface_conductances(input, press().machine, &press().loads, 2 * pi);
+    for (std::size_t i = 0; i < conductances.size(); ++i) {
+        CHECK(problem.interfaces[i].film_a == conductances[i].film_a);
+        CHECK(problem.interfaces[i].film_b == conductances[i].film_b);
+    }
+    const auto rim = std::ranges::find(problem.surfaces, std::string("flywheel_rim"), &SurfaceCondition::name);
+    REQUIRE(rim->laws.size() == 2);
+    CHECK(rim->laws[0](293.15)(300).value == film_of("flywheel_rim").law_at(2 * pi)(293.15)(300).value);
+    CHECK(rim->laws[1](293.15)(300).value == film_of("flywheel_rim").law_at(0)(293.15)(300).value);
+    CHECK(rim->emissivity == 0.6);  // radiation is the solver's own
+    // 20 degC in the mean, 2 K more at 6 h and less at 18 h, in either segment alike
+    for (const auto& segment : problem.segments) {
+        CHECK(segment.ambient(6 * 3600) == Approx(295.15).epsilon(exact));
+        CHECK(segment.ambient(18 * 3600) == Approx(291.15).epsilon(exact));
+    }
+}
+
+TEST_CASE("the tables show what the run takes")
+{
+    const auto tables = study::heat_tables(press().input, &press().machine, &press().loads, 0);
+    Observer quiet;
+    const auto problem = study::describe_heat(press().input, press().machine, quiet, &press().loads);
+    REQUIRE(tables.joints.size() == problem.sources.size());
+    REQUIRE(tables.temperatures.size() == 6);
+    for (std::size_t r = 0; r < tables.joints.size(); ++r) {
+        CHECK(tables.joints[r].row == problem.sources[r].name);
+        for (std::size_t i = 0; i < 6; ++i)
+            CHECK(tables.joints[r].heat[i] == problem.segments[0].heat[r](tables.temperatures[i]).value);
+    }
+    CHECK(tables.conductances.size() == problem.interfaces.size());
+    const auto rim = std::ranges::find(tables.films, std::string("flywheel_rim"), &study::FilmTable::surface);
+    REQUIRE(rim->running.size() == 3);
+    const double ambient = 293.15 + 2 * std::cos(2 * pi * 6 / 24);  // at the start
+    CHECK(rim->ambient == Approx(ambient).epsilon(exact));
+    CHECK(rim->running[1].rise == 10);
+    CHECK(rim->running[1].convection ==
+          Approx(film_of("flywheel_rim").law_at(2 * pi)(ambient)(ambient + 10).value).epsilon(1e-9));
+    // eps sigma (Ts^2 + Ta^2)(Ts + Ta)
+    CHECK(rim->at_rest[2].radiation ==
+          Approx(0.6 * 5.670374419e-8 * (std::pow(ambient + 20, 2) + ambient * ambient) * (2 * ambient + 20))
+              .epsilon(1e-9));
+    const auto bed = std::ranges::find(tables.films, std::string("air_bed"), &study::FilmTable::surface);
+    CHECK(bed->running.empty());
+    CHECK(tables.warnings.empty());
+    CHECK(has(error_of([] { study::heat_tables(press().input, nullptr, nullptr, 4); }), "no segment 4"));
+}
+
+TEST_CASE("a conductance outside its tested range is warned about once, by name")
+{
+    struct Listener : Observer {
+        std::vector<std::string> heard;
+        void warn(std::string_view text) override { heard.emplace_back(text); }
+    } listener;
+    auto input = press().input;
+    input.joints.at("wrist_pin").interfaces.at(0).conductance.eccentricity = 0.99;
+    study::describe_heat(input, press().machine, listener, &press().loads);
+    REQUIRE(listener.heard.size() == 1);
+    CHECK(has(listener.heard[0], "joints.wrist_pin.interfaces.pin: "));
+    CHECK(has(listener.heard[0], "'oil_film'"));
+}

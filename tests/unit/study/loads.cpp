@@ -1,0 +1,409 @@
+/// Loads of a case: translation of its bodies, balance of every shipped case, and the crankshaft under the linkage.
+#include "deadpoint/study/pipeline/loads.hpp"
+
+#include "../mechanism/balance.hpp"
+#include "../messages.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/core/error.hpp"
+#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/study/pipeline/body_masses.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/translate/linkage.hpp"
+#include "deadpoint/study/translate/loads.hpp"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+using namespace deadpoint;
+using doctest::Approx;
+using messages::has;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double pi = std::numbers::pi;
+const fs::path cases = fs::path(DEADPOINT_SOURCE_DIR) / "cases";
+const fs::path data = fs::path(DEADPOINT_TEST_DATA) / "study";
+
+casefile::Case read(const fs::path& path, const std::vector<std::string>& overrides = {})
+{
+    return casefile::read_case(path, overrides).value;
+}
+
+study::LoadsResult loads_of(const casefile::Case& input, int segment = 0)
+{
+    Observer quiet;
+    std::optional<Machine> machine;
+    if (study::loads_need_machine(input))
+        machine = study::prepare_machine(input, 1.5, quiet);
+    return study::compute_loads(input, machine ? &*machine : nullptr, segment);
+}
+
+std::string error_of(const casefile::Case& input, int segment = 0)
+{
+    return messages::error_of<InputError>([&] { loads_of(input, segment); });
+}
+
+/// Case files, in contrast to the files they include.
+std::vector<fs::path> shipped_cases()
+{
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::recursive_directory_iterator(cases)) {
+        if (entry.path().extension() != ".toml")
+            continue;
+        std::ifstream stream(entry.path());
+        std::ostringstream text;
+        text << stream.rdbuf();
+        // A press that only rests has no loads.
+        if (has(text.str(), "\nformat = 1") && has(text.str(), "\n[machine]") &&
+            !has(text.str(), "\nspeed = \"0 rpm\"\n"))
+            paths.push_back(entry.path());
+    }
+    std::ranges::sort(paths);
+    return paths;
+}
+
+std::size_t joint_of(const study::LoadsResult& loads, const std::string& name)
+{
+    for (std::size_t j = 0; j < loads.linkage.joints.size(); ++j)
+        if (loads.linkage.joints[j].name == name)
+            return j;
+    throw InputError("no joint " + name);
+}
+
+double peak(const std::vector<Vec2>& forces)
+{
+    double largest = 0;
+    for (const auto& force : forces)
+        largest = std::max(largest, norm(force));
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("forces, moments and power balance in every shipped case")
+{
+    const auto paths = shipped_cases();
+    CHECK(paths.size() >= 9);
+    for (const auto& path : paths) {
+        CAPTURE(path.string());
+        const auto loads = loads_of(read(path));
+        balance::require_balanced(loads.linkage, loads.request, loads.history);
+        CHECK(loads.stroke.stroke > 0.01);
+        CHECK(std::abs(loads.stroke.bottom_dead_point) < 1e-3);
+    }
+}
+
+TEST_CASE("the two readings of the shipped press have the strokes and pin forces of the reference")
+{
+    // Independent multibody computation (tests/data/mechanism_oracle.json): 200 rpm. The coordinates of the cases are
+    // rounded to 0.1 um, of which the toggle makes up to 1e-4 of the forces.
+    struct Row {
+        const char* file;
+        double stroke, no_load, at_bottom;
+    };
+    for (const auto& row :
+         {Row{"case.toml", 21.966472e-3, 14597.9, -21930}, Row{"l5a-230.toml", 30.049e-3, 32590, -34110}}) {
+        CAPTURE(row.file);
+        const auto input = read(cases / "jl75g-60" / row.file);
+        const auto loads = loads_of(input);
+        CHECK(loads.stroke.stroke == Approx(row.stroke).epsilon(1e-4));
+        CHECK(loads.linkage.bodies.size() == 19);  // twelve, and seven images
+        CHECK(loads.freed_guides == std::vector<std::string>{"guide_10"});
+        const auto pin = joint_of(loads, "crank_pin");
+        CHECK(-loads.history.joints[pin].force.front()[1] == Approx(-row.at_bottom).epsilon(5e-4));
+        auto unloaded = input;
+        unloaded.operation[0].force = 0;
+        CHECK(peak(loads_of(unloaded).history.joints[pin].force) == Approx(row.no_load).epsilon(5e-4));
+    }
+}
+
+TEST_CASE("the rigid crankshaft carries what the driver's joint carries")
+{
+    // The shaft has the mass, the weight and the unbalance of the crank's body, so that its bearings together must take
+    // the reaction of the frame, at the mechanism's positions (every fourth sample of the crankshaft; between them the
+    // pin's force is linear, there it is exact).
+    const auto loads = loads_of(read(data / "balanced-crank.toml"));
+    REQUIRE(loads.crankshaft);
+    const auto& shaft = *loads.crankshaft;
+    const auto& driver = loads.history.joints[joint_of(loads, "main")];
+    const std::size_t stride = shaft.rigid.time.size() / loads.history.time.size();
+    REQUIRE(stride * loads.history.time.size() == shaft.rigid.time.size());
+    double worst = 0;
+    for (std::size_t i = 0; i < loads.history.time.size(); ++i) {
+        Vec2 sum{};
+        for (const auto& bearing : shaft.rigid.bearings)
+            sum = sum + bearing.force[i * stride];
+        worst = std::max(worst, norm(sum + driver.force[i]));  // the driver's body_a is the crank
+    }
+    CHECK(worst < 1e-6 * peak(driver.force));  // density and disk meet the mass to 1e-8
+    CHECK(shaft.shaft.unbalances.at(0).magnitude == Approx(40 * std::hypot(1e-3, 7e-3)));
+    CHECK(loads.crankshaft->seats.size() == 2);
+}
+
+TEST_CASE("the flexible crankshaft agrees with the rigid one in the mean")
+{
+    const auto loads = loads_of(read(data / "balanced-crank.toml", {"crankshaft.model=flexible"}));
+    const auto& shaft = *loads.crankshaft;
+    REQUIRE(shaft.flexible);
+    for (std::size_t b = 0; b < 2; ++b)  // statics does not know stiffness where there are two bearings
+        for (std::size_t i = 0; i < 2; ++i)
+            CHECK(shaft.flexible->bearings[b].mean[i] ==
+                  Approx(shaft.rigid.bearings[b].mean[i]).epsilon(1e-6).scale(1000));
+    CHECK(shaft.modes.size() >= 4);
+    CHECK(loads.process_force == "elastic");
+}
+
+TEST_CASE("the course of the force follows the crankshaft unless stated")
+{
+    auto input = read(data / "balanced-crank.toml");
+    CHECK(study::process_force_kind(input) == "rectangular");
+    input.crankshaft->model = "flexible";
+    CHECK(study::process_force_kind(input) == "elastic");
+    input.crankshaft.reset();
+    CHECK(study::process_force_kind(input) == "elastic");
+    input.process_force.emplace().kind = "half_sine";
+    CHECK(study::process_force_kind(input) == "half_sine");
+}
+
+TEST_CASE("crank angles of the case count from the x axis")
+{
+    auto input = read(data / "balanced-crank.toml");
+    auto& process = input.process_force.emplace();
+    const double bottom = 1.5 * pi;
+    for (const char* kind : {"rectangular", "half_sine"}) {
+        CAPTURE(kind);
+        process.kind = kind;
+        const auto law = study::describe_process_force(input, 100, bottom);
+        CHECK(law(0, 0, 0) == Approx(100));  // 270 deg, the middle of 255..285
+        CHECK(law(-16 * pi / 180, 0, 0) == 0);
+        CHECK(law(16 * pi / 180, 0, 0) == 0);
+    }
+    process.kind = "angle_table";
+    process.over_angle = {{bottom - 0.2, bottom, bottom + 0.1}, {0, 1, 0}};
+    CHECK(study::describe_process_force(input, 100, bottom)(-0.1, 0, 0) == Approx(50));
+    process.kind = "travel_table";
+    process.over_height = {{0, 0.002}, {1, 0}};
+    CHECK(study::describe_process_force(input, 100, bottom)(-0.1, 0.001, -1) == Approx(50));
+    CHECK(study::describe_process_force(input, 100, bottom)(0.1, 0.001, 1) == 0);
+    process.both_ways = true;
+    CHECK(study::describe_process_force(input, 100, bottom)(0.1, 0.001, 1) == Approx(50));
+    process.kind = "none";
+    CHECK(study::describe_process_force(input, 100, bottom)(0, 0, 0) == 0);
+}
+
+TEST_CASE("an eccentric force shows as a moment in the guide")
+{
+    auto input = read(data / "balanced-crank.toml");
+    input.process_force.emplace().kind = "elastic";
+    const auto central = loads_of(input);
+    input.process_force->offset = 0.03;
+    const auto eccentric = loads_of(input);
+    const auto guide = joint_of(central, "guide");
+    // At bottom dead point 20 kN act 30 mm to the right of the guide's centre: 600 N m on the slide, held by the frame.
+    CHECK(eccentric.history.joints[guide].moment[0] - central.history.joints[guide].moment[0] ==
+          Approx(-600).epsilon(1e-9));
+    CHECK(eccentric.guides.at(0).mean_normal >= 2 * 500);  // both faces are preloaded by 500 N
+}
+
+TEST_CASE("a speed that varies over the turn")
+{
+    auto input = read(data / "balanced-crank.toml");
+    input.mechanism.speed = {{0, pi}, {1, 0.5}};
+    const auto loads = loads_of(input);
+    const auto& history = loads.history;
+    const double speed = input.operation[0].speed;
+    const std::size_t half = history.speed.size() / 2;
+    CHECK(history.speed[0] == Approx(speed));
+    CHECK(history.speed[half] == Approx(0.5 * speed));
+    CHECK(history.speed[half / 2] == Approx(0.75 * speed));
+    // Time over half a turn with a speed linear in the angle: pi ln 2 / (w - w / 2).
+    CHECK(history.time[half] == Approx(2 * pi * std::log(2.0) / speed).epsilon(1e-9));
+    CHECK(history.period == Approx(4 * pi * std::log(2.0) / speed).epsilon(1e-9));
+    balance::require_balanced(loads.linkage, loads.request, loads.history);
+}
+
+TEST_CASE("masses of meshed parts are exact; what exists twice counts once, what is cut counts whole")
+{
+    Observer quiet;
+    const auto input = read(data / "blocks.toml");
+    const auto machine = study::prepare_machine(input, 1, quiet);
+    const auto middle = study::mass_of_parts(input, machine, "middle");
+    const double mass = 7850 * 0.2 * 0.3 * 0.1;
+    CHECK(middle.mass == Approx(mass).epsilon(1e-12));
+    CHECK(middle.centre[0] == 0);
+    CHECK(middle.centre[1] == Approx(0.15).epsilon(1e-12));
+    CHECK(middle.inertia == Approx(mass * (0.2 * 0.2 + 0.3 * 0.3) / 12).epsilon(1e-12));
+    const auto side = study::mass_of_parts(input, machine, "side");  // of tetrahedra and hexahedra
+    const double side_mass = 7850 * 0.1 * 0.25 * 0.1;
+    CHECK(side.mass == Approx(side_mass).epsilon(1e-12));
+    CHECK(side.centre[0] == Approx(-0.25).epsilon(1e-12));
+    CHECK(side.centre[1] == Approx(0.125).epsilon(1e-12));
+    CHECK(side.inertia == Approx(side_mass * (0.1 * 0.1 + 0.25 * 0.25) / 12).epsilon(1e-12));
+    CHECK(study::mass_of_parts(input, machine, "nobody").mass == 0);
+}
+
+TEST_CASE("stated masses hold, the rest follows")
+{
+    auto input = read(data / "balanced-crank.toml");
+    input.bodies.at("rod").inertia.reset();
+    const auto linkage = study::describe_linkage(input);
+    CHECK_FALSE(study::masses_need_parts(input, linkage));
+    const auto masses = study::describe_masses(input, linkage, nullptr);
+    const auto rod = static_cast<std::size_t>(std::ranges::find(linkage.bodies, "rod") - linkage.bodies.begin());
+    CHECK(masses.values[rod].mass == 12);
+    CHECK(masses.values[rod].inertia == Approx(12 * 0.3 * 0.3 / 12));  // a rod of 300 mm
+    CHECK(has(masses.origins[rod], "slender rod"));
+}
+
+TEST_CASE("what is missing or wrong is named with its remedy")
+{
+    const auto input = read(data / "balanced-crank.toml");
+    auto wrong = input;
+    wrong.mechanism.slide_body.clear();
+    CHECK(has(error_of(wrong), "add slide_body to [mechanism]"));
+    wrong = input;
+    wrong.bodies.at("rod").mass.reset();
+    CHECK(has(error_of(wrong), "bodies.rod: the loads need its mass"));
+    wrong = input;
+    wrong.bodies.at("slide").centre_of_mass.reset();
+    CHECK(has(error_of(wrong), "bodies.slide: the loads need its centre of mass"));
+    CHECK(has(error_of(input, 1), "stands still in segment 1"));
+    CHECK(has(error_of(input, 2), "there is no segment 2"));
+    // A rod shorter than the crank cannot follow it around.
+    wrong = input;
+    wrong.joints.at("wrist").centre = {0, -0.07};
+    const auto open = error_of(wrong);
+    CHECK(has(open, "cannot close"));
+    CHECK(has(open, "deg"));
+    // Two guides for one slide.
+    wrong = input;
+    wrong.joints["guide_2"] = wrong.joints.at("guide");
+    wrong.joints.at("guide_2").centre = {0.1, -0.4};
+    CHECK(has(error_of(wrong), "guide_2"));
+    // A wrist that slides nowhere is free.
+    wrong = input;
+    wrong.joints.erase("guide");
+    CHECK(error_of(wrong) != "");
+    // Without any damping there is no periodic motion.
+    wrong = input;
+    wrong.crankshaft->model = "flexible";
+    wrong.crankshaft->modal_damping = 0;
+    CHECK(has(error_of(wrong), "damp"));
+}
+
+TEST_CASE("a guide that symmetry relieves is warned about, a preload settles it")
+{
+    auto input = read(cases / "jl75g-60/no-load.toml");
+    const auto warned = [](const study::LoadsResult& loads) {
+        return std::ranges::any_of(loads.warnings,
+                                   [](const auto& w) { return has(w, "guide 'guide_10' carries no force"); });
+    };
+    CHECK(warned(loads_of(input)));
+    input.joints.at("guide_10").preload = 1000;
+    const auto preloaded = loads_of(input);
+    CHECK_FALSE(warned(preloaded));
+    for (const auto& guide : preloaded.guides)
+        if (preloaded.linkage.joints[static_cast<std::size_t>(guide.joint)].name == "guide_10")
+            CHECK(guide.mean_normal == Approx(2000));
+}
+
+TEST_CASE("belt pull by power, and a rectangular pulse on a flexible shaft")
+{
+    auto input = read(data / "balanced-crank.toml");
+    auto& belt = input.crankshaft->belt.emplace();
+    belt.power = 3000;
+    belt.pulley_diameter = 0.4;
+    CHECK(study::belt_force(input, 10) == Approx(3000 / (10 * 0.2)));
+    belt.force = 700;
+    CHECK(study::belt_force(input, 10) == 700);
+    belt.angle = pi;
+    const auto pulled = loads_of(input);
+    CHECK(pulled.crankshaft->loads.steady.at(0).force[0] == Approx(-700));
+    input.crankshaft->model = "flexible";
+    input.process_force.emplace().kind = "rectangular";
+    const auto loads = loads_of(input);
+    CHECK(std::ranges::any_of(loads.warnings, [](const auto& w) { return has(w, "doubles the peak by its edges"); }));
+}
+
+TEST_CASE("natural frequencies do not hang on how many sections a shaft is written in")
+{
+    // 600 mm of 120 mm diameter: as one section and as forty-eight; pieces of half a diameter leave less than 0.1 %.
+    crankshaft::Shaft shaft;
+    shaft.youngs_modulus = 210e9;
+    shaft.poissons_ratio = 0.3;
+    for (const double position : {0.05, 0.55}) {
+        auto& bearing = shaft.bearings.emplace_back();
+        bearing.position = position;
+        bearing.stiffness = {{{1e9, 0}, {0, 1e9}}};
+    }
+    const auto lowest = [&](int sections) {
+        shaft.sections.assign(static_cast<std::size_t>(sections), {0.6 / sections, 0.12, 0, 7850});
+        shaft.sections = study::slender_pieces(shaft.sections);
+        return crankshaft::modes(crankshaft::assemble(shaft), 0, 4);
+    };
+    const auto coarse = lowest(1), fine = lowest(48);
+    for (std::size_t m = 0; m < fine.size(); ++m)
+        CHECK(coarse[m].frequency == Approx(fine[m].frequency).epsilon(1e-3));
+}
+
+TEST_CASE("a force whose window misses bottom dead point is warned about; one that is not stated sits about it")
+{
+    auto input = read(cases / "jl75g-60" / "l5a-230.toml");
+    input.crankshaft->model = "rigid";
+    input.process_force.reset();
+    CHECK_FALSE(study::misplaced_force(input, 0.3));
+    const auto law = study::describe_process_force(input, 1000, 0.3);
+    CHECK(law(0, 0, 0) == Approx(1000));
+    CHECK(law(0.3, 0, 0) == 0);
+    input.process_force.emplace();
+    input.process_force->kind = "rectangular";
+    CHECK_FALSE(study::misplaced_force(input, 0.3));
+    CHECK(study::describe_process_force(input, 1000, 0.3)(0, 0, 0) == Approx(1000));
+    input.process_force->from = 255 * pi / 180;
+    input.process_force->to = 285 * pi / 180;
+    CHECK_FALSE(study::misplaced_force(input, 1.5 * pi));
+    const auto warning = study::misplaced_force(input, 0);
+    REQUIRE(warning);
+    CHECK(has(*warning, "from -105.0 to -75.0 deg past bottom dead point"));
+}
+
+TEST_CASE("a crank pin that is not on the shaft is named by its keys")
+{
+    auto input = read(cases / "jl75g-60" / "l5a-230.toml");
+    input.crankshaft->pin_position = 1.3;
+    CHECK(has(error_of(input), "crankshaft.pin_position, pin_width: the crank pin"));
+    input.crankshaft->pin_position = 0;
+    input.crankshaft->pin_width = 6;
+    CHECK(has(error_of(input), "crankshaft.pin_position, pin_width: the crank pin"));
+}
+
+TEST_CASE("a case says how many critical speeds it wants, and shear factors for the shaft or its sections")
+{
+    const auto path = data / "balanced-crank.toml";
+    const auto critical = [&](const std::vector<std::string>& overrides) {
+        return loads_of(read(path, overrides)).crankshaft->critical_speeds;
+    };
+    const auto four = critical({});
+    CHECK(four.size() == 4);
+    const auto seven = critical({"crankshaft.critical_speeds=7"});
+    REQUIRE(seven.size() == 7);
+    for (std::size_t i = 0; i < 4; ++i)
+        CHECK(seven[i].speed == Approx(four[i].speed).epsilon(1e-12));
+    CHECK(seven[6].speed > seven[3].speed);
+
+    // Without shear deformation a shaft is stiffer; a factor of its only section counts like that of the shaft.
+    const auto bending = critical({"crankshaft.shear_factor=0"});
+    CHECK(bending[0].speed > 1.005 * four[0].speed);
+    auto by_section = read(path);
+    by_section.crankshaft->sections[0].shear_factor = 0;
+    CHECK(loads_of(by_section).crankshaft->critical_speeds[0].speed == bending[0].speed);
+    by_section.crankshaft->sections[0].shear_factor = 0.5;
+    CHECK(loads_of(by_section).crankshaft->critical_speeds[0].speed < four[0].speed);
+}
