@@ -26,15 +26,17 @@ const std::map<std::string, std::set<std::string>>& allowed_folders()
                                               "machine",   "fem",        "drift"};
     static const auto rules = [] {
         std::map<std::string, std::set<std::string>> result{
-            {"core", {}}, {"io", {"core"}}, {"exchange", {"core", "io"}}};
+            {"include", {}}, {"core", {}}, {"io", {"core"}}, {"exchange", {"core", "io"}}};
         for (const auto& stage : stages) {
             result.try_emplace(stage, values);
         }
         result["study"] = stages;
         result["report"] = stages;
         result["report"].insert("study");
-        result["app"] = result["report"];
-        result["app"].insert("report");
+        result["api"] = result["report"];
+        result["api"].insert({"report", "include"});
+        result["app"] = result["api"];
+        result["app"].insert("api");
         return result;
     }();
     return rules;
@@ -52,9 +54,19 @@ const std::vector<std::pair<std::regex, std::string>>& wrapped_libraries()
     return rules;
 }
 
+/// Public headers that every folder may include; the others are for those to its right.
+bool is_basic(const std::string& file)
+{
+    static const std::set<std::string> basic{"diagnostic.hpp", "error.hpp", "observer.hpp", "version.hpp"};
+    return basic.contains(fs::path(file).filename().string());
+}
+
 std::string folder_of(const std::string& file)
 {
     static const std::string source = "src/deadpoint/";
+    if (file.starts_with("include/")) {
+        return "include";
+    }
     if (!file.starts_with(source)) {
         return "app";
     }
@@ -66,11 +78,13 @@ bool is_standard(const Include& include)
     return !include.own && include.target.find_first_of("./") == std::string::npos;
 }
 
-/// Path of an own header relative to the root: "deadpoint/..." below src, anything else beside the including file.
+/// Path of an own header relative to the root: "deadpoint/<folder>/..." below src, "deadpoint/<file>" below include,
+/// anything else beside the including file.
 std::string resolved(const std::string& from, const std::string& target)
 {
     if (target.starts_with("deadpoint/")) {
-        return "src/" + target;
+        const bool is_public = std::ranges::count(target, '/') == 1;
+        return (is_public ? "include/" : "src/") + target;
     }
     return (fs::path(from).parent_path() / target).lexically_normal().generic_string();
 }
@@ -79,7 +93,7 @@ Files read_files(const fs::path& root)
 {
     static const std::regex line_pattern("\\s*#\\s*include\\s*([<\"])([^>\"]+)[>\"].*");
     Files files;
-    for (const char* top : {"src/deadpoint", "app"}) {
+    for (const char* top : {"include/deadpoint", "src/deadpoint", "app"}) {
         if (!fs::exists(root / top)) {
             continue;
         }
@@ -126,8 +140,11 @@ std::set<std::string> internal_headers(const Files& files)
 std::string fault(const std::string& file, const Include& include, const std::set<std::string>& internal)
 {
     const std::string folder = folder_of(file);
+    if (folder == "include" && !include.own && !is_standard(include)) {
+        return "public headers include the standard library only, not <" + include.target + ">";
+    }
     if (include.own) {
-        if (file.starts_with("src/") && !include.target.starts_with("deadpoint/")) {
+        if (!file.starts_with("app/") && !include.target.starts_with("deadpoint/")) {
             return "write own headers as \"deadpoint/<folder>/<file>\", not \"" + include.target + "\"";
         }
         const std::string target = resolved(file, include.target);
@@ -135,6 +152,9 @@ std::string fault(const std::string& file, const Include& include, const std::se
         const auto rule = allowed_folders().find(folder);
         if (rule == allowed_folders().end()) {
             return "the folder '" + folder + "' has no rule; add it to tests/include_rules and docs/design.md";
+        }
+        if (other == "include" && is_basic(target)) {
+            return {};
         }
         if (other != folder && !rule->second.contains(other)) {
             return "'" + folder + "' may not include '" + other + "' (" + include.target + ")";

@@ -47,6 +47,10 @@ TEST_CASE("a tree that keeps the rules passes")
     tree.add("src/deadpoint/fem/c.cpp", "#include \"deadpoint/fem/c.hpp\"\n#include <petscksp.h>\n");
     tree.add("src/deadpoint/machine/d.cpp", "#include \"deadpoint/exchange/b.hpp\"\n#include <gmsh.h>\n");
     tree.add("src/deadpoint/study/e.hpp", "#include \"deadpoint/exchange/b.hpp\"\n");
+    tree.add("include/deadpoint/error.hpp", "#include <string>\n");
+    tree.add("include/deadpoint/press.hpp", "#include \"deadpoint/error.hpp\"\n");
+    tree.add("src/deadpoint/core/f.hpp", "#include \"deadpoint/error.hpp\"\n");
+    tree.add("src/deadpoint/api/g.cpp", "#include \"deadpoint/press.hpp\"\n#include \"deadpoint/study/e.hpp\"\n");
     tree.add("app/console.hpp", "#include <spdlog/spdlog.h>\n");
     tree.add("app/main.cpp", "#include \"console.hpp\"\n#include \"deadpoint/study/e.hpp\"\n#include <CLI/CLI.hpp>\n");
     CHECK(include_violations(tree.root).empty());
@@ -74,6 +78,16 @@ TEST_CASE("each planted violation is found, with file and line")
           std::string::npos);
     CHECK(violation("src/deadpoint/novel/a.cpp", "#include \"deadpoint/core/vec.hpp\"\n").find("has no rule") !=
           std::string::npos);
+}
+
+TEST_CASE("public headers show nothing but the standard library and themselves")
+{
+    CHECK(violation("include/deadpoint/a.hpp", "#include <mpi.h>\n") ==
+          "include/deadpoint/a.hpp:1: public headers include the standard library only, not <mpi.h>");
+    CHECK(violation("include/deadpoint/a.hpp", "#include \"deadpoint/core/vec.hpp\"\n") ==
+          "include/deadpoint/a.hpp:1: 'include' may not include 'core' (deadpoint/core/vec.hpp)");
+    CHECK(violation("src/deadpoint/study/a.cpp", "#include \"deadpoint/press.hpp\"\n") ==
+          "src/deadpoint/study/a.cpp:1: 'study' may not include 'include' (deadpoint/press.hpp)");
 }
 
 TEST_CASE("a cycle is found, also through a third file")
