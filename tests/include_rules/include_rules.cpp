@@ -21,14 +21,17 @@ using Files = std::map<std::string, std::vector<Include>>;  // by path relative 
 const std::map<std::string, std::set<std::string>>& allowed_folders()
 {
     static const std::set<std::string> values{"core", "io", "exchange"};
-    static const std::set<std::string> stages{"core",      "io",         "exchange",  "casefile",
-                                              "mechanism", "crankshaft", "tribology", "surroundings",
-                                              "machine",   "fem",        "drift"};
+    static const std::set<std::string> stages{"core",       "io",        "exchange",     "casefile", "mechanism",
+                                              "crankshaft", "tribology", "surroundings", "machine",  "heat",
+                                              "fem",        "reduce",    "drift"};
     static const auto rules = [] {
         std::map<std::string, std::set<std::string>> result{
             {"include", {}}, {"core", {}}, {"io", {"core"}}, {"exchange", {"core", "io"}}};
         for (const auto& stage : stages) {
             result.try_emplace(stage, values);
+        }
+        for (const auto* on_heat : {"fem", "reduce"}) {
+            result[on_heat].insert("heat");
         }
         result["study"] = stages;
         result["report"] = stages;

@@ -1,6 +1,5 @@
 #include "deadpoint/fem/model.hpp"
 
-#include "deadpoint/fem/conduction/heat_adjoint.hpp"
 #include "deadpoint/fem/conduction/heat_solver.hpp"
 #include "deadpoint/fem/conduction/thermal_state.hpp"
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
@@ -236,7 +235,7 @@ HeatCauses Model::heat_causes(const Adjoint& weights, std::size_t row)
 {
     if (!implementation_->finished)
         throw std::logic_error("Model::heat_causes() needs heat() before it");
-    return HeatAdjoint(*implementation_->finished).causes(weights.owned, row);
+    return implementation_->finished->causes(weights.owned, row);
 }
 
 void Model::release_heat() { implementation_->finished.reset(); }

@@ -2,44 +2,43 @@
 
 #include "deadpoint/core/observer.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
-#include "deadpoint/fem/conduction/heat_solver.hpp"
+#include "deadpoint/fem/conduction/heat_system.hpp"
+#include "deadpoint/heat/run.hpp"
 
 #include <chrono>
-#include <tuple>
+#include <span>
+#include <string>
+#include <vector>
 
-/// Internal to fem/: writes the state of HeatSolver between two steps, and puts it back.
+/// Internal to fem/: writes the state of a run between two steps, and puts it back.
 namespace deadpoint::fem {
 
 /// Every member function is collective.
 class HeatCheckpoint {
 public:
-    /// @param solver  before its first step
-    HeatCheckpoint(HeatSolver& solver, const CheckpointPlan& plan, Observer& observer);
+    /// @param start  the temperatures from which the run starts
+    HeatCheckpoint(heat::HeatRun<HeatSystem>& run, const CheckpointPlan& plan, const ThermalState& start,
+                   Observer& observer);
 
-    /// Puts the plan's file back: into the solver, which has begun the first segment, and into history and place. Hands
-    /// on again what was handed on.
+    /// Puts the plan's file back into a run that has begun. Hands on again what was handed on.
     /// @throws IoError if it is broken; InputError if it belongs to another version, case, mesh or start
-    void restore(ThermalHistory& history, RunPlace& place, const FieldCallback& on_field);
+    void restore(const FieldCallback& on_field);
     /// Writes a checkpoint if it is time, which the first rank's clock says, or `now`. What fails becomes a warning.
-    void offer(const ThermalHistory& history, const RunPlace& place, bool now);
+    void offer(bool now);
 
 private:
-    struct Kept;
-    using Carried = std::tuple<double&, bool&, std::size_t&, int&, int&, std::vector<double>&>;
-    [[nodiscard]] Carried solvers_own() const;
     [[nodiscard]] bool due() const;
-    [[nodiscard]] Kept kept() const;
     [[nodiscard]] std::vector<Vec> vectors() const;
-    void write(std::ostream& out, const ThermalHistory& history, const RunPlace& place) const;
+    void write(std::ostream& out) const;
     template <class Value>
     void write_field(BinaryWriter& writer, std::span<const Value> owned) const;
     template <class Value>
     [[nodiscard]] Field read_field(BinaryReader& reader) const;
-    void check(const BinaryReader& reader, const Kept& kept, const RunPlace& place) const;
-    void put_back(Kept& kept, std::size_t segment);
-    void hand_on_again(BinaryReader& reader, const FieldCallback& on_field) const;
+    void make_preconditioner(const heat::PreconditionerOrigin& origin);
+    void hand_on_again(BinaryReader& reader, std::size_t count, const FieldCallback& on_field) const;
 
-    HeatSolver& solver_;
+    heat::HeatRun<HeatSystem>& run_;
+    const Discretisation& space_;
     const CheckpointPlan& plan_;
     Observer& observer_;
     std::string start_;  ///< hash of where the run starts

@@ -1,246 +1,236 @@
-#include "deadpoint/fem/conduction/heat_solver.hpp"
-#include "deadpoint/fem/conduction/tr_bdf2.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/conduction/heat_system.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <ml_utils.h>
-
-// The linear system of a stage and its solver.
 
 namespace deadpoint::fem {
 namespace {
 
-// Of a multigrid hierarchy, in the ratio of step sizes. Beyond, the bounds of its smoother may not hold any more.
-constexpr double largest_reuse = 2.5;
-// Below that of the shortest step: mass alone rules the matrix [s].
-constexpr double shortest_factor = 1e-7;
+// Of each solve of the adjoint, in the norm of its solution: what is left out of the shares of all causes together is
+// of this size.
+constexpr double adjoint_tolerance = 1e-8;
 
-// Options that the user gave to PETSC win.
-void default_option(const char* name, const char* value)
+double longest_segment(const HeatProblem& problem)
 {
-    PetscBool given = PETSC_FALSE;
-    DEADPOINT_PETSC(PetscOptionsHasName(nullptr, nullptr, name, &given));
-    if (!given)
-        DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, name, value));
+    double longest = 0;
+    for (const auto& segment : problem.segments)
+        longest = std::max(longest, segment.duration);
+    return longest;
 }
 
-// Makes the next multigrid hierarchy a function of its matrices alone, so that a resumed run can build it again:
-// without what smoothers keep of the last one, and with the same random vectors, from which ML estimates eigenvalues.
-void begin_anew(KSP solver)
+bool same_place(const SurfaceCondition& a, const SurfaceCondition& b)
 {
-    PC multigrid = nullptr;
-    DEADPOINT_PETSC(KSPGetPC(solver, &multigrid));
-    DEADPOINT_PETSC(PCSetType(multigrid, PCNONE));
-    DEADPOINT_PETSC(PCSetType(multigrid, PCML));
-    DEADPOINT_PETSC(PCSetUseAmat(multigrid, PETSC_FALSE));
-    DEADPOINT_PETSC(PCSetFromOptions(multigrid));
-    ML_set_random_seed(1 + rank());
+    return a.surface == b.surface && a.kind == b.kind && a.emissivity == b.emissivity &&
+           a.laws.empty() == b.laws.empty() && a.enclosure == b.enclosure;
 }
+
+bool same_parts(const BodyHeat& a, const BodyHeat& b) { return a.parts == b.parts && a.surface == b.surface; }
 
 }  // namespace
 
-void HeatSolver::prepare_solver()
+HeatSystem::HeatSystem(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem)
+    : space_(space), materials_(materials), problem_(&problem), expansion_(space, materials),
+      functionals_(space, problem), matrices_(space, materials, problem), prescribed_(space, problem),
+      pattern_(create_vector(space, 1)), maps_(space, materials, matrices_, pattern_),
+      films_(space, problem, functionals_.geometry().surface_area, prescribed_, pattern_),
+      stage_(space, matrices_, maps_, prescribed_, films_, longest_segment(problem))
+{}
+
+bool HeatSystem::adopt(const HeatProblem& problem)
 {
-    DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, system_.out()));
-    DEADPOINT_PETSC(MatSetOption(system_, MAT_SYMMETRIC, PETSC_TRUE));
-
-    const PetscInt rows = space_.last - space_.first;
-    shell_ = std::make_unique<ShellMatrix>(rows, space_.total, [this](Vec in, Vec out) { multiply(in, out); });
-    DEADPOINT_PETSC(MatSetOption(*shell_, MAT_SYMMETRIC, PETSC_TRUE));
-
-    DEADPOINT_PETSC(KSPCreate(PETSC_COMM_WORLD, solver_.out()));
-    DEADPOINT_PETSC(KSPSetType(solver_, KSPCG));
-    prepare_tangents();
-    DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_FALSE));
-    PC preconditioner = nullptr;
-    DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
-    DEADPOINT_PETSC(PCSetType(preconditioner, PCML));
-    // Weak couplings across films only blur the aggregates.
-    default_option("-heat_pc_ml_Threshold", "0.01");
-    // Of aggregates and their interpolation, which are half of a hierarchy's cost; see build_aggregates().
-    default_option("-heat_pc_ml_reuse_interpolation", "true");
-    // Runs at the memory's speed, which Gauss-Seidel sweeps do
-    // not, and alike on any number of ranks.
-    default_option("-heat_mg_levels_ksp_type", "chebyshev");
-    default_option("-heat_mg_levels_ksp_max_it", "2");
-    default_option("-heat_mg_levels_pc_type", "jacobi");
-    // A bound that is too low turns the preconditioner indefinite where films are far stiffer than the metal.
-    default_option("-heat_mg_levels_ksp_chebyshev_esteig", "0,0.1,0,1.2");
-    default_option("-heat_mg_levels_esteig_ksp_type", "cg");
-    DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "heat_"));
-    DEADPOINT_PETSC(KSPSetFromOptions(solver_));
-    DEADPOINT_PETSC(KSPSetOperators(solver_, *shell_, system_));
-    build_aggregates();
+    const bool same = std::ranges::equal(problem.surfaces, problem_->surfaces, same_place) &&
+                      std::ranges::equal(problem.radiation, problem_->radiation, {}, &RadiantRoom::surfaces,
+                                         &RadiantRoom::surfaces) &&
+                      std::ranges::equal(problem.body_heat, problem_->body_heat, same_parts) &&
+                      matrices_.serve(problem);
+    if (!same)
+        return false;
+    if (longest_segment(problem) > longest_segment(*problem_))
+        stage_.reset(longest_segment(problem));  // the multigrid's bounds hold up to that
+    problem_ = &problem;
+    functionals_.adopt(problem);
+    matrices_.adopt(problem);
+    prescribed_.adopt(problem);
+    films_.adopt(problem);
+    return true;
 }
 
-// y = (M + factor (K + K_films)) x - factor sum of dH/dT b (b .
-// x): heat that falls with temperature adds to the matrix, as a
-// few rank-one terms that the preconditioner need not know.
-void HeatSolver::multiply(Vec in, Vec out) const
+OwnedVec HeatSystem::make_vector() const
 {
-    DEADPOINT_PETSC(MatMult(system_, in, out));
-    air_->multiply(in, out);
-    multiply_rooms(in, out);
-    if (shell_slopes_.empty())
-        return;
-    std::vector<const SparseFunctional*> loads;
-    for (const auto& load : shell_loads_)
-        loads.push_back(&load);
-    const auto products = evaluate(loads, in);
-    for (std::size_t r = 0; r < products.size(); ++r)
-        add_to(out, shell_loads_[r], -system_factor_ * shell_slopes_[r] * products[r]);
+    OwnedVec vector = duplicate(pattern_);
+    DEADPOINT_PETSC(VecZeroEntries(vector));
+    return vector;
 }
 
-void HeatSolver::solve_system(Vec right, Vec solution, const char* what)
+void HeatSystem::combine(const std::vector<heat::Scaled<OwnedVec>>& sum, OwnedVec& result) const
 {
-    const auto with_term = [this](const Error& error) {
-        return fmt::format("{}\n  the largest term of the heat balance at t = {:.6g} s is {}", error.what(), time_,
-                           largest_term());
-    };
-    try {
-        iterations_ += shell_->use([&] { return solve(solver_, right, solution, what); });
-    } catch (const NotFinite& error) {
-        throw DomainError(with_term(error) + "\n  help: give it a value that can be meant");
-    } catch (const ConvergenceError& error) {
-        throw ConvergenceError(with_term(error));
+    std::vector<double> factors;
+    std::vector<Vec> vectors;
+    for (const auto& [factor, vector] : sum) {
+        factors.push_back(factor);
+        vectors.push_back(*vector);
     }
+    DEADPOINT_PETSC(VecZeroEntries(result));
+    DEADPOINT_PETSC(VecMAXPY(result, static_cast<PetscInt>(sum.size()), factors.data(), vectors.data()));
 }
 
-namespace {
-
-struct Term {
-    std::string text;
-    double size = 0;  ///< what it comes to, roughly [W]
-};
-
-}  // namespace
-
-// What each quantity of the case comes to for a kelvin, or at the present temperatures; one that is not finite counts
-// as the largest.
-std::string HeatSolver::largest_term() const
+double HeatSystem::total(const OwnedVec& vector) const
 {
-    std::vector<Term> terms;
-    const auto add = [&](const char* table, const std::string& name, const char* meaning, double value,
-                         const char* unit, double factor = 1) {
-        terms.push_back({fmt::format("the {} of {}.{}: {:.3g} {}", meaning, table, name, value, unit), value * factor});
-    };
+    PetscScalar sum = 0;
+    DEADPOINT_PETSC(VecSum(vector, &sum));
+    return sum;
+}
+
+double HeatSystem::dot(const OwnedVec& a, const OwnedVec& b) const
+{
+    PetscScalar product = 0;
+    DEADPOINT_PETSC(VecDot(a, b, &product));
+    return product;
+}
+
+double HeatSystem::largest(const OwnedVec& vector) const
+{
+    PetscReal norm = 0;
+    DEADPOINT_PETSC(VecNorm(vector, NORM_INFINITY, &norm));
+    return norm;
+}
+
+bool HeatSystem::is_finite(const OwnedVec& vector) const
+{
+    PetscReal norm = 0;
+    DEADPOINT_PETSC(VecNorm(vector, NORM_1, &norm));
+    return std::isfinite(norm);
+}
+
+bool HeatSystem::any(bool flag) const
+{
+    int value = flag ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    return value != 0;
+}
+
+SparseFunctional HeatSystem::combined(const heat::Loads& loads) const
+{
+    SparseFunctional sum;
+    for (const auto& [functional, factor] : loads) {
+        const auto& term = functionals_[functional];
+        sum.local.insert(sum.local.end(), term.local.begin(), term.local.end());
+        for (const double weight : term.weight)
+            sum.weight.push_back(factor * weight);
+    }
+    return sum;
+}
+
+void HeatSystem::set_laws(const std::vector<InterfaceLaw>& laws, const std::vector<heat::Loads>& source_loads)
+{
+    functionals_.set_zones(laws);
+    std::vector<SparseFunctional> loads;
+    for (const auto& load : source_loads)
+        loads.push_back(prescribed_.without(combined(load)));
+    stage_.set_source_loads(std::move(loads));
+    if (matrices_.set_laws(laws))
+        stage_.reset(longest_segment(*problem_));
+}
+
+void HeatSystem::finish_load(OwnedVec& load) const
+{
+    DEADPOINT_PETSC(VecAssemblyBegin(load));
+    DEADPOINT_PETSC(VecAssemblyEnd(load));
+}
+
+bool HeatSystem::build(double factor, const OwnedVec& temperature, const std::vector<heat::FilmAt>& films)
+{
+    if (factor == stage_.factor() && !follows_temperature())
+        return false;
+    if (films_.some())
+        films_.build_tangents(films, temperature, matrices_.films());
+    return stage_.combine(factor, temperature);
+}
+
+std::vector<heat::Term> HeatSystem::terms() const
+{
+    std::vector<heat::Term> terms;
     const auto& parts = space_.machine.parts;
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        add("parts", parts[p].name, "heat capacity",
-            materials_[p].density * materials_[p].specific_heat * part_volume_[p], "J/K");
-        add("parts", parts[p].name, "conductivity", materials_[p].conductivity, "W/m/K");
+        const double capacity = materials_[p].density * materials_[p].specific_heat * functionals_.part_volume()[p];
+        const double conductivity = materials_[p].conductivity;
+        terms.push_back({fmt::format("the heat capacity of parts.{}: {:.3g} J/K", parts[p].name, capacity), capacity});
+        terms.push_back(
+            {fmt::format("the conductivity of parts.{}: {:.3g} W/m/K", parts[p].name, conductivity), conductivity});
     }
-    for (std::size_t i = 0; i < interfaces_.size(); ++i)
-        add("joints", space_.machine.interfaces[i].name, "conductance", interfaces_[i].sum * interfaces_[i].area,
-            "W/K");
-    for (std::size_t r = 0; r < problem_->sources.size() && r < rate_now_.source_heat.size(); ++r)
-        if (segment_ && segment_->heat[r])
-            add("friction", problem_->sources[r].name, "heat", segment_->heat[r](rate_now_.source_temperature[r]).value,
-                "W");
-    for (std::size_t k = 0; k < problem_->body_heat.size(); ++k)
-        if (segment_ && segment_->body_heat[k])
-            add("heat_sources", problem_->body_heat[k].name, "power", segment_->body_heat[k](time_), "W");
-    for (const auto& film : films_)
-        if (film.condition->kind == SurfaceCondition::Kind::flux)
-            add("surfaces", film.condition->name, "heat flux", film.condition->flux(time_), "W/m2", film.area);
-        else
-            add("surfaces", film.condition->name, "film", film.condition->coefficient, "W/m2/K", film.area);
-    const auto size = [](const Term& term) { return std::isfinite(term.size) ? std::abs(term.size) : 1e308; };
-    return terms.empty() ? "none" : std::ranges::max_element(terms, {}, size)->text;
+    return terms;
 }
 
-void HeatSolver::set_tolerance(double relative, double absolute)
+std::vector<double> HeatSystem::observe(const OwnedVec& vector, const OwnedVec& temperature, bool is_slope) const
 {
-    const double scale = std::sqrt(static_cast<double>(space_.total));
-    DEADPOINT_PETSC(KSPSetTolerances(solver_, relative, absolute * scale, 1e10, 2000));
-}
-
-void HeatSolver::build_system(double factor, Vec temperature)
-{
-    if (factor == system_factor_ && !variable_films_ && !materials_vary())
-        return;
-    const double* values = variable_films_ ? everywhere_->gather(temperature) : nullptr;
-    build_air_loads(factor, values);
-    build_room_loads(values);
-    if (variable_films_)
-        assemble_variable_films([&](const Film& film) -> PointCoefficient {
-            const double surroundings = ambient(*film.condition, time_);
-            return [&film, values, surroundings, law = film_at(*film.condition, surroundings)](const FilmPoint& point) {
-                const double at = value_at(point.shape, values);
-                return film_slope(law(at), film.condition->emissivity, at, surroundings);
-            };
-        });
-    combine_system(factor, temperature);
-}
-
-void HeatSolver::assemble_variable_films(const std::function<PointCoefficient(const Film&)>& coefficient_on)
-{
-    DEADPOINT_PETSC(MatZeroEntries(variable_));
-    for (const auto& film : films_) {
-        if (film.points.empty())
-            continue;
-        const auto coefficient = coefficient_on(film);
-        for (const auto& point : film.points)
-            insert_block(variable_, point.shape, point.shape, coefficient(point) * point.weight);
+    if (!observation_.adjoints)
+        return {};
+    const auto& adjoints = *observation_.adjoints;
+    const auto& part_of = maps_.part_of_unknown();
+    const auto split = static_cast<std::size_t>(observation_.attribution.count);
+    const std::size_t parts = space_.machine.parts.size();
+    std::vector<double> sums(adjoints.size() + split * parts, 0.0);
+    {
+        const ConstEntries data(vector), at(temperature);
+        const auto rise = [&](std::size_t i) {
+            return is_slope ? expansion_.slope(i, at[i]) * data[i]
+                            : expansion_.rise(i, data[i], observation_.reference);
+        };
+        for (std::size_t k = 0; k < adjoints.size(); ++k)
+            for (std::size_t i = 0; i < adjoints[k].owned.size(); ++i)
+                sums[k] += adjoints[k].owned[i] * rise(i);
+        for (std::size_t k = 0; k < split; ++k) {
+            const auto& weights = adjoints[static_cast<std::size_t>(observation_.attribution.first) + k].owned;
+            for (std::size_t i = 0; i < weights.size(); ++i)
+                sums[adjoints.size() + k * parts + part_of[i]] += weights[i] * rise(i);
+        }
     }
-    DEADPOINT_PETSC(MatAssemblyBegin(variable_, MAT_FINAL_ASSEMBLY));
-    DEADPOINT_PETSC(MatAssemblyEnd(variable_, MAT_FINAL_ASSEMBLY));
+    sum_over_ranks(sums);
+    return sums;
 }
 
-// Aggregates and interpolation of the multigrid, from a matrix that conduction rules, where coarse levels matter; they
-// serve every step size. So do two sets of coarse matrices, where nothing but the factor changes.
-void HeatSolver::build_aggregates()
+void HeatSystem::widen(const OwnedVec& temperature, std::vector<double>& lowest, std::vector<double>& highest) const
 {
-    begin_anew(solver_);
-    coarse_ = {};
-    PC multigrid = nullptr;
-    DEADPOINT_PETSC(KSPGetPC(solver_, &multigrid));
-    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, PETSC_FALSE));
-    for (const double factor : {longest_segment(*problem_), shortest_factor}) {
-        fill_system(factor, nullptr, nullptr);
-        DEADPOINT_PETSC(PCSetUp(multigrid));  // KSPSetUp would do so only the first time
-        if (system_follows_temperature())
-            break;
-        coarse_.keep(multigrid, factor);
+    const auto& part_of = maps_.part_of_unknown();
+    {
+        const ConstEntries values(temperature);
+        for (std::size_t i = 0; i < part_of.size(); ++i) {
+            lowest[part_of[i]] = std::min(lowest[part_of[i]], values[i]);
+            highest[part_of[i]] = std::max(highest[part_of[i]], values[i]);
+        }
     }
-    aggregates_built_ = true;
+    const auto count = static_cast<int>(lowest.size());
+    MPI_Allreduce(MPI_IN_PLACE, lowest.data(), count, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, highest.data(), count, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
 }
 
-void HeatSolver::combine_system(double factor, Vec temperature)
+// The heat is as booked and no longer follows the temperature, nor do enclosed air and radiation inside.
+void HeatSystem::begin_adjoint()
 {
-    if (!aggregates_built_)
-        build_aggregates();
-    fill_system(factor, variable_, temperature);
-    system_factor_ = factor;
-    const bool near = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
-    // A matrix that follows the temperature changes little at a time: the old multigrid still serves it.
-    const bool anew = system_follows_temperature() && !near;
-    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, anew ? PETSC_FALSE : PETSC_TRUE));
-    if (system_follows_temperature() && near)
-        return;
-    multigrid_factor_ = factor;
-    note_multigrid(temperature);
-    if (coarse_.complete()) {
-        PC multigrid = nullptr;
-        DEADPOINT_PETSC(KSPGetPC(solver_, &multigrid));
-        coarse_.follow(multigrid, factor);
-    }
+    films_.forget_rooms();
+    stage_.forget();
 }
 
-// system = M + factor (K + K_films), with tangents at a temperature if one is given.
-void HeatSolver::fill_system(double factor, Mat films, Vec temperature)
+void HeatSystem::set_film_coefficients(const std::vector<double>& coefficients)
 {
-    DEADPOINT_PETSC(MatCopy(stiffness_, system_, SAME_NONZERO_PATTERN));
-    if (films)
-        DEADPOINT_PETSC(MatAXPY(system_, 1, films, SAME_NONZERO_PATTERN));
-    add_conduction_tangent(system_, temperature);
-    DEADPOINT_PETSC(MatScale(system_, factor));
-    add_capacity(system_, temperature);
-    if (some_prescribed_)
-        DEADPOINT_PETSC(MatZeroRowsColumns(system_, static_cast<PetscInt>(prescribed_.size()), prescribed_.data(), 1,
-                                           nullptr, nullptr));
+    films_.build_constant(coefficients, matrices_.films());
+    stage_.forget();
+}
+
+void HeatSystem::apply_stiffness(const OwnedVec& in, OwnedVec& out) const
+{
+    DEADPOINT_PETSC(MatMult(matrices_.stiffness(), in, out));
+    for (const Mat further : {matrices_.films(), matrices_.conduction()})
+        if (further)
+            DEADPOINT_PETSC(MatMultAdd(further, in, out, out));
+}
+
+int HeatSystem::solve_adjoint(double factor, const OwnedVec& right, OwnedVec& solution)
+{
+    if (factor != stage_.factor())
+        stage_.combine(factor, nullptr);
+    return stage_.solve_from_guess(right, solution, adjoint_tolerance, "the weights of the heat");
 }
 
 }  // namespace deadpoint::fem

@@ -1,6 +1,7 @@
 #include "deadpoint/fem/space/discretisation.hpp"
 
 #include "deadpoint/fem/space/round_cells.hpp"
+#include "deadpoint/heat/not_finite.hpp"
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
@@ -124,7 +125,7 @@ int solve(KSP solver, Vec rhs, Vec solution, const char* what)
     const auto failure = fmt::format("the linear solver did not converge for {}: {} after {} iterations", what,
                                      reason_text(reason), iterations);
     if (reason == KSP_DIVERGED_NANORINF || reason == KSP_DIVERGED_PC_FAILED)
-        throw NotFinite(failure);
+        throw heat::NotFinite(failure);
     if (reason < 0)
         throw ConvergenceError(failure +
                                "\n  help: look for badly shaped cells with 'deadpoint check', or for material "

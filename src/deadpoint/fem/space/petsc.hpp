@@ -17,12 +17,6 @@ inline void petsc_check(PetscErrorCode code, const char* call)
 }
 #define DEADPOINT_PETSC(call) ::deadpoint::fem::petsc_check((call), #call)
 
-/// A linear solve in which a value became infinite or not a number, or whose matrix holds such values.
-class NotFinite : public ConvergenceError {
-public:
-    using ConvergenceError::ConvergenceError;
-};
-
 template <class Handle, PetscErrorCode (*destroy)(Handle*)>
 class Owned {
 public:

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-/// Internal to fem/: the constants of the time stepping.
-namespace deadpoint::fem {
+/// Constants and formulas of the time stepping.
+namespace deadpoint::heat {
 
 // TR-BDF2 with gamma = 2 - sqrt(2): both stages solve with the same matrix M + diagonal dt J. The companion of
 // third order gives the error estimate (Hosea and Shampine, Applied Numerical Mathematics 20, 1996).
@@ -29,4 +29,4 @@ inline double step_error(double dt, double start_slope, double middle_slope, dou
     return dt * (error_weights[0] * start_slope + error_weights[1] * middle_slope + error_weights[2] * end_slope);
 }
 
-}  // namespace deadpoint::fem
+}  // namespace deadpoint::heat

@@ -1,52 +1,105 @@
-#include "deadpoint/exchange/face_points.hpp"
-#include "deadpoint/fem/conduction/heat_solver.hpp"
+#include "deadpoint/fem/conduction/heat_matrices.hpp"
+
 #include "deadpoint/fem/space/large_pages.hpp"
+#include "deadpoint/heat/films.hpp"
 #include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
 
-// Matrices of the heat problem; time integration is in heat_solver.cpp.
-
 namespace deadpoint::fem {
+namespace {
 
-void insert_block(Mat matrix, const PointShape& rows, const PointShape& columns, double factor)
+void finish(Mat matrix)
 {
-    std::array<double, max_cell_dofs * max_cell_dofs> block{};
-    for (int i = 0; i < rows.count; ++i)
-        for (int j = 0; j < columns.count; ++j)
-            block[static_cast<std::size_t>(i) * columns.count + j] = factor * rows.value[i] * columns.value[j];
-    DEADPOINT_PETSC(
-        MatSetValues(matrix, rows.count, rows.dof.data(), columns.count, columns.dof.data(), block.data(), ADD_VALUES));
+    DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+    DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
 }
 
-void HeatSolver::add_interface_pattern(dealii::DynamicSparsityPattern& pattern) const
+const std::vector<InterfaceLaw>& laws_of(const HeatProblem& problem, const HeatSegment& segment)
 {
-    using Index = dealii::types::global_dof_index;
-    const auto couple = [&](const std::vector<Index>& rows, const std::vector<Index>& columns) {
-        for (const auto row : rows)
-            if (space_.owns(static_cast<PetscInt>(row)))
-                pattern.add_entries(row, columns.begin(), columns.end());
+    return segment.interfaces.empty() ? problem.interfaces : segment.interfaces;
+}
+
+std::vector<JointCoefficients> coefficients_of(const std::vector<InterfaceLaw>& laws)
+{
+    std::vector<JointCoefficients> result;
+    for (const auto& law : laws)
+        result.push_back(fem::coefficients_of(law));
+    return result;
+}
+
+bool laws_change(const HeatProblem& problem)
+{
+    const auto differs = [&](const HeatSegment& segment) {
+        return coefficients_of(laws_of(problem, segment)) !=
+               coefficients_of(laws_of(problem, problem.segments.front()));
     };
-    for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-        for (const auto& strip : interfaces_[i].strips) {
-            std::vector<Index> a, b;
-            for (const auto& entry : strip.a)
-                a.push_back(static_cast<Index>(entry.first));
-            for (const auto& entry : strip.b)
-                b.push_back(static_cast<Index>(entry.first));
-            couple(a, b);
-            couple(b, a);
-        }
-        if (interfaces_[i].strips.empty())
-            space_.add_pattern_across(space_.machine.interfaces[i].points, pattern);
-    }
+    return std::ranges::any_of(problem.segments, differs);
 }
 
-void HeatSolver::create_pattern()
+std::vector<double> film_coefficients(const HeatProblem& problem)
+{
+    std::vector<double> result;
+    for (const auto& condition : problem.surfaces)
+        result.push_back(condition.coefficient);
+    return result;
+}
+
+double largest_conductivity(const Material& material)
+{
+    const auto& table = material.conductivity_table;
+    return table.empty() ? material.conductivity : *std::ranges::max_element(table.y());
+}
+
+}  // namespace
+
+HeatMatrices::HeatMatrices(const Discretisation& space, const std::vector<Material>& materials,
+                           const HeatProblem& problem)
+    : space_(space), materials_(materials), joints_(space, problem), film_terms_(film_terms(space, problem))
+{
+    create_matrices(std::ranges::any_of(problem.surfaces, heat::follows_temperature));
+    DEADPOINT_PETSC(MatZeroEntries(stiffness_));
+    integrate_solid(stiffness_, mass_, conduction_);
+    if (laws_change(problem))
+        keep_solid();
+    adopt(problem);
+}
+
+bool HeatMatrices::serve(const HeatProblem& problem) const
+{
+    return std::ranges::all_of(problem.segments,
+                               [&](const HeatSegment& segment) { return joints_.serve(laws_of(problem, segment)); });
+}
+
+void HeatMatrices::adopt(const HeatProblem& problem) { wanted_.films = film_coefficients(problem); }
+
+bool HeatMatrices::set_laws(const std::vector<InterfaceLaw>& laws)
+{
+    wanted_.joints = coefficients_of(laws);
+    if (wanted_ == present_)
+        return false;
+    if (!present_.joints.empty() && !solid_) {
+        DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_SHARE_NONZERO_PATTERN, solid_.out()));
+        DEADPOINT_PETSC(MatZeroEntries(solid_));
+        integrate_solid(solid_, nullptr, nullptr);
+    }
+    if (solid_)
+        DEADPOINT_PETSC(MatCopy(solid_, stiffness_, SAME_NONZERO_PATTERN));
+    joints_.add_to(stiffness_, wanted_.joints);
+    for (std::size_t s = 0; s < film_terms_.size(); ++s)
+        film_terms_[s].add_to(stiffness_, wanted_.films[s]);
+    finish(stiffness_);
+    present_ = wanted_;
+    return true;
+}
+
+void HeatMatrices::keep_solid() { DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, solid_.out())); }
+
+void HeatMatrices::create_pattern()
 {
     auto pattern = space_.cell_pattern();
     space_.add_bond_pattern(pattern);
-    add_interface_pattern(pattern);
+    joints_.add_pattern(pattern);
     stiffness_ = create_matrix(space_, pattern, 1);
     std::vector<PetscInt> columns;
     std::vector<double> zeros;
@@ -63,8 +116,7 @@ void HeatSolver::create_pattern()
     DEADPOINT_PETSC(MatAssemblyEnd(stiffness_, MAT_FINAL_ASSEMBLY));
 }
 
-// All of one pattern, with zeros where a matrix has nothing, so that they are added as they lie in memory.
-void HeatSolver::create_matrices()
+void HeatMatrices::create_matrices(bool some_films_follow)
 {
     create_pattern();
     give_back_freed_memory();
@@ -72,33 +124,26 @@ void HeatSolver::create_matrices()
         DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, matrix.out()));
     };
     alike(mass_);
-    if (variable_films_)
-        alike(variable_);
-    if (conduction_varies_)
+    if (some_films_follow)
+        alike(films_);
+    if (std::ranges::any_of(materials_, [](const auto& m) { return !m.conductivity_table.empty(); }))
         alike(conduction_);
 }
 
-void HeatSolver::assemble()
+// Adds K_solid to zeros, and mass and K_v where they are wanted.
+void HeatMatrices::integrate_solid(Mat stiffness, Mat mass, Mat variable)
 {
-    DEADPOINT_PETSC(MatZeroEntries(mass_));
-    DEADPOINT_PETSC(MatZeroEntries(stiffness_));
-    if (conduction_varies_)
-        DEADPOINT_PETSC(MatZeroEntries(conduction_));
-    assemble_cells(mass_, stiffness_, conduction_);
-    assemble_bonds(stiffness_, conduction_);
-    assemble_interfaces(stiffness_);
-    assemble_films(stiffness_);
-    for (Mat matrix : {Mat(mass_), Mat(stiffness_), Mat(conduction_)}) {
-        if (!matrix)
-            continue;
-        DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
-        DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
-    }
+    ++integrations_;
+    assemble_cells(mass, stiffness, variable);
+    assemble_bonds(stiffness, variable);
+    for (const Mat matrix : {stiffness, mass, variable})
+        if (matrix)
+            finish(matrix);
 }
 
 // Where the conductivity follows the temperature, conduction goes into `variable` and zeros into the stiffness, so that
 // the one's pattern lies within the other's.
-void HeatSolver::assemble_cells(Mat mass, Mat stiffness, Mat variable) const
+void HeatMatrices::assemble_cells(Mat mass, Mat stiffness, Mat variable) const
 {
     dealii::hp::FEValues<3> values(space_.mappings, space_.elements, space_.quadratures,
                                    dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
@@ -127,31 +172,23 @@ void HeatSolver::assemble_cells(Mat mass, Mat stiffness, Mat variable) const
                 }
         }
         const auto count = static_cast<PetscInt>(n);
-        DEADPOINT_PETSC(MatSetValues(mass, count, rows.data(), count, rows.data(), capacity.data(), ADD_VALUES));
+        if (mass)
+            DEADPOINT_PETSC(MatSetValues(mass, count, rows.data(), count, rows.data(), capacity.data(), ADD_VALUES));
         if (!material.conductivity_table.empty()) {
-            DEADPOINT_PETSC(
-                MatSetValues(variable, count, rows.data(), count, rows.data(), conduction.data(), ADD_VALUES));
+            if (variable)
+                DEADPOINT_PETSC(
+                    MatSetValues(variable, count, rows.data(), count, rows.data(), conduction.data(), ADD_VALUES));
             conduction.assign(n * n, 0.0);
         }
         DEADPOINT_PETSC(MatSetValues(stiffness, count, rows.data(), count, rows.data(), conduction.data(), ADD_VALUES));
     }
 }
 
-namespace {
-
-double largest_conductivity(const Material& material)
-{
-    const auto& table = material.conductivity_table;
-    return table.empty() ? material.conductivity : *std::ranges::max_element(table.y());
-}
-
-}  // namespace
-
 // Nitsche: -{k dT/dn}[v] - {k dv/dn}[T] + penalty [T][v], with [T] = T_a - T_b and the flux weighted by the softer
 // side. Where a conductivity k(T) follows the temperature, its flux acts on the transform of Kirchhoff and goes into
 // `variable`; the second term, which vanishes with [T] whatever k, keeps k at the start, and the penalty takes the
 // table's largest.
-void HeatSolver::assemble_bonds(Mat stiffness, Mat variable) const
+void HeatMatrices::assemble_bonds(Mat stiffness, Mat variable) const
 {
     std::array<PetscInt, 2 * max_cell_dofs> dof{};
     std::array<double, 2 * max_cell_dofs> jump{}, flux{}, variable_flux{};
@@ -188,63 +225,10 @@ void HeatSolver::assemble_bonds(Mat stiffness, Mat variable) const
                     variable_block[at] -= p.weight * variable_flux[j] * jump[i];
                 }
         }
-        if (varies_a || varies_b)
+        if (variable && (varies_a || varies_b))
             DEADPOINT_PETSC(MatSetValues(variable, n, dof.data(), n, dof.data(), variable_block.data(), ADD_VALUES));
         DEADPOINT_PETSC(MatSetValues(stiffness, n, dof.data(), n, dof.data(), block.data(), ADD_VALUES));
     });
-}
-
-void HeatSolver::assemble_interfaces(Mat stiffness) const
-{
-    PointShape a, b;
-    for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-        const auto& law = (*laws_)[i];
-        const double sum = interfaces_[i].sum;
-        const double cross = -law.film_a * law.film_b / sum;
-        for (const auto& point : space_.machine.interfaces[i].points) {
-            if (!space_.cell(space_.machine.faces[point.face_a].cell)->is_locally_owned())
-                continue;
-            space_.evaluate(point.face_a, point.position_a, false, a);
-            space_.evaluate(point.face_b, point.position_b, false, b);
-            insert_block(stiffness, a, a, point.weight * law.film_a * (sum - law.film_a) / sum);
-            insert_block(stiffness, b, b, point.weight * law.film_b * (sum - law.film_b) / sum);
-            if (!law.turns_fully) {
-                insert_block(stiffness, a, b, point.weight * cross);
-                insert_block(stiffness, b, a, point.weight * cross);
-            }
-        }
-        // Turning: both sides meet only through their means around the circumference, strip by strip along the axis.
-        for (const auto& strip : interfaces_[i].strips)
-            for (const auto& [dof_a, moment_a] : strip.a)
-                for (const auto& [dof_b, moment_b] : strip.b) {
-                    double value = 0;
-                    for (int m = 0; m < 2; ++m)
-                        if (strip.norm[m] > 1e-14 * strip.norm[0])
-                            value += cross * moment_a[m] * moment_b[m] / strip.norm[m];
-                    if (space_.owns(dof_a))
-                        DEADPOINT_PETSC(MatSetValue(stiffness, dof_a, dof_b, value, ADD_VALUES));
-                    if (space_.owns(dof_b))
-                        DEADPOINT_PETSC(MatSetValue(stiffness, dof_b, dof_a, value, ADD_VALUES));
-                }
-    }
-}
-
-void HeatSolver::assemble_films(Mat stiffness) const
-{
-    PointShape shape;
-    for (const auto& film : films_) {
-        const auto& condition = *film.condition;
-        if (condition.kind != SurfaceCondition::Kind::film || depends_on_temperature(condition))
-            continue;
-        for (const auto& [index, fraction, central] : space_.machine.surfaces[condition.surface].faces) {
-            if (!space_.cell(space_.machine.faces[index].cell)->is_locally_owned())
-                continue;
-            for (const auto& point : face_points(space_.machine, space_.machine.faces[index])) {
-                space_.evaluate(index, point.position, false, shape);
-                insert_block(stiffness, shape, shape, condition.coefficient * fraction * point.weight);
-            }
-        }
-    }
 }
 
 }  // namespace deadpoint::fem

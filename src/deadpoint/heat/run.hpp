@@ -1,0 +1,252 @@
+#pragma once
+
+#include "deadpoint/core/observer.hpp"
+#include "deadpoint/heat/history.hpp"
+#include "deadpoint/heat/run_state.hpp"
+#include "deadpoint/heat/step_control.hpp"
+#include "deadpoint/heat/stepper.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace deadpoint::heat {
+
+/// What a run tells while it runs. Empty functions are not called.
+template <class Vector>
+struct RunHooks {
+    std::function<void(double time)> on_step;                  ///< after each accepted step
+    std::function<void(double time, const Vector&)> on_field;  ///< for each of HeatProblem::field_times, in order
+    std::function<void(bool interrupted)> on_between_steps;    ///< when state() and vectors() are sound
+};
+
+/// Warns where steps stay so short that a run would not end in a sensible time.
+/// @param done      steps so far
+/// @param duration  of the last one [s]
+void warn_of_many_steps(const HeatProblem& problem, std::size_t done, double time, double duration, Observer& observer);
+
+/// Where the steps of a problem begin: the length that is tried first [s].
+inline double first_step(const HeatProblem& problem)
+{
+    return problem.fixed_step > 0 ? problem.fixed_step : problem.initial_step;
+}
+
+/// A heat problem over its segments, on a system that outlives it.
+template <class System>
+class HeatRun {
+public:
+    using Vector = typename System::Vector;
+
+    /// @param functionals, contributions  of HistoryRecorder
+    HeatRun(System& system, const HeatProblem& problem, std::size_t functionals = 0, std::size_t contributions = 0)
+        : system_(system), problem_(problem), sources_(system, problem), stages_(system, sources_),
+          recorder_(problem, system.geometry().layout, functionals, contributions),
+          stepper_(system, sources_, stages_, recorder_.watched()), start_(system.make_vector()),
+          work_(system.make_vector())
+    {
+        const std::size_t parts = system.geometry().layout.parts;
+        recorder_.history().part_lowest.assign(parts, std::numeric_limits<double>::infinity());
+        recorder_.history().part_highest.assign(parts, -std::numeric_limits<double>::infinity());
+    }
+    HeatRun(const HeatRun&) = delete;
+
+    /// The temperatures, to be set before begin().
+    [[nodiscard]] Vector& temperature() { return stepper_.now().temperature; }
+    [[nodiscard]] const Vector& temperature() const { return stepper_.now().temperature; }
+    void set_media(std::vector<double> sumps, const std::vector<double>& enclosures)
+    {
+        sources_.oil.set_sumps(std::move(sumps));
+        sources_.air.start_from(enclosures);
+    }
+    [[nodiscard]] const std::vector<double>& sumps() const { return sources_.oil.sumps(); }
+    [[nodiscard]] std::vector<double> enclosures() const { return sources_.air.at_start(); }
+
+    /// Starts the first segment.
+    void begin()
+    {
+        start_segment();
+        system_.copy(temperature(), start_);
+    }
+
+    /// Goes on to the end of the operation, or until the observer is cancelled.
+    /// @throws ConvergenceError, DomainError
+    const ThermalHistory& go(const RunHooks<Vector>& hooks, Observer& observer)
+    {
+        auto& history = recorder_.history();
+        while (!history.interrupted) {
+            const double end = place_.segment_start + problem_.segments[place_.segment].duration;
+            while (!history.interrupted && place_.time < end * (1 - 1e-14))
+                if (try_step(end, hooks))
+                    after_step(hooks, observer);
+            if (history.interrupted || place_.segment + 1 == problem_.segments.size())
+                break;
+            ++place_.segment;
+            start_segment();
+        }
+        history.linear_iterations = stages_.iterations;
+        history.linear_solves = stages_.solves;
+        return history;
+    }
+
+    [[nodiscard]] const ThermalHistory& history() const { return recorder_.history(); }
+    [[nodiscard]] const std::vector<StepRecord>& steps() const { return steps_; }
+    [[nodiscard]] const HeatProblem& problem() const { return problem_; }
+    [[nodiscard]] HeatSources<System>& sources() { return sources_; }
+    [[nodiscard]] StageSolver<System>& stages() { return stages_; }
+    [[nodiscard]] Stepper<System>& stepper() { return stepper_; }
+    [[nodiscard]] System& system() { return system_; }
+    /// The temperatures from which the run started.
+    [[nodiscard]] const Vector& start() const { return start_; }
+
+    /// Between two steps: the scalars, and the vectors from which a step starts.
+    [[nodiscard]] RunState state() const
+    {
+        return {place_,
+                stepper_.slope_known(),
+                stepper_.previous_step(),
+                stages_.iterations,
+                stages_.solves,
+                sources_.oil.sumps(),
+                sources_.joints.oil_temperature(),
+                sources_.air.states(),
+                stages_.origin(),
+                stepper_.now().rate.balance,
+                recorder_.history(),
+                steps_};
+    }
+    [[nodiscard]] std::vector<Vector*> vectors()
+    {
+        auto& before = stepper_.before();
+        auto& now = stepper_.now();
+        return {&before.temperature, &now.temperature, &before.slope, &now.slope, &now.rate.watts};
+    }
+    /// Goes on from a state that fits (misfit()), after begin() and once vectors() hold what belongs to it. The
+    /// preconditioner of its origin is the caller's to make again.
+    void restore(const RunState& state)
+    {
+        place_ = state.place;
+        sources_.enter(problem_.segments[place_.segment]);
+        if (!problem_.oil.empty())
+            sources_.joints.set_oil(state.oil_temperature);
+        sources_.oil.set_sumps(state.sumps);
+        sources_.air.set_states(state.air);
+        stages_.iterations = state.iterations;
+        stages_.solves = state.solves;
+        stages_.set_origin(state.origin);
+        stepper_.now().rate.balance = state.balance;
+        stepper_.set_past(state.slope_known, state.previous_step);
+        recorder_.history() = state.history;
+        steps_ = state.steps;
+    }
+
+private:
+    // The slope of the fields is not known where a segment starts.
+    void start_segment()
+    {
+        stepper_.begin_segment(problem_.segments[place_.segment], place_.time);
+        place_.segment_start = place_.time;
+        place_.segment_row = recorder_.history().time.size();
+        place_.wanted = first_step(problem_);
+        record(0);
+    }
+
+    // One step towards the end of the segment; false where it was too long and a shorter one is wanted.
+    bool try_step(double end, const RunHooks<Vector>& hooks)
+    {
+        const double dt = fit_step(place_.wanted, end - place_.time);
+        const auto outcome = stepper_.step(place_.time, dt);
+        const double tolerance = step_tolerance(problem_.time_tolerance);
+        const bool controlled = problem_.fixed_step <= 0;
+        if (controlled && outcome.error > tolerance) {
+            shorten(dt, outcome.error, tolerance);
+            return false;
+        }
+        stepper_.complete_first_slope(dt);
+        hand_on_fields(dt, hooks);
+        accept(dt, outcome.from_prescribed);
+        place_.time = end - place_.time <= dt * (1 + 1e-12) ? end : place_.time + dt;
+        record(dt);
+        if (recorder_.history().time.size() == place_.segment_row + 2)
+            recorder_.fill_first_slopes(place_.segment_row);
+        if (controlled && dt >= 0.99 * place_.wanted)
+            place_.wanted =
+                std::min(place_.wanted * step_size_factor(outcome.error, tolerance, 0, 1), problem_.max_step);
+        return true;
+    }
+
+    void shorten(double dt, double error, double tolerance)
+    {
+        ++recorder_.history().rejected_steps;
+        place_.wanted = dt * step_size_factor(error, tolerance, -20, -1);
+        if (dt < 1e-6)
+            throw ConvergenceError("the time step collapsed below 1 us at t = " + std::to_string(place_.time) +
+                                   " s; loosen numerics.time_tolerance or look for a law that jumps");
+    }
+
+    // Books a step and makes its end the present.
+    void accept(double dt, double from_prescribed)
+    {
+        const auto& start = stepper_.now().rate.balance;
+        const auto& middle = stepper_.middle().rate.balance;
+        const auto& end = stepper_.next().rate.balance;
+        const double stored = system_.stored_between(temperature(), stepper_.next().temperature);
+        recorder_.add_energy(dt, start, middle, end, from_prescribed, stored);
+        steps_.push_back({place_.segment, recorder_.history().time.size(), dt, start, middle, end});
+        recorder_.history().energy.stored += stepper_.accept(dt);
+    }
+
+    void after_step(const RunHooks<Vector>& hooks, Observer& observer)
+    {
+        warn_of_many_steps(problem_, steps_.size(), place_.time, steps_.back().duration, observer);
+        if (hooks.on_step)
+            hooks.on_step(place_.time);
+        auto& interrupted = recorder_.history().interrupted;
+        interrupted = system_.any(observer.cancelled());
+        if (hooks.on_between_steps)
+            hooks.on_between_steps(interrupted);
+    }
+
+    void hand_on_fields(double dt, const RunHooks<Vector>& hooks)
+    {
+        const auto& times = problem_.field_times;
+        auto& next = place_.next_field;
+        for (; next < times.size() && times[next] <= place_.time + dt * (1 + 1e-12); ++next) {
+            const double s = std::clamp((times[next] - place_.time) / dt, 0.0, 1.0);
+            stepper_.interpolate(dt, s, work_);
+            if (hooks.on_field)
+                hooks.on_field(times[next], work_);
+        }
+    }
+
+    void record(double dt)
+    {
+        auto& history = recorder_.history();
+        const auto& now = stepper_.now();
+        system_.widen(now.temperature, history.part_lowest, history.part_highest);
+        const auto values = observed(now.temperature, false);
+        const auto slopes = stepper_.slope_known() ? observed(now.slope, true) : std::vector<double>();
+        recorder_.record(place_.time, values, slopes, now.rate.balance, stepper_.middle().rate.balance, dt);
+    }
+    [[nodiscard]] std::vector<double> observed(const Vector& vector, bool is_slope) const
+    {
+        auto values = system_.evaluate(recorder_.watched(), vector);
+        const auto further = system_.observe(vector, temperature(), is_slope);
+        values.insert(values.end(), further.begin(), further.end());
+        return values;
+    }
+
+    System& system_;
+    const HeatProblem& problem_;
+    HeatSources<System> sources_;
+    StageSolver<System> stages_;
+    HistoryRecorder recorder_;
+    Stepper<System> stepper_;
+    RunPlace place_;
+    std::vector<StepRecord> steps_;  ///< accepted
+    Vector start_, work_;
+};
+
+}  // namespace deadpoint::heat

@@ -1,0 +1,178 @@
+#pragma once
+
+#include "deadpoint/heat/enclosed_air.hpp"
+#include "deadpoint/heat/films.hpp"
+#include "deadpoint/heat/joints.hpp"
+#include "deadpoint/heat/oil.hpp"
+#include "deadpoint/heat/system.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace deadpoint::heat {
+
+/// The heat balance at one time: its scalars, and the watts by unknown.
+template <class Vector>
+struct Rate {
+    HeatBalance balance;
+    Vector watts;
+};
+
+/// The right-hand side of  M dT/dt = sources(t, T) - K T: joints, oil, films, enclosed air and other heat.
+template <class System>
+class HeatSources {
+public:
+    using Vector = typename System::Vector;
+
+    HeatSources(System& system, const HeatProblem& problem)
+        : joints(problem, system.geometry()), oil(problem), films(problem, system.geometry()),
+          air(problem.enclosures, system), system_(system), problem_(problem)
+    {}
+
+    JointBalance joints;
+    OilMarch oil;
+    FilmBalance films;
+    EnclosedAir<System> air;
+
+    [[nodiscard]] const HeatProblem& problem() const { return problem_; }
+    [[nodiscard]] const HeatSegment& segment() const { return *segment_; }
+    [[nodiscard]] std::size_t segment_index() const
+    {
+        return static_cast<std::size_t>(segment_ - problem_.segments.data());
+    }
+
+    /// Takes the laws of a segment.
+    void enter(const HeatSegment& segment)
+    {
+        segment_ = &segment;
+        joints.enter(segment);
+        oil.enter(segment);
+        films.enter(segment);
+        needed_ = joints.needed();
+        needed_.insert(needed_.end(), films.needed().begin(), films.needed().end());
+        std::vector<Loads> loads;
+        for (std::size_t r = 0; r < problem_.sources.size(); ++r)
+            loads.push_back(joints.source_load(r));
+        system_.set_laws(joints.laws(), loads);
+    }
+
+    /// The sources at a time and a temperature; oil and air as they were set last.
+    Rate<Vector> at(double time, const Vector& temperature) const
+    {
+        const auto values = functionals(temperature);
+        std::vector<double> watts(system_.geometry().layout.count(), 0.0);
+        Rate<Vector> result{{}, system_.make_vector()};
+        auto& balance = result.balance;
+        balance.time = time;
+        balance.air.resize(air.count());
+        const auto inside = air.temperatures();
+        films.evaluate(values, time, inside, balance, watts);
+        joints.evaluate(values, balance, watts);
+        add_bodies(time, balance, watts);
+        system_.add_loads(watts, result.watts);
+        if (films.some_follow())
+            films.book(system_.add_films(films.following(time, inside), temperature, result.watts), balance);
+        add_enclosures(time, inside, balance);
+        return result;
+    }
+
+    /// Adds corrections of the sources' heat [W].
+    void correct(Rate<Vector>& rate, const std::vector<double>& corrections) const
+    {
+        std::vector<double> watts(system_.geometry().layout.count(), 0.0);
+        joints.correct(rate.balance, corrections, watts);
+        system_.add_loads(watts, rate.watts);
+    }
+
+    /// The oil at the start of a segment, for a field as it is, and the sources with it.
+    /// @throws ConvergenceError if oil and joints do not agree
+    Rate<Vector> equilibrate_oil(double time, const Vector& temperature)
+    {
+        auto rate = at(time, temperature);
+        if (oil.empty())
+            return rate;
+        for (int i = 0; i < most_oil_steps; ++i) {
+            const auto reaches = oil.march(joints, rate.balance, time, 0, oil.sumps());
+            const double change = oil_change(reaches);
+            joints.set_oil(reaches);
+            if (change < oil_settled)
+                return rate;
+            auto flows = std::move(rate.balance.oil);
+            rate = at(time, temperature);
+            rate.balance.oil = std::move(flows);
+        }
+        throw ConvergenceError("oil and joints did not agree at t = " + std::to_string(time) +
+                               " s; look at the flow and the coefficients of the oil circuits");
+    }
+
+    /// Largest difference to where the oil reaches the interfaces now [K].
+    [[nodiscard]] double oil_change(const std::vector<double>& reaches) const
+    {
+        double change = 0;
+        for (std::size_t i = 0; i < reaches.size(); ++i)
+            change = std::max(change, std::abs(reaches[i] - joints.oil_temperature()[i]));
+        return change;
+    }
+
+    /// Slopes of the films by the temperature of the air they face, at a field's temperature, for stages of a length.
+    void build_air_loads(double time, double factor, const Vector& temperature)
+    {
+        for (std::size_t k = 0; k < air.count(); ++k) {
+            Vector& load = air.load(k);
+            system_.combine({}, load);
+            std::vector<double> watts(system_.geometry().layout.count(), 0.0);
+            for (std::size_t i = 0; i < problem_.surfaces.size(); ++i)
+                if (const auto& c = problem_.surfaces[i]; c.enclosure == static_cast<int>(k) &&
+                                                          c.kind == SurfaceCondition::Kind::film &&
+                                                          !follows_temperature(c))
+                    watts[system_.geometry().layout.surface(i)] = c.coefficient;
+            system_.add_loads(watts, load);
+            system_.add_film_slopes(films.following(time, air.temperatures(), static_cast<int>(k)), temperature, load);
+            air.complete_load(k, factor);
+        }
+    }
+
+private:
+    static constexpr double oil_settled = 1e-9;  // [K]
+    static constexpr int most_oil_steps = 100;
+
+    [[nodiscard]] std::vector<double> functionals(const Vector& temperature) const
+    {
+        const auto found = system_.evaluate(needed_, temperature);
+        std::vector<double> values(system_.geometry().layout.count(), 0.0);
+        for (std::size_t k = 0; k < needed_.size(); ++k)
+            values[needed_[k]] = found[k];
+        return values;
+    }
+    void add_bodies(double time, HeatBalance& balance, std::vector<double>& watts) const
+    {
+        balance.body_heat.assign(problem_.body_heat.size(), 0.0);
+        for (std::size_t k = 0; k < balance.body_heat.size(); ++k)
+            if (const auto& power = segment_->body_heat[k]) {
+                balance.body_heat[k] = power(time);
+                watts[system_.geometry().layout.body(k)] += balance.body_heat[k];
+                balance.generated += balance.body_heat[k];
+            }
+    }
+    void add_enclosures(double time, const std::vector<double>& inside, HeatBalance& balance) const
+    {
+        for (std::size_t k = 0; k < inside.size(); ++k) {
+            auto& flow = balance.air[k];
+            flow.temperature = inside[k];
+            flow.to_room = problem_.enclosures[k].exchange * (inside[k] - segment_->ambient(time));
+            if (!segment_->enclosure_power.empty() && segment_->enclosure_power[k])
+                flow.power = segment_->enclosure_power[k](time);
+            balance.generated += flow.power;
+            balance.to_air += flow.to_room;
+        }
+    }
+
+    System& system_;
+    const HeatProblem& problem_;
+    const HeatSegment* segment_ = nullptr;
+    std::vector<std::size_t> needed_;
+};
+
+}  // namespace deadpoint::heat

@@ -1,0 +1,221 @@
+#pragma once
+
+#include "deadpoint/heat/stage_solver.hpp"
+#include "deadpoint/heat/tr_bdf2.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace deadpoint::heat {
+
+/// All that is known of the field at one time.
+template <class Vector>
+struct Level {
+    Vector temperature;  ///< [K]
+    Vector slope;        ///< [K/s]
+    Vector stored;       ///< M h(T) [J]
+    Rate<Vector> rate;
+};
+
+/// Steps of TR-BDF2 (second order, L-stable) with an error estimate of third order (Hosea and Shampine, Applied
+/// Numerical Mathematics 20, 1996).
+template <class System>
+class Stepper {
+public:
+    using Vector = typename System::Vector;
+    struct Outcome {
+        double error = 0;            ///< largest at what is watched, in sumps and enclosed air [K]
+        double from_prescribed = 0;  ///< heat that entered through prescribed temperatures [J]
+    };
+
+    /// @param watched  functionals whose error counts
+    Stepper(System& system, HeatSources<System>& sources, StageSolver<System>& stages, std::vector<std::size_t> watched)
+        : system_(system), sources_(sources), stages_(stages), before_(level()), now_(level()), middle_(level()),
+          next_(level()), error_(system.make_vector()), work_(system.make_vector()), watched_(std::move(watched))
+    {}
+
+    [[nodiscard]] Level<Vector>& now() { return now_; }
+    [[nodiscard]] const Level<Vector>& now() const { return now_; }
+    [[nodiscard]] const Level<Vector>& middle() const { return middle_; }
+    [[nodiscard]] const Level<Vector>& next() const { return next_; }
+    [[nodiscard]] Level<Vector>& before() { return before_; }
+    /// Whether now().slope is known; it is not where a segment starts.
+    [[nodiscard]] bool slope_known() const { return slope_known_; }
+    /// Length of the last step, between before() and now(); 0 where the slope of before() is not known [s].
+    [[nodiscard]] double previous_step() const { return previous_step_; }
+    void set_past(bool slope_known, double previous_step)
+    {
+        slope_known_ = slope_known;
+        previous_step_ = previous_step;
+        system_.store(now_.temperature, now_.stored);
+    }
+
+    /// Starts a segment from the temperatures as they are.
+    void begin_segment(const HeatSegment& segment, double time)
+    {
+        sources_.enter(segment);
+        if (time == 0)
+            system_.impose(time, now_.temperature);
+        now_.rate = sources_.equilibrate_oil(time, now_.temperature);
+        system_.conduct(now_.temperature, work_);
+        system_.add(-1, work_, now_.rate.watts);
+        system_.store(now_.temperature, now_.stored);
+        stages_.begin_step(now_.rate.balance);
+        slope_known_ = false;
+        previous_step_ = 0;
+    }
+
+    /// Computes next() from now(), a step of length dt later.
+    Outcome step(double time, double dt)
+    {
+        const double factor = diagonal * dt;
+        stages_.begin_step(now_.rate.balance);
+        first_stage(time, dt, factor);
+        second_stage(time, dt, factor);
+        Outcome result;
+        result.from_prescribed = prescribed_heat(dt);
+        if (sources_.problem().fixed_step > 0)
+            return result;
+        result.error = std::max(estimate_error(dt), sources_.oil.step_error(dt, slope_known_, now_.rate.balance,
+                                                                            middle_.rate.balance, next_.rate.balance));
+        for (const double e : system_.evaluate(watched_, error_))
+            result.error = std::max(result.error, std::abs(e));
+        return result;
+    }
+
+    /// Gives now() the slope of the step's secant where it is not known.
+    void complete_first_slope(double dt)
+    {
+        if (!slope_known_)
+            system_.combine({{1 / dt, &next_.temperature}, {-1 / dt, &now_.temperature}}, now_.slope);
+    }
+    /// Temperatures within the step, by the cubic through its ends; s is 0 at its start and 1 at its end.
+    void interpolate(double dt, double s, Vector& result) const
+    {
+        hermite(now_.temperature, now_.slope, next_.temperature, next_.slope, dt, s, result);
+    }
+    /// Makes the step's end the present; returns the heat stored in enclosed air [J].
+    double accept(double dt)
+    {
+        const double in_air = sources_.air.accept(dt);
+        std::swap(before_, now_);
+        std::swap(now_, next_);
+        previous_step_ = slope_known_ ? dt : 0;
+        slope_known_ = true;
+        sources_.oil.accept(now_.rate.balance);
+        return in_air;
+    }
+
+private:
+    [[nodiscard]] Level<Vector> level() const
+    {
+        return {system_.make_vector(), system_.make_vector(), system_.make_vector(), {{}, system_.make_vector()}};
+    }
+
+    // The cubic through values and slopes at both ends of an interval of length h, at the place s.
+    void hermite(const Vector& start, const Vector& start_slope, const Vector& end, const Vector& end_slope_, double h,
+                 double s, Vector& result) const
+    {
+        system_.combine({{(1 + 2 * s) * (1 - s) * (1 - s), &start},
+                         {h * s * (1 - s) * (1 - s), &start_slope},
+                         {s * s * (3 - 2 * s), &end},
+                         {h * s * s * (s - 1), &end_slope_}},
+                        result);
+    }
+
+    void first_stage(double time, double dt, double factor)
+    {
+        const double to_middle = gamma_stage * dt;
+        if (previous_step_ > 0)
+            hermite(before_.temperature, before_.slope, now_.temperature, now_.slope, previous_step_,
+                    1 + to_middle / previous_step_, middle_.temperature);
+        else if (slope_known_)
+            system_.combine({{1, &now_.temperature}, {to_middle, &now_.slope}}, middle_.temperature);
+        else
+            system_.copy(now_.temperature, middle_.temperature);
+        system_.combine({{1, &now_.stored}, {factor, &now_.rate.watts}}, stages_.known);
+        sources_.air.begin_first_stage(dt, slope_known_, now_.rate.balance);
+        middle_.rate =
+            stages_.solve(time + to_middle, factor, sources_.oil.known_in_first_stage(factor, now_.rate.balance),
+                          middle_.temperature, middle_.stored);
+    }
+
+    // Its guess goes through the first stage; the slope at the end is that of the stage's own formula.
+    void second_stage(double time, double dt, double factor)
+    {
+        system_.combine({{bdf_middle, &middle_.stored}, {-bdf_now, &now_.stored}}, stages_.known);
+        const Scaled<Vector> from_middle{1 / factor, &middle_.temperature}, from_now{-1 / factor, &now_.temperature};
+        if (slope_known_) {
+            system_.combine({from_middle, from_now, {-1, &now_.slope}}, middle_.slope);
+            hermite(now_.temperature, now_.slope, middle_.temperature, middle_.slope, gamma_stage * dt, 1 / gamma_stage,
+                    next_.temperature);
+        } else {
+            system_.combine({from_middle, from_now}, middle_.slope);
+            system_.combine({{1 / gamma_stage, &middle_.temperature}, {1 - 1 / gamma_stage, &now_.temperature}},
+                            next_.temperature);
+        }
+        sources_.air.begin_second_stage();
+        next_.rate = stages_.solve(time + dt, factor, sources_.oil.known_in_second_stage(middle_.rate.balance),
+                                   next_.temperature, next_.stored);
+        system_.combine({{1 / factor, &next_.temperature},
+                         {-bdf_middle / factor, &middle_.temperature},
+                         {bdf_now / factor, &now_.temperature}},
+                        next_.slope);
+    }
+
+    // Of the step, into error_, and the enclosures' largest returned [K]: the difference to the companion method. The
+    // slopes of both stages come from their own formulas. Where the first slope is not known, as at the start of a
+    // segment, the difference of the rates is filtered by the step's matrix, which takes out stiff transients; the
+    // second stage damps them in every later step.
+    double estimate_error(double dt)
+    {
+        const auto by_weights = [&](const Vector& start, const Vector& middle, const Vector& end, Vector& result) {
+            system_.combine(
+                {{dt * error_weights[0], &start}, {dt * error_weights[1], &middle}, {dt * error_weights[2], &end}},
+                result);
+        };
+        if (slope_known_) {
+            by_weights(now_.slope, middle_.slope, next_.slope, error_);
+            return sources_.air.error(dt);
+        }
+        by_weights(now_.rate.watts, middle_.rate.watts, next_.rate.watts, work_);
+        system_.clear_prescribed(work_);
+        const auto of_air =
+            sources_.air.first_error(dt, {&now_.rate.balance, &middle_.rate.balance, &next_.rate.balance});
+        sources_.air.eliminate(of_air, work_);
+        // sharp enough that all numbers of ranks take the same steps
+        const double sharp = 1e-4 * step_tolerance(sources_.problem().time_tolerance);
+        stages_.solve_linear(work_, error_, {1e-4, sharp}, "the error of a time step");
+        double largest = 0;
+        for (const double e : sources_.air.solution(of_air, error_))
+            largest = std::max(largest, std::abs(e));
+        return largest;
+    }
+
+    // What entered through unknowns of prescribed temperature: their stored heat less their other gains [J].
+    double prescribed_heat(double dt)
+    {
+        if (!system_.some_prescribed())
+            return 0;
+        system_.combine({{1, &next_.stored},
+                         {-1, &now_.stored},
+                         {-dt * outer_weight, &now_.rate.watts},
+                         {-dt * outer_weight, &middle_.rate.watts},
+                         {-dt * diagonal, &next_.rate.watts}},
+                        work_);
+        return system_.total_prescribed(work_);
+    }
+
+    System& system_;
+    HeatSources<System>& sources_;
+    StageSolver<System>& stages_;
+    Level<Vector> before_, now_, middle_, next_;
+    Vector error_, work_;
+    std::vector<std::size_t> watched_;
+    bool slope_known_ = false;
+    double previous_step_ = 0;
+};
+
+}  // namespace deadpoint::heat

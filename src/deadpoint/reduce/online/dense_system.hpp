@@ -1,0 +1,133 @@
+#pragma once
+
+#include "deadpoint/heat/adjoint.hpp"
+#include "deadpoint/heat/run.hpp"
+
+#include <Eigen/Dense>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Internal to reduce/, since it shows Eigen: a small system of temperatures with dense matrices.
+namespace deadpoint::reduce {
+
+/// What the film of one interface adds to the conduction matrix, by coefficient (see heat/joints.hpp):
+///   h_a (S - h_a) / S aa + h_b (S - h_b) / S bb - h_a h_b / S across
+struct DenseJoint {
+    Eigen::MatrixXd aa, bb;   ///< integrals of N_a N_a^T and N_b N_b^T [m2]
+    Eigen::MatrixXd across;   ///< of N_a N_b^T + N_b N_a^T of opposite points
+    Eigen::MatrixXd turning;  ///< the same of means around the circumference, for joints that turn fully; or empty
+};
+
+/// A system by its terms. All matrices are square over the states.
+struct DenseTerms {
+    heat::HeatGeometry geometry;
+    Eigen::MatrixXd mass;                ///< M [J/K]
+    Eigen::MatrixXd solid;               ///< K of the solids [W/K]
+    std::vector<DenseJoint> joints;      ///< per interface
+    std::vector<Eigen::MatrixXd> films;  ///< F_f per surface condition: integral of N N^T [m2]
+    Eigen::MatrixXd functionals;         ///< a row for each functional of the layout
+    Eigen::MatrixXd observed;            ///< a row for each further functional, of T - T_reference; or empty
+    Eigen::VectorXd uniform;             ///< states of a temperature of 1 K everywhere
+};
+
+/// The system of heat/system.hpp on such terms. Prescribed temperatures and materials over temperature are not in it.
+///
+/// A film that follows the temperature is taken at its surface's mean T_m, with its tangent there:
+///   q(T) = q(T_m) + q'(T_m) (T - T_m),
+/// whose heat over the surface is that of the mean. Factors of M + d K are kept per d; terms of low rank are solved by
+/// Woodbury's formula.
+class DenseSystem {
+public:
+    using Vector = Eigen::VectorXd;
+
+    /// @param reference  temperature at which observed functionals are zero [K]
+    /// @throws InputError if sizes do not fit, or the problem prescribes a temperature
+    DenseSystem(DenseTerms terms, const HeatProblem& problem, double reference = 0);
+    DenseSystem(const DenseSystem&) = delete;
+
+    [[nodiscard]] const DenseTerms& parts() const { return terms_; }
+
+    // a vector space
+    [[nodiscard]] Vector make_vector() const { return Vector::Zero(terms_.mass.rows()); }
+    void copy(const Vector& from, Vector& to) const { to = from; }
+    void combine(const std::vector<heat::Scaled<Vector>>& sum, Vector& result) const;
+    void add(double factor, const Vector& term, Vector& sum) const { sum += factor * term; }
+    [[nodiscard]] double total(const Vector& vector) const { return vector.dot(terms_.uniform); }
+    [[nodiscard]] double dot(const Vector& a, const Vector& b) const { return a.dot(b); }
+    [[nodiscard]] double largest(const Vector& vector) const { return vector.lpNorm<Eigen::Infinity>(); }
+    [[nodiscard]] bool is_finite(const Vector& vector) const { return vector.allFinite(); }
+    [[nodiscard]] bool any(bool flag) const { return flag; }
+
+    // functionals
+    [[nodiscard]] const heat::HeatGeometry& geometry() const { return terms_.geometry; }
+    [[nodiscard]] std::vector<double> evaluate(std::span<const std::size_t> which, const Vector& vector) const;
+    void add_loads(const std::vector<double>& watts, Vector& vector) const;
+    [[nodiscard]] std::vector<double> observe(const Vector& vector, const Vector& temperature, bool is_slope) const;
+    void widen(const Vector& temperature, std::vector<double>& lowest, std::vector<double>& highest) const;
+
+    // terms
+    void set_laws(const std::vector<InterfaceLaw>& laws, const std::vector<heat::Loads>& source_loads);
+    [[nodiscard]] bool follows_temperature() const { return follows_; }
+    [[nodiscard]] bool is_linear() const { return !follows_; }
+    void store(const Vector& temperature, Vector& stored) const { stored.noalias() = terms_.mass * temperature; }
+    void conduct(const Vector& temperature, Vector& out) const { out.noalias() = stiffness_ * temperature; }
+    void apply_stage(const Vector& in, Vector& out) const { out.noalias() = stage_ * in; }
+    [[nodiscard]] double stored_between(const Vector& from, const Vector& to) const
+    {
+        return terms_.uniform.dot(terms_.mass * (to - from));
+    }
+
+    // films that follow the temperature
+    [[nodiscard]] heat::FilmHeat add_films(const std::vector<heat::FilmAt>& films, const Vector& temperature,
+                                           Vector& watts) const;
+    void add_film_slopes(const std::vector<heat::FilmAt>& films, const Vector& temperature, Vector& load) const;
+    void finish_load(Vector&) const {}
+
+    // prescribed temperatures: none
+    [[nodiscard]] bool some_prescribed() const { return false; }
+    void impose(double, Vector&) const {}
+    void clear_prescribed(Vector&) const {}
+    [[nodiscard]] double total_prescribed(const Vector&) const { return 0; }
+
+    // the system of a stage
+    bool build(double factor, const Vector& temperature, const std::vector<heat::FilmAt>& films);
+    int solve(const Vector& right, Vector& solution, const heat::LowRank<Vector>& low_rank, heat::SolveTolerance,
+              const std::string& what);
+    [[nodiscard]] std::vector<heat::Term> terms() const { return {}; }
+
+    // the adjoint of the steps
+    void begin_adjoint();
+    void set_film_coefficients(const std::vector<double>& coefficients);
+    void apply_mass(const Vector& in, Vector& out) const { out.noalias() = terms_.mass * in; }
+    void apply_stiffness(const Vector& in, Vector& out) const { out.noalias() = stiffness_ * in + films_ * in; }
+    int solve_adjoint(double factor, const Vector& right, Vector& solution);
+    [[nodiscard]] std::vector<double> prescribed_shares(const Vector&, const Vector&, double, double) const
+    {
+        return std::vector<double>(problem_->surfaces.size(), 0.0);
+    }
+    [[nodiscard]] std::vector<double> start_shares(const Vector& weights, const Vector& start, double reference) const;
+
+private:
+    /// Of M + factor (K + films), and what Woodbury's formula needs of the sources' loads.
+    struct Factored {
+        Eigen::LLT<Eigen::MatrixXd> matrix;
+        Eigen::MatrixXd solved_loads;  ///< A^-1 L
+        Eigen::MatrixXd products;      ///< L^T A^-1 L
+    };
+    [[nodiscard]] const Factored& factored(double factor);
+    [[nodiscard]] double mean(std::size_t surface, const Vector& temperature) const;
+    [[nodiscard]] std::vector<double> irradiation(const Vector& temperature) const;
+    void forget_factors();
+
+    DenseTerms terms_;
+    const HeatProblem* problem_;
+    double reference_;
+    bool follows_;
+    Eigen::MatrixXd stiffness_, films_, stage_, loads_;  ///< loads_: a column per source
+    double factor_ = -1;
+    std::map<double, Factored> factors_;  ///< by factor
+};
+
+}  // namespace deadpoint::reduce
