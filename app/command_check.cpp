@@ -6,6 +6,8 @@
 
 #include <memory>
 
+using namespace deadpoint;
+
 namespace {
 
 void summarise(const CaseOptions& options, const Console& console)
@@ -17,19 +19,21 @@ void summarise(const CaseOptions& options, const Console& console)
 void check(const CaseOptions& options)
 {
     Console console(options.console);
-    const auto description = read_case(options, console).value;
+    study::Press press(read_case(options, console).value, options.size_scale);
+    const auto& description = press.input();
     if (description.parts.empty()) {
-        print_out("{}\n", deadpoint::report::linkage_plan_text(description));
+        print_out("{}\n", report::linkage_plan_text(description));
         flush_out();
-        if (const int segment = deadpoint::study::first_running_segment(description); segment >= 0) {
-            deadpoint::study::compute_loads(description, nullptr, segment);  // does the linkage move?
+        if (const int segment = study::first_running_segment(description); segment >= 0) {
+            Observer silent;
+            press.loads(segment, silent);  // does the linkage move?
         }
         return summarise(options, console);
     }
-    const auto machine = mesh_case(description, options, console);
-    print_out("{}\n", deadpoint::report::plan_text(description, machine));
+    const auto& machine = mesh_parts(press, console);
+    print_out("{}\n", report::plan_text(description, machine));
     flush_out();
-    for (const auto& warning : deadpoint::report::plan_warnings(description, machine)) {
+    for (const auto& warning : report::plan_warnings(description, machine)) {
         console.warn(warning);
     }
     summarise(options, console);

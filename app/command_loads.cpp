@@ -1,12 +1,11 @@
 #include "commands.hpp"
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 
 #include <memory>
-#include <optional>
 
 using namespace deadpoint;
 
@@ -28,19 +27,12 @@ void compute(const SegmentOptions& options)
 {
     Console console(options.console);
     const auto read = read_case(options, console);
-    const auto& input = read.value;
+    study::Press press(read.value, options.size_scale);
+    const auto& input = press.input();
     const int segment = segment_of(options, input);
     const auto folder = start_folder(options, read, console);
-    std::optional<Machine> machine;
-    if (study::loads_need_machine(input)) {
-        machine = mesh_case(input, options, console);
-    }
-    console.stage("loads");
-    const auto loads = study::compute_loads(input, machine ? &*machine : nullptr, segment);
+    const auto loads = press.loads(segment, console);
     console.finish();
-    for (const auto& warning : loads.warnings) {
-        console.warn(warning);
-    }
     report::write_loads_files(folder->path(), input, loads, console.warnings());
     commit(*folder, console);
     print_out("{}\nloads are in {}\n", report::loads_text(input, loads), folder->target().string());

@@ -7,6 +7,8 @@
 
 #include <memory>
 
+using namespace deadpoint;
+
 namespace {
 
 void write_mesh(const ResultOptions& options, bool calculix)
@@ -15,14 +17,14 @@ void write_mesh(const ResultOptions& options, bool calculix)
     const auto read = read_case(options, console);
     const auto& description = read.value;
     const auto folder = start_folder(options, read, console);
-    const auto machine = mesh_case(description, options, console);
-    for (const auto& warning : deadpoint::report::plan_warnings(description, machine)) {
+    study::Press press(description, options.size_scale);
+    const auto& machine = mesh_parts(press, console);
+    for (const auto& warning : report::plan_warnings(description, machine)) {
         console.warn(warning);
     }
-    deadpoint::report::write_mesh_files(folder->path(), machine, file_comments(description, console));
+    report::write_mesh_files(folder->path(), machine, file_comments(description, console));
     if (calculix) {
-        deadpoint::report::write_calculix_mesh(folder->path() / "mesh.inp", machine,
-                                               file_comments(description, console));
+        report::write_calculix_mesh(folder->path() / "mesh.inp", machine, file_comments(description, console));
     }
     commit(*folder, console);
     print_out("{} cells, {} exterior faces; open {} and {} in ParaView\n", machine.cells.size(), machine.faces.size(),

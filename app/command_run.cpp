@@ -3,7 +3,7 @@
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/page.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 #include "interrupt.hpp"
 #include "options/checkpoint_options.hpp"
@@ -11,7 +11,6 @@
 #include "output.hpp"
 #include "ranks.hpp"
 
-#include <chrono>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -44,37 +43,44 @@ bool add_page(const ResultFolder& folder, Console& console)
     }
 }
 
-/// The case on its mesh, or on as many as its accuracy takes.
-study::RefinedRun compute(casefile::Case input, const RunOptions& options, const study::RunOptions& wanted,
-                          const OnRanks& ranks)
+void warn_of_plan(study::Press& press, Console& console)
 {
-    auto& console = ranks.console;
-    if (casefile::wanted_accuracy(input)) {
-        ranks.agree = false;
-        auto run = study::run_to_accuracy(
-            input, options.size_scale,
-            [&](const casefile::Case& refined) {
-                auto of_last = wanted;
-                of_last.comments = file_comments(refined, console);
-                return of_last;
-            },
-            console);
-        for (const auto& warning : report::plan_warnings(run.input, run.machine)) {
-            console.warn(warning);
-        }
-        return run;
-    }
-    const auto start = std::chrono::steady_clock::now();
-    auto machine = mesh_case(input, options, console);
-    const auto deformed = study::prepare_deformation_machine(input, options.size_scale, machine, console);
-    const double mesh_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    for (const auto& warning : report::plan_warnings(input, machine)) {
+    for (const auto& warning : report::plan_warnings(press.input(), press.machine(console))) {
         console.warn(warning);
     }
+}
+
+/// On as many meshes as the case's accuracy takes. `ranks.agree` is false from here on.
+study::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOptions& options,
+                                      const study::RunOptions& wanted, const OnRanks& ranks)
+{
     ranks.agree = false;
-    auto result = study::run_case(input, machine, wanted, console, deformed ? &*deformed : nullptr);
-    result.timings.insert(result.timings.begin(), {"mesh", mesh_seconds});
-    return {std::move(input), std::move(machine), std::move(result)};
+    auto run = study::run_to_accuracy(
+        input, options.size_scale,
+        [&](const casefile::Case& refined) {
+            auto of_last = wanted;
+            of_last.comments = file_comments(refined, ranks.console);
+            return of_last;
+        },
+        ranks.console);
+    warn_of_plan(run.press, ranks.console);
+    return run;
+}
+
+/// On one mesh. `ranks.agree` is false after meshing.
+study::RefinedRun compute_once(const casefile::Case& input, const RunOptions& options, const study::RunOptions& wanted,
+                               const OnRanks& ranks)
+{
+    auto& console = ranks.console;
+    study::Press press(input, options.size_scale);
+    press.mesh(console);
+    console.finish();
+    warn_of_plan(press, console);
+    ranks.agree = false;
+    auto result = press.run(wanted, console);
+    press.drop_model();
+    result.timings.insert(result.timings.begin(), {"mesh", press.mesh_seconds()});
+    return {std::move(press), std::move(result)};
 }
 
 /// The checkpoint of a run that is over is of no use.
@@ -118,16 +124,17 @@ int run_case(RunOptions options, const OnRanks& ranks)
     wanted.comments = file_comments(input, console);
     wanted.view = true;
     wanted.causes = true;
-    const auto run = compute(input, options, wanted, ranks);
+    auto run = (casefile::wanted_accuracy(input) ? compute_to_accuracy : compute_once)(input, options, wanted, ranks);
     const auto& result = run.result;
     console.finish();
     if (folder) {
-        report::write_run_files(folder->path(), run.input, run.machine, result, console.warnings());
+        report::write_run_files(folder->path(), run.press.input(), run.press.machine(console), result,
+                                console.warnings());
         report::write_manifest(folder->path());
         const bool has_page = add_page(*folder, console);
         commit(*folder, console);
         const auto where = folder->target().string();
-        print_out("{}\nresults{} are in {}\n", report::run_text(run.input, result),
+        print_out("{}\nresults{} are in {}\n", report::run_text(run.press.input(), result),
                   result.thermal.interrupted ? " up to the interruption" : "", where);
         say_or_remove(checkpoint_of(options.folder), result.thermal.interrupted);
         if (has_page)

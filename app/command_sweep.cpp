@@ -61,12 +61,7 @@ std::vector<casefile::Case> read_cases(const std::vector<study::SweepPoint>& poi
         cases.push_back(casefile::read_case(base, point.overrides, options.files).value);
         auto& input = cases.back();
         input.output.fields = options.fields;
-        input.numerics.size *= options.size_scale;
-        for (auto& [name, part] : input.parts) {
-            if (part.size) {
-                *part.size *= options.size_scale;
-            }
-        }
+        study::scale_sizes(input, options.size_scale);
     }
     return cases;
 }
@@ -104,9 +99,10 @@ void make_or_reuse(const fs::path& folder)
 /// @param inputs  files of the user that no point replaces
 study::PointAction action_of(const SweepOptions& options, const std::vector<fs::path>& inputs, const OnRanks& ranks)
 {
-    return [&options, &inputs, &ranks](const study::SweepPoint& point, const casefile::Case& input,
-                                       const Machine& machine, study::SharedModel& model) {
+    return [&options, &inputs, &ranks](const study::SweepPoint& point, study::Press& press) {
         PointObserver observer(ranks.console);
+        const auto& input = press.input();
+        const auto& machine = press.machine(observer);
         for (const auto& warning : report::plan_warnings(input, machine)) {
             observer.warn(warning);
         }
@@ -118,7 +114,7 @@ study::PointAction action_of(const SweepOptions& options, const std::vector<fs::
         const auto path = start_folder(ranks.first, start, folder);
         study::RunOptions wanted;
         wanted.field_folder = options.fields ? path : std::string{};
-        const auto result = model.run(input, wanted, observer);
+        const auto result = press.run(wanted, observer);
         if (!result.thermal.interrupted && folder) {
             report::write_run_files(folder->path(), input, machine, result, observer.warnings);
             commit(*folder, ranks.console);

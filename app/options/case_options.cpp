@@ -2,7 +2,6 @@
 
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/version.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
 
 #include <fmt/format.h>
 
@@ -58,9 +57,9 @@ std::vector<std::filesystem::path> input_files(const casefile::ReadResult& read)
     return files;
 }
 
-Machine mesh_case(const casefile::Case& description, const CaseOptions& options, Console& console)
+const Machine& mesh_parts(study::Press& press, Console& console)
 {
-    auto machine = study::prepare_machine(description, options.size_scale, console);
+    const auto& machine = press.machine(console);
     console.finish();
     return machine;
 }

@@ -4,7 +4,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/syntax/file_access.hpp"
-#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -35,9 +35,8 @@ deadpoint::casefile::ReadResult read_case(const CaseOptions& options, Console& c
 /// All files that a case is made of: its own, those it includes, STEP and mesh files.
 std::vector<std::filesystem::path> input_files(const deadpoint::casefile::ReadResult& read);
 
-/// Meshes the machine of a case, the stage "mesh" on the console.
-deadpoint::Machine mesh_case(const deadpoint::casefile::Case& description, const CaseOptions& options,
-                             Console& console);
+/// The mesh of a press, the stage "mesh" on the console.
+const deadpoint::Machine& mesh_parts(deadpoint::study::Press& press, Console& console);
 
 /// Lines for the head of every result file: version, case and hash, warnings.
 std::vector<std::string> file_comments(const deadpoint::casefile::Case& description, const Console& console);

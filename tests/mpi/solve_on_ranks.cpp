@@ -1,6 +1,6 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/fem/space/session.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 
 #include <exception>
@@ -56,14 +56,12 @@ study::RunResult solve(const casefile::Case& input, const Interruption& interrup
     StoppingObserver silent(interruption.stop);
     if (casefile::wanted_accuracy(input))
         return study::run_to_accuracy(input, 1, {}, silent).result;
-    const auto machine = study::prepare_machine(input, 1, silent);
-    const auto deformed = study::prepare_deformation_machine(input, 1, machine, silent);
     study::RunOptions options;
     options.causes = true;
     options.checkpoint_file = interruption.checkpoint;
     options.checkpoint_interval = 0;
     options.resume = interruption.resume;
-    return study::run_case(input, machine, options, silent, deformed ? &*deformed : nullptr);
+    return study::Press(input).run(options, silent);
 }
 
 void write(const std::string& path, const study::RunResult& result)

@@ -69,7 +69,7 @@ double difference(const study::RunResult& one, const study::RunResult& other)
     return largest;
 }
 
-double size_of(const study::RefinedRun& run, const std::string& part) { return *run.input.parts.at(part).size; }
+double size_of(const study::RefinedRun& run, const std::string& part) { return *run.press.input().parts.at(part).size; }
 
 }  // namespace
 
@@ -170,7 +170,7 @@ TEST_CASE("refinement goes where the field is steep, and keeps its promise")
     REQUIRE(report.rounds.size() > 1);
     CHECK(*report.rounds.back().change <= 0.1);
     CHECK(report.rounds.back().estimate + report.time_change <= 0.1);
-    auto fine = run.input;  // 24 000 cells, and time steps half as long
+    auto fine = run.press.input();  // 24 000 cells, and time steps half as long
     for (auto& [name, part] : fine.parts)
         part.size = 0.005;
     fine.numerics.time_tolerance /= 8;

@@ -13,7 +13,7 @@
 
 using namespace verification;
 using deadpoint::study::PointOutcome;
-using deadpoint::study::SharedModel;
+using deadpoint::study::Press;
 using deadpoint::study::SweepPoint;
 namespace fs = std::filesystem;
 
@@ -74,10 +74,10 @@ Study four_loads()
     return study;
 }
 
-void write_digest(const fs::path& folder, const SweepPoint& point, const Case& input, SharedModel& model)
+void write_digest(const fs::path& folder, const SweepPoint& point, Press& press)
 {
     deadpoint::Observer silent;
-    std::ofstream(folder / point.name) << digest(model.run(input, {}, silent));
+    std::ofstream(folder / point.name) << digest(press.run({}, silent));
 }
 
 class Listener : public deadpoint::Observer {
@@ -94,10 +94,10 @@ std::vector<PointOutcome> outcomes_of(const Study& study, int workers, const Scr
 {
     return deadpoint::study::run_points(
         study.points, study.cases, study.all, {workers, {}},
-        [&](const SweepPoint& point, const Case& input, const deadpoint::Machine&, SharedModel& model) {
+        [&](const SweepPoint& point, Press& press) {
             if (before)
                 before(point);
-            write_digest(scratch.path, point, input, model);
+            write_digest(scratch.path, point, press);
         },
         listener);
 }

@@ -2,7 +2,7 @@
 
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -33,9 +33,9 @@ struct SolvedCase {
     /// Temperature of a probe at a time, or at the end [degC].
     [[nodiscard]] double probe(const std::string& name, double time = 1e300) const
     {
-        const auto found = std::find(result.probes.begin(), result.probes.end(), name);
-        REQUIRE(found != result.probes.end());
-        return at(history().probes[static_cast<std::size_t>(found - result.probes.begin())], time);
+        const auto* found = deadpoint::study::find(result.probes, name);
+        REQUIRE(found);
+        return at(*found, time);
     }
     /// Mean temperature of either side of an interface [degC].
     [[nodiscard]] double side_a(double time = 1e300, std::size_t interface = 0) const
@@ -58,10 +58,11 @@ private:
 inline SolvedCase solve(Case input, double size_scale = 1)
 {
     deadpoint::Observer silent;
+    deadpoint::study::Press press(std::move(input), size_scale);
     SolvedCase solved;
-    solved.machine = deadpoint::study::prepare_machine(input, size_scale, silent);
-    solved.result = deadpoint::study::run_case(input, solved.machine, {}, silent);
-    solved.input = std::move(input);
+    solved.result = press.run({}, silent);
+    solved.machine = press.machine(silent);
+    solved.input = press.input();
     CHECK(solved.history().energy.mismatch() < 1e-6);
     return solved;
 }

@@ -16,8 +16,7 @@ TEST_CASE(
 {
     study::RunResult result;
     result.whole = 2;
-    result.enclosures = {"crank_case"};
-    result.thermal.enclosures = {{{{293.15, 313.15}, {0, 0}}, {0, 40}, {30, 30}, {0, 65}}};
+    result.enclosures = {{"crank_case", {{{293.15, 313.15}, {0, 0}}, {0, 40}, {30, 30}, {0, 65}}}};
     std::vector<report::CsvColumn> columns;
     const auto at_steps = [](std::vector<double> values, double factor, double offset) {
         for (double& value : values)

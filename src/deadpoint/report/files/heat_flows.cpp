@@ -13,20 +13,18 @@ constexpr double celsius = -273.15;
 void add_heat_flow_columns(std::vector<CsvColumn>& columns, const study::RunResult& result,
                            const SeriesSampler& sample_series, const Sampler& sample)
 {
-    for (std::size_t i = 0; i < result.body_heat.size(); ++i)
-        columns.push_back({result.body_heat[i] + " heat", "W", sample(result.thermal.body_heat[i], result.whole, 0)});
-    for (std::size_t i = 0; i < result.oil.size(); ++i) {
-        const auto& circuit = result.thermal.oil[i];
-        const std::string name = "oil " + result.oil[i] + " ";
+    for (const auto& [source, heat] : result.body_heat)
+        columns.push_back({source + " heat", "W", sample(heat, result.whole, 0)});
+    for (const auto& [oil, circuit] : result.oil) {
+        const std::string name = "oil " + oil + " ";
         columns.push_back({name + "inlet", "degC", sample_series(circuit.inlet, 1, celsius)});
         columns.push_back({name + "outlet", "degC", sample_series(circuit.outlet, 1, celsius)});
         columns.push_back({name + "sump", "degC", sample_series(circuit.sump, 1, celsius)});
         columns.push_back({name + "heat", "W", sample(circuit.heat, result.whole, 0)});
         columns.push_back({name + "cooler", "W", sample(circuit.cooler, result.whole, 0)});
     }
-    for (std::size_t i = 0; i < result.enclosures.size(); ++i) {
-        const auto& air = result.thermal.enclosures[i];
-        const std::string name = "air " + result.enclosures[i] + " ";
+    for (const auto& [enclosure, air] : result.enclosures) {
+        const std::string name = "air " + enclosure + " ";
         columns.push_back({name + "temperature", "degC", sample_series(air.temperature, 1, celsius)});
         columns.push_back({name + "heat from surfaces", "W", sample(air.from_surfaces, result.whole, 0)});
         columns.push_back({name + "power", "W", sample(air.power, result.whole, 0)});
@@ -37,22 +35,20 @@ void add_heat_flow_columns(std::vector<CsvColumn>& columns, const study::RunResu
 nlohmann::ordered_json heat_flows_json(const study::RunResult& result)
 {
     nlohmann::ordered_json json;
-    for (std::size_t i = 0; i < result.body_heat.size(); ++i)
-        json["sources_W"][result.body_heat[i]] = result.whole * result.thermal.body_heat[i].back();
-    for (std::size_t i = 0; i < result.oil.size(); ++i) {
-        const auto& circuit = result.thermal.oil[i];
-        json["oil"][result.oil[i]] = {{"inlet_degC", circuit.inlet.value.back() + celsius},
-                                      {"outlet_degC", circuit.outlet.value.back() + celsius},
-                                      {"sump_degC", circuit.sump.value.back() + celsius},
-                                      {"heat_W", result.whole * circuit.heat.back()},
-                                      {"cooler_W", result.whole * circuit.cooler.back()}};
+    for (const auto& [source, heat] : result.body_heat)
+        json["sources_W"][source] = result.whole * heat.back();
+    for (const auto& [oil, circuit] : result.oil) {
+        json["oil"][oil] = {{"inlet_degC", circuit.inlet.value.back() + celsius},
+                            {"outlet_degC", circuit.outlet.value.back() + celsius},
+                            {"sump_degC", circuit.sump.value.back() + celsius},
+                            {"heat_W", result.whole * circuit.heat.back()},
+                            {"cooler_W", result.whole * circuit.cooler.back()}};
     }
-    for (std::size_t i = 0; i < result.enclosures.size(); ++i) {
-        const auto& air = result.thermal.enclosures[i];
-        json["enclosures"][result.enclosures[i]] = {{"temperature_degC", air.temperature.value.back() + celsius},
-                                                    {"from_surfaces_W", result.whole * air.from_surfaces.back()},
-                                                    {"power_W", result.whole * air.power.back()},
-                                                    {"to_room_W", result.whole * air.to_room.back()}};
+    for (const auto& [enclosure, air] : result.enclosures) {
+        json["enclosures"][enclosure] = {{"temperature_degC", air.temperature.value.back() + celsius},
+                                         {"from_surfaces_W", result.whole * air.from_surfaces.back()},
+                                         {"power_W", result.whole * air.power.back()},
+                                         {"to_room_W", result.whole * air.to_room.back()}};
     }
     return json;
 }
@@ -60,22 +56,19 @@ nlohmann::ordered_json heat_flows_json(const study::RunResult& result)
 std::string heat_flows_text(const study::RunResult& result)
 {
     std::string text;
-    for (std::size_t i = 0; i < result.body_heat.size(); ++i)
-        text += fmt::format("  {}: {:.0f} W at the end\n", result.body_heat[i],
-                            result.whole * result.thermal.body_heat[i].back());
-    for (std::size_t i = 0; i < result.oil.size(); ++i) {
-        const auto& circuit = result.thermal.oil[i];
-        text += fmt::format("  oil {}: {:.1f} degC at the first joint, {:.1f} after the last one, takes {:.0f} W",
-                            result.oil[i], circuit.inlet.value.back() + celsius, circuit.outlet.value.back() + celsius,
+    for (const auto& [source, heat] : result.body_heat)
+        text += fmt::format("  {}: {:.0f} W at the end\n", source, result.whole * heat.back());
+    for (const auto& [oil, circuit] : result.oil) {
+        text += fmt::format("  oil {}: {:.1f} degC at the first joint, {:.1f} after the last one, takes {:.0f} W", oil,
+                            circuit.inlet.value.back() + celsius, circuit.outlet.value.back() + celsius,
                             result.whole * circuit.heat.back());
         if (circuit.cooler.back() != 0)
             text += fmt::format("; the {} {:.0f} W", circuit.cooler.back() > 0 ? "cooler takes" : "heater gives",
                                 result.whole * std::abs(circuit.cooler.back()));
         text += "\n";
     }
-    for (std::size_t i = 0; i < result.enclosures.size(); ++i) {
-        const auto& air = result.thermal.enclosures[i];
-        text += fmt::format("  air in {}: {:.1f} degC, {:.0f} W from its surfaces", result.enclosures[i],
+    for (const auto& [enclosure, air] : result.enclosures) {
+        text += fmt::format("  air in {}: {:.1f} degC, {:.0f} W from its surfaces", enclosure,
                             air.temperature.value.back() + celsius, result.whole * air.from_surfaces.back());
         if (air.power.back() != 0)
             text += fmt::format(" and {:.0f} W of its own", result.whole * air.power.back());

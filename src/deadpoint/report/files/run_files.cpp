@@ -104,13 +104,12 @@ void write_history(const std::filesystem::path& path, const casefile::Case& inpu
     const auto& history = result.thermal;
     const auto times = history_times(input, result);
     std::vector<CsvColumn> columns{{"time", "s", times}};
-    for (std::size_t i = 0; i < result.probes.size(); ++i)
-        columns.push_back({result.probes[i], "degC", sampled(history.time, history.probes[i], times, 1, celsius)});
-    for (const auto& joint : result.joints)
-        columns.push_back(
-            {joint.name + " temperature", "degC", sampled(history.time, joint.temperature, times, 1, celsius)});
-    for (const auto& joint : result.joints)
-        columns.push_back({joint.name + " heat", "W", sampled_linear(history.time, joint.heat, times, 1, 0)});
+    for (const auto& [name, course] : result.probes)
+        columns.push_back({name, "degC", sampled(history.time, course, times, 1, celsius)});
+    for (const auto& [name, joint] : result.joints)
+        columns.push_back({name + " temperature", "degC", sampled(history.time, joint.temperature, times, 1, celsius)});
+    for (const auto& [name, joint] : result.joints)
+        columns.push_back({name + " heat", "W", sampled_linear(history.time, joint.heat, times, 1, 0)});
     columns.push_back({"heat to air", "W", sampled_linear(history.time, history.to_air, times, result.whole, 0)});
     columns.push_back({"heat to oil", "W", sampled_linear(history.time, history.to_oil, times, result.whole, 0)});
     add_heat_flow_columns(
@@ -149,7 +148,7 @@ void write_contributions(const std::filesystem::path& path, const casefile::Case
     std::vector<CsvColumn> columns{{"time", "s", times}};
     columns.push_back({"E_SW", "um", sampled(result.drift->time, result.drift->gap, times, micrometre, 0)});
     for (const auto part : strongest_parts(*result.drift))
-        columns.push_back({result.parts[part], "um",
+        columns.push_back({result.parts[part].name, "um",
                            sampled_linear(result.drift->time, result.drift->by_part[part], times, micrometre, 0)});
     write_csv(path, comments, columns);
 }
@@ -183,13 +182,13 @@ Chart temperature_chart(const casefile::Case& input, const RunResult& result)
     chart.x_label = "time [h]";
     chart.y_label = "rise [K]";
     const auto times = history_times(input, result);
-    for (std::size_t i = 0; i < result.probes.size(); ++i) {
+    for (const auto& [name, course] : result.probes) {
         ChartSeries series;
-        series.name = result.probes[i];
+        series.name = name;
         series.x = in_hours(times);
-        series.y = sampled(result.thermal.time, result.thermal.probes[i], times, 1, -input.machine.initial_temperature);
+        series.y = sampled(result.thermal.time, course, times, 1, -input.machine.initial_temperature);
         if (input.reference) {
-            const auto found = input.reference->rises.find(result.probes[i]);
+            const auto found = input.reference->rises.find(name);
             if (found != input.reference->rises.end() && input.reference->time <= times.back() * 1.0001)
                 series.markers.push_back({input.reference->time / 3600, found->second});
         }
@@ -234,7 +233,7 @@ Chart contribution_chart(const casefile::Case& input, const RunResult& result)
         const auto y = sampled_linear(result.drift->time, result.drift->by_part[order[i]], times, micrometre, 0);
         if (i < shown) {
             ChartSeries series;
-            series.name = result.parts[order[i]];
+            series.name = result.parts[order[i]].name;
             series.x = in_hours(times);
             series.y = y;
             chart.series.push_back(std::move(series));
@@ -265,7 +264,7 @@ nlohmann::ordered_json rises_json(const casefile::Case& input, const RunResult& 
     times.emplace_back("end", end);
     for (std::size_t i = 0; i < result.probes.size(); ++i)
         for (const auto& [name, time] : times)
-            json[result.probes[i]][name] = study::rise_at(input, result, i, time);
+            json[result.probes[i].name][name] = study::rise_at(input, result, i, time);
     return json;
 }
 
@@ -309,7 +308,7 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
         json["heat_flows_at_end"] = flows;
     json["probe_rises_K"] = rises_json(input, result);
     for (std::size_t i = 0; i < result.probes.size(); ++i)
-        json["time_to_95_percent_s"][result.probes[i]] = summary.time_to_95[i];
+        json["time_to_95_percent_s"][result.probes[i].name] = summary.time_to_95[i];
     if (result.drift) {
         json["drift_um"] = {{"largest_E_SW", micrometre * summary.largest_gap},
                             {"time_of_largest_s", summary.largest_gap_time},
@@ -317,14 +316,15 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
         for (const auto& [name, series] : dimensions(*result.drift))
             json["drift_um"]["final"][name] = micrometre * series->value.back();
         for (const auto part : strongest_parts(*result.drift))
-            json["drift_um"]["final_by_part"][result.parts[part]] = micrometre * result.drift->by_part[part].back();
+            json["drift_um"]["final_by_part"][result.parts[part].name] =
+                micrometre * result.drift->by_part[part].back();
         if (!result.causes.empty())
             json["drift_um"]["by_cause"] = drift_causes_json(result.causes);
         if (const auto gaps = gaps_json(result.gaps, result.thermal.time); !gaps.is_null())
             json["gaps"] = gaps;
         json["warm_up_s"] = summary.warm_up_time ? nlohmann::ordered_json(*summary.warm_up_time) : nullptr;
     }
-    json["drift_summary"] = drift_summary_json(result.probes, summary);
+    json["drift_summary"] = drift_summary_json(study::names_of(result.probes), summary);
     if (!result.friction.empty())
         json["friction"] = nlohmann::ordered_json::parse(friction_json(result.friction));
     if (result.frame)
@@ -389,9 +389,10 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
     TextTable table(compared ? std::vector<std::string>{"probe", "rise [K]", "published [K]", "95 % after"}
                              : std::vector<std::string>{"probe", "rise [K]", "95 % after"});
     for (std::size_t i = 0; i < result.probes.size(); ++i) {
-        std::vector<std::string> row{result.probes[i], fmt::format("{:.2f}", study::rise_at(input, result, i, end))};
+        std::vector<std::string> row{result.probes[i].name,
+                                     fmt::format("{:.2f}", study::rise_at(input, result, i, end))};
         if (compared) {
-            const auto found = input.reference->rises.find(result.probes[i]);
+            const auto found = input.reference->rises.find(result.probes[i].name);
             row.push_back(found == input.reference->rises.end() ? "" : fmt::format("{:.2f}", found->second));
         }
         row.push_back(duration_text(summary.time_to_95[i]));
@@ -411,7 +412,7 @@ std::string run_text(const casefile::Case& input, const RunResult& result)
         text += "  by part at the end:";
         const auto order = strongest_parts(*result.drift);
         for (std::size_t i = 0; i < std::min<std::size_t>(4, order.size()); ++i)
-            text += fmt::format("{} {} {:+.1f}", i ? "," : "", result.parts[order[i]],
+            text += fmt::format("{} {} {:+.1f}", i ? "," : "", result.parts[order[i]].name,
                                 micrometre * result.drift->by_part[order[i]].back());
         text += " um\n" + drift_causes_line(result.causes);
         text += gaps_text(result.gaps, result.thermal.time);

@@ -4,160 +4,23 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/fem/space/session.hpp"
-#include "deadpoint/io/vtu.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
 #include "deadpoint/study/drift/drift_causes.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/study/pipeline/field_writer.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
+#include <numeric>
 
 namespace deadpoint::study {
 namespace {
-
-// Wall time of the stages, in the order in which they ran.
-class Stopwatch {
-public:
-    explicit Stopwatch(Observer& observer) : observer_(observer) {}
-    void start(const std::string& stage)
-    {
-        stop();
-        observer_.stage(stage);
-        stage_ = stage;
-        since_ = std::chrono::steady_clock::now();
-    }
-    void stop()
-    {
-        if (!stage_.empty())
-            times_.emplace_back(stage_, seconds());
-        stage_.clear();
-    }
-    [[nodiscard]] double seconds() const
-    {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count();
-    }
-    [[nodiscard]] const std::vector<std::pair<std::string, double>>& times() const { return times_; }
-
-private:
-    Observer& observer_;
-    std::string stage_;
-    std::chrono::steady_clock::time_point since_;
-    std::vector<std::pair<std::string, double>> times_;
-};
-
-std::vector<int> bodies_by_part(const Machine& machine)
-{
-    std::vector<std::string> names;
-    std::vector<int> result;
-    for (const auto& part : machine.parts) {
-        auto found = std::find(names.begin(), names.end(), part.body);
-        if (found == names.end())
-            found = names.insert(names.end(), part.body);
-        result.push_back(static_cast<int>(found - names.begin()));
-    }
-    return result;
-}
-
-std::vector<JointHistory> joint_histories(const casefile::Case& input, const Machine& machine,
-                                          const HeatProblem& problem, const ThermalHistory& history, double whole)
-{
-    std::vector<double> row_area(problem.sources.size(), 0.0);
-    for (std::size_t i = 0; i < machine.interfaces.size(); ++i)
-        if (const auto& law = problem.interfaces[i]; law.source >= 0)
-            row_area[law.source] += law.heat_weight * machine.interfaces[i].area;
-    std::vector<JointHistory> result;
-    std::size_t contact = 0;
-    for (const auto& [name, joint] : input.joints) {
-        const std::vector<double> zeros(history.time.size(), 0.0);
-        JointHistory entry{name, {zeros, zeros}, zeros};
-        double area = 0;
-        for (const auto& interface : joint.interfaces) {
-            (void)interface;
-            const auto& law = problem.interfaces[contact];
-            const double here = machine.interfaces[contact].area;
-            for (std::size_t i = 0; i < history.time.size(); ++i) {
-                for (auto of : {&Series::value, &Series::rate})
-                    (entry.temperature.*of)[i] +=
-                        0.5 * here * ((history.interface_a[contact].*of)[i] + (history.interface_b[contact].*of)[i]);
-                if (law.source >= 0)
-                    entry.heat[i] +=
-                        whole * history.source_heat[law.source][i] * law.heat_weight * here / row_area[law.source];
-            }
-            area += here;
-            ++contact;
-        }
-        if (area == 0)
-            continue;
-        for (auto of : {&Series::value, &Series::rate})
-            for (double& value : entry.temperature.*of)
-                value /= area;
-        result.push_back(std::move(entry));
-    }
-    return result;
-}
-
-// Deformation and field files at the wanted times.
-class FieldWriter {
-public:
-    FieldWriter(const casefile::Case& input, const Machine& machine, fem::Model& model, const ChainModel* chain,
-                const FrameState* frame, const std::vector<fem::Adjoint>& adjoints, const RunOptions& options)
-        : input_(input), machine_(machine), model_(model), chain_(chain), frame_(frame), adjoints_(adjoints),
-          folder_(options.field_folder), comments_(options.comments), reference_(input.machine.initial_temperature),
-          bodies_(bodies_by_part(machine))
-    {}
-
-    void write(double time, const fem::Field& field, RunResult& result)
-    {
-        std::vector<RigidMotion> motions(machine_.parts.size());
-        std::optional<fem::Displacement> displacement;
-        std::vector<fem::PointData> data;
-        if (chain_ || frame_)
-            displacement = model_.displacement(field, reference_);
-        if (frame_)
-            data = frame_->add_time(input_, time, field, *displacement, *result.frame);
-        if (const auto size = model_.size(); size.deformation_cells != size.cells)
-            data.clear();  // they belong to the nodes of the deformation's mesh
-        if (chain_) {
-            const auto growths = play_growths(*chain_, model_, adjoints_, field, reference_);
-            const auto shares = play_shares(crank_play(input_), growths);
-            auto closed = close_joints(machine_, model_, *chain_, *displacement, shares);
-            motions = std::move(closed.motions);
-            const double gap =
-                model_.apply(adjoints_[drift::gap], field, reference_) + chain_->play_travel(shares, growths);
-            result.adjoint_check = AdjointCheck{time, gap, closed.gap, closed.opening};
-        }
-        if (folder_.empty())
-            return;
-        const auto name = fmt::format("fields_{:04d}", result.fields.size());
-        result.fields.emplace_back(time,
-                                   model_.write_fields(folder_, name, field, displacement ? &*displacement : nullptr,
-                                                       motions, bodies_, comments_, data));
-        std::vector<PvdEntry> entries;
-        for (const auto& [at, file] : result.fields)
-            entries.push_back({at, file});
-        if (fem::rank() == 0)
-            write_pvd(folder_ + "/fields.pvd", entries);
-    }
-
-private:
-    const casefile::Case& input_;
-    const Machine& machine_;
-    fem::Model& model_;
-    const ChainModel* chain_;
-    const FrameState* frame_;
-    const std::vector<fem::Adjoint>& adjoints_;
-    std::string folder_;
-    std::vector<std::string> comments_;
-    double reference_;
-    std::vector<int> bodies_;
-};
 
 using ExactFields = std::map<double, fem::Field>;
 
@@ -187,19 +50,20 @@ void warn_about(const ThermalHistory& history, const HeatProblem& problem, Obser
                                   history.energy.mismatch()));
 }
 
-}  // namespace
+/// What is made once for runs of like cases.
+struct ModelParts {
+    ModelParts(const Machine& m, const Machine* own) : machine(m), own_deformation(own) {}
 
-struct SharedModel::Implementation {
-    Implementation(const Machine& m, const Machine* own) : machine(m), own_deformation(own) {}
-
-    /// What the laws of a case come to; names and sizes go into the result.
+    /// What the laws of a case come to; loads and friction go into the result.
     HeatProblem translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer) const;
     /// Unknowns, dimension chain and adjoints, where they are not there yet.
     void need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer);
-    RunResult run(const casefile::Case& input, const RunOptions& options, Observer& observer);
+    void need_chain(const casefile::Case& input);
 
     /// The machine whose mesh the deformation lives on.
     [[nodiscard]] const Machine& deformed() const { return own_deformation ? *own_deformation : machine; }
+    [[nodiscard]] const ChainModel* chain_or_none() const { return chain ? &*chain : nullptr; }
+    [[nodiscard]] const FrameState* frame_or_none() const { return frame ? &*frame : nullptr; }
 
     const Machine& machine;
     const Machine* own_deformation;
@@ -212,12 +76,10 @@ struct SharedModel::Implementation {
     std::optional<HeatProblem> assembled;  ///< that the prepared matrices are of
 };
 
-HeatProblem SharedModel::Implementation::translate(const casefile::Case& input, Stopwatch& watch, RunResult& result,
-                                                   Observer& observer) const
+HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch, RunResult& result,
+                                  Observer& observer) const
 {
     result.whole = machine.half_model ? 2 : 1;
-    for (const auto& part : machine.parts)
-        result.parts.push_back(part.name);
     if (const int segment = first_running_segment(input); segment >= 0 && has_loads(input)) {
         watch.start("loads");
         result.loads = compute_loads(input, &machine, segment);
@@ -232,21 +94,11 @@ HeatProblem SharedModel::Implementation::translate(const casefile::Case& input, 
         result.friction = friction.summaries();
     for (const auto& warning : friction.warnings(result.friction))
         observer.warn(warning);
-    for (const auto& probe : problem.probes)
-        result.probes.push_back(probe.name);
-    for (const auto& source : problem.sources)
-        result.sources.push_back(source.name);
-    for (const auto& heat : problem.body_heat)
-        result.body_heat.push_back(heat.name);
-    for (const auto& circuit : problem.oil)
-        result.oil.push_back(circuit.name);
-    for (const auto& enclosure : problem.enclosures)
-        result.enclosures.push_back(enclosure.name);
     watch.stop();
     return problem;
 }
 
-void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer)
+void ModelParts::need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer)
 {
     if (model)
         return;
@@ -256,11 +108,7 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
     model->support(describe_foundation(input, deformed()));
     if (input.chain) {
         watch.start("dimension chain");
-        chain.emplace(input, deformed());
-        gaps = describe_gaps(input, deformed(), *chain);
-        auto functionals = chain->dimensions;
-        functionals.insert(functionals.end(), gaps->functionals.begin(), gaps->functionals.end());
-        adjoints = model->adjoints(functionals);
+        need_chain(input);
     }
     frame_adjoints = adjoints.size();
     if (has_frame_state(input)) {
@@ -271,124 +119,205 @@ void SharedModel::Implementation::need_model(const casefile::Case& input, Stopwa
     watch.stop();
 }
 
-RunResult SharedModel::Implementation::run(const casefile::Case& input, const RunOptions& options, Observer& observer)
+void ModelParts::need_chain(const casefile::Case& input)
 {
-    RunResult result;
-    Stopwatch watch(observer);
-    const double reference = input.machine.initial_temperature;
-    const auto play = input.chain ? crank_play(input) : drift::BearingPlay{};
-    auto problem = translate(input, watch, result, observer);
-    need_model(input, watch, observer);
-    result.cells = model->size().cells;
-    result.heat_unknowns = model->size().heat_unknowns;
-    if (chain)
-        result.sensitivity = chain->sensitivity;
-    if (frame)
-        result.frame = frame->start();
-    if (chain || frame) {
-        result.deformation_cells = model->size().deformation_cells;
-        result.deformation_unknowns = model->size().deformation_unknowns;
-    }
-
-    const auto written_times = problem.field_times;
-    const auto viewed_times = options.view ? view_times(problem.segments) : std::vector<double>{};
-    std::vector<double> shown_times;
-    std::ranges::set_union(written_times, viewed_times, std::back_inserter(shown_times));
-    problem.field_times.clear();
-    std::ranges::set_union(shown_times, options.kept_times, std::back_inserter(problem.field_times));
-
-    watch.start("heat matrices");
-    model->assemble_heat(problem);
-    if (!options.start_from.empty())
-        model->start_from(options.start_from);
-
-    watch.start("time steps");
-    double end = 0;
-    for (const auto& segment : problem.segments)
-        end += segment.duration;
-    ExactFields exact;
-    FieldWriter writer(input, machine, *model, chain ? &*chain : nullptr, frame ? &*frame : nullptr, adjoints, options);
-    ViewRecorder view;
-    std::vector<std::pair<double, fem::Field>> kept;
-    double field_seconds = 0;
-    const fem::CheckpointPlan checkpoints{options.checkpoint_file, casefile::case_hash(input),
-                                          options.checkpoint_interval, options.resume,
-                                          [&] { return handed_on(view, exact); }};
-    const bool keeps = !checkpoints.file.empty();
-    result.thermal = model->heat(
-        adjoints, reference, chain ? fem::Attribution(drift::gap, 1 + chain->bearings()) : -1, observer,
-        [&](double time) { observer.progress(time / end, fmt::format("t = {:.2f} h", time / 3600)); },
-        [&](double time, const fem::Field& field) {
-            const double before = watch.seconds();
-            const bool viewed = std::ranges::binary_search(viewed_times, time);
-            const bool written = std::ranges::binary_search(written_times, time);
-            if (viewed)
-                view.add(time, field);
-            if (std::ranges::binary_search(options.kept_times, time))
-                kept.emplace_back(time, field);
-            if (written)
-                writer.write(time, field, result);
-            if (keeps && (written || !viewed))
-                exact.emplace(time, field);
-            field_seconds += watch.seconds() - before;
-        },
-        keeps ? &checkpoints : nullptr);
-    watch.stop();
-    if (!options.state_file.empty())
-        model->write_state(options.state_file);
-
-    result.timings = watch.times();
-    result.timings.back().second -= field_seconds;
-    if (field_seconds > 0)
-        result.timings.emplace_back("fields", field_seconds);
-    if (chain)
-        result.drift = drift_series(*chain, play, result.thermal);
-    if (chain && options.causes && input.output.causes && !result.thermal.interrupted) {
-        watch.start("causes");
-        result.causes = drift_causes(input, problem, *result.drift, *model, [&](std::size_t row) {
-            return gap_adjoint(*chain, adjoints, play_shares(play, play_growths(*chain, result.thermal, row)));
-        });
-        watch.stop();
-        result.timings.push_back(watch.times().back());
-    }
-    model->release_heat();
-    if (!view.empty()) {
-        watch.start("view");
-        CloseJoints close;
-        std::vector<double> shares_at_end;  // the view is linear in the temperature
-        if (chain) {
-            shares_at_end = play_shares(play, play_growths(*chain, result.thermal, result.thermal.time.size() - 1));
-            close = [&](const fem::Displacement& u) {
-                return close_joints(machine, *model, *chain, u, shares_at_end).motions;
-            };
-        }
-        result.view = view.finish(machine, *model, reference, close);
-        watch.stop();
-        result.timings.push_back(watch.times().back());
-    }
-    if (options.at_end)
-        options.at_end({machine, *model, problem, chain ? &*chain : nullptr, play, adjoints, kept, reference});
-    result.elastic_iterations = model->elastic_iterations();
-    result.joints = joint_histories(input, machine, problem, result.thermal, result.whole);
-    if (chain) {
-        result.gaps =
-            gap_series(input, *gaps, result.thermal, static_cast<int>(chain->dimensions.size()), *result.drift);
-        if (const auto warning = play_warning(input, *chain, result.thermal))
-            observer.warn(*warning);
-        for (const auto& warning : gap_warnings(result.gaps))
-            observer.warn(warning);
-    }
-    if (result.frame) {
-        read_courses(result.thermal, frame_adjoints, *result.frame);
-        warn_about_frame(input, result.thermal, *result.frame, observer);
-    }
-    result.ranks = fem::ranks();
-    result.peak_memory = fem::peak_memory();
-    warn_about(result.thermal, problem, observer);
-    for (const auto& warning : material_warnings(input, machine, result.thermal))
-        observer.warn(warning);
-    return result;
+    chain.emplace(input, deformed());
+    gaps = describe_gaps(input, deformed(), *chain);
+    auto functionals = chain->dimensions;
+    functionals.insert(functionals.end(), gaps->functionals.begin(), gaps->functionals.end());
+    adjoints = model->adjoints(functionals);
 }
+
+/// One run on a shared model: what it computes after the other, and what is at hand in between.
+class CaseRun {
+public:
+    CaseRun(ModelParts& parts, const casefile::Case& input, const RunOptions& options, Observer& observer)
+        : parts_(parts), input_(input), options_(options), observer_(observer), watch_(observer),
+          play_(input.chain ? crank_play(input) : drift::BearingPlay{}),
+          problem_(parts.translate(input, watch_, result_, observer))
+    {}
+
+    RunResult run()
+    {
+        parts_.need_model(input_, watch_, observer_);
+        note_sizes();
+        choose_times();
+        assemble();
+        march();
+        follow_gap();
+        parts_.model->release_heat();
+        make_view();
+        if (options_.at_end)
+            options_.at_end({parts_.machine, *parts_.model, problem_, parts_.chain_or_none(), play_, parts_.adjoints,
+                             kept_, reference()});
+        follow_clearances();
+        finish();
+        return std::move(result_);
+    }
+
+private:
+    /// Temperature without deformation [K].
+    [[nodiscard]] double reference() const { return input_.machine.initial_temperature; }
+
+    void note_sizes()
+    {
+        const auto size = parts_.model->size();
+        result_.cells = size.cells;
+        result_.heat_unknowns = size.heat_unknowns;
+        if (parts_.chain)
+            result_.sensitivity = parts_.chain->sensitivity;
+        if (parts_.frame)
+            result_.frame = parts_.frame->start();
+        if (parts_.chain || parts_.frame) {
+            result_.deformation_cells = size.deformation_cells;
+            result_.deformation_unknowns = size.deformation_unknowns;
+        }
+    }
+
+    void choose_times()
+    {
+        written_times_ = problem_.field_times;
+        viewed_times_ = options_.view ? view_times(problem_.segments) : std::vector<double>{};
+        std::vector<double> shown_times;
+        std::ranges::set_union(written_times_, viewed_times_, std::back_inserter(shown_times));
+        problem_.field_times.clear();
+        std::ranges::set_union(shown_times, options_.kept_times, std::back_inserter(problem_.field_times));
+    }
+
+    void assemble()
+    {
+        watch_.start("heat matrices");
+        parts_.model->assemble_heat(problem_);
+        if (!options_.start_from.empty())
+            parts_.model->start_from(options_.start_from);
+    }
+
+    void march()
+    {
+        watch_.start("time steps");
+        const double end = std::accumulate(problem_.segments.begin(), problem_.segments.end(), 0.0,
+                                           [](double sum, const auto& segment) { return sum + segment.duration; });
+        FieldWriter writer(input_, parts_.machine, *parts_.model, parts_.chain_or_none(), parts_.frame_or_none(),
+                           parts_.adjoints, options_.field_folder, options_.comments);
+        const fem::CheckpointPlan checkpoints{options_.checkpoint_file, casefile::case_hash(input_),
+                                              options_.checkpoint_interval, options_.resume,
+                                              [&] { return handed_on(view_, exact_); }};
+        double field_seconds = 0;
+        result_.thermal = parts_.model->heat(
+            parts_.adjoints, reference(),
+            parts_.chain ? fem::Attribution(drift::gap, 1 + parts_.chain->bearings()) : -1, observer_,
+            [&](double time) { observer_.progress(time / end, fmt::format("t = {:.2f} h", time / 3600)); },
+            [&](double time, const fem::Field& field) {
+                const double before = watch_.seconds();
+                take_field(time, field, writer);
+                field_seconds += watch_.seconds() - before;
+            },
+            keeps() ? &checkpoints : nullptr);
+        watch_.stop();
+        if (!options_.state_file.empty())
+            parts_.model->write_state(options_.state_file);
+        watch_.split_last("fields", field_seconds);
+    }
+
+    [[nodiscard]] bool keeps() const { return !options_.checkpoint_file.empty(); }
+
+    void take_field(double time, const fem::Field& field, FieldWriter& writer)
+    {
+        const bool viewed = std::ranges::binary_search(viewed_times_, time);
+        const bool written = std::ranges::binary_search(written_times_, time);
+        if (viewed)
+            view_.add(time, field);
+        if (std::ranges::binary_search(options_.kept_times, time))
+            kept_.emplace_back(time, field);
+        if (written)
+            writer.write(time, field, result_);
+        if (keeps() && (written || !viewed))
+            exact_.emplace(time, field);
+    }
+
+    /// The dimension chain over time, and what has moved it.
+    void follow_gap()
+    {
+        if (!parts_.chain)
+            return;
+        result_.drift = drift_series(*parts_.chain, play_, result_.thermal);
+        if (!options_.causes || !input_.output.causes || result_.thermal.interrupted)
+            return;
+        watch_.start("causes");
+        result_.causes = drift_causes(input_, problem_, *result_.drift, *parts_.model, [&](std::size_t row) {
+            return gap_adjoint(*parts_.chain, parts_.adjoints, shares_at(row));
+        });
+        watch_.stop();
+    }
+
+    [[nodiscard]] std::vector<double> shares_at(std::size_t row) const
+    {
+        return play_shares(play_, play_growths(*parts_.chain, result_.thermal, row));
+    }
+
+    void make_view()
+    {
+        if (view_.empty())
+            return;
+        watch_.start("view");
+        CloseJoints close;
+        if (parts_.chain)
+            close = [&, shares = shares_at(result_.thermal.time.size() - 1)](const fem::Displacement& u) {
+                return close_joints(parts_.machine, *parts_.model, *parts_.chain, u, shares).motions;
+            };  // the shares at the end serve all times, since the view is linear in the temperature
+        result_.view = view_.finish(parts_.machine, *parts_.model, reference(), close);
+        watch_.stop();
+    }
+
+    /// Corners, clearances and the force at a fixed die height.
+    void follow_clearances()
+    {
+        if (!parts_.chain)
+            return;
+        result_.gaps = gap_series(input_, *parts_.gaps, result_.thermal,
+                                  static_cast<int>(parts_.chain->dimensions.size()), *result_.drift);
+        if (const auto warning = play_warning(input_, *parts_.chain, result_.thermal))
+            observer_.warn(*warning);
+        for (const auto& warning : gap_warnings(result_.gaps))
+            observer_.warn(warning);
+    }
+
+    void finish()
+    {
+        if (result_.frame) {
+            read_courses(result_.thermal, parts_.frame_adjoints, *result_.frame);
+            warn_about_frame(input_, result_.thermal, *result_.frame, observer_);
+        }
+        static_cast<Histories&>(result_) =
+            name_histories(input_, parts_.machine, problem_, result_.thermal, result_.whole);
+        result_.elastic_iterations = parts_.model->elastic_iterations();
+        result_.ranks = fem::ranks();
+        result_.peak_memory = fem::peak_memory();
+        result_.timings = watch_.times();
+        warn_about(result_.thermal, problem_, observer_);
+        for (const auto& warning : material_warnings(input_, parts_.machine, result_.thermal))
+            observer_.warn(warning);
+    }
+
+    ModelParts& parts_;
+    const casefile::Case& input_;
+    const RunOptions& options_;
+    Observer& observer_;
+    RunResult result_;
+    Stopwatch watch_;
+    drift::BearingPlay play_;
+    HeatProblem problem_;
+    std::vector<double> written_times_, viewed_times_;
+    ExactFields exact_;  ///< for checkpoints
+    ViewRecorder view_;
+    std::vector<std::pair<double, fem::Field>> kept_;  ///< for RunOptions::at_end
+};
+
+}  // namespace
+
+struct SharedModel::Implementation : ModelParts {
+    using ModelParts::ModelParts;
+};
 
 SharedModel::SharedModel(const Machine& machine, const Machine* deformation)
     : implementation_(std::make_unique<Implementation>(machine, deformation))
@@ -410,7 +339,7 @@ void SharedModel::prepare(const casefile::Case& input, Observer& observer)
 
 RunResult SharedModel::run(const casefile::Case& input, const RunOptions& options, Observer& observer)
 {
-    return implementation_->run(input, options, observer);
+    return CaseRun(*implementation_, input, options, observer).run();
 }
 
 std::string shared_part(const casefile::Case& input)
@@ -438,10 +367,8 @@ std::string shared_part(const casefile::Case& input)
     shared.heat_sources.clear();
     shared.crankshaft.reset();
     shared.process_force.reset();
-    const auto stress = shared.output.stress;
     shared.output = {};
     shared.output.stress = input.output.stress;  // by it the model watches the frame
-    shared.output.stress = stress;
     shared.reference.reset();
     const auto order = shared.numerics.order;
     const auto size = shared.numerics.size;

@@ -1,75 +1,17 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/observer.hpp"
 #include "deadpoint/drift/play.hpp"
-#include "deadpoint/exchange/drift.hpp"
-#include "deadpoint/exchange/gaps.hpp"
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/exchange/linkage.hpp"
-#include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/drift/frame_state.hpp"
-#include "deadpoint/study/laws/friction.hpp"
-#include "deadpoint/study/pipeline/accuracy.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/view_data.hpp"
+#include "deadpoint/study/pipeline/run_result.hpp"
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 /// The pipeline of one case: machine -> loads -> linkage -> deformation functionals -> heat -> drift.
 namespace deadpoint::study {
-
-/// The adjoint's gap against the gap of the deformation solved directly at the last field time.
-struct AdjointCheck {
-    double time = 0;
-    double by_adjoint = 0;
-    double by_deformation = 0;
-    double joint_opening = 0;  ///< largest distance of two centres of a joint after closing [m]
-};
-
-/// A name and its value over the steps, for files and tables.
-struct JointHistory {
-    std::string name;
-    Series temperature;        ///< area mean of both sides of its interfaces [K]
-    std::vector<double> heat;  ///< friction heat, whole press [W]
-};
-
-struct RunResult {
-    ThermalHistory thermal;  ///< of the model: half of the press in a half model
-    double whole = 1;        ///< factor from the model to the whole press
-    std::vector<std::string> probes;
-    std::vector<std::string> parts;
-    std::vector<std::string> sources;
-    std::vector<std::string> body_heat;   ///< names, as ThermalHistory::body_heat
-    std::vector<std::string> oil;         ///< circuits, as ThermalHistory::oil
-    std::vector<std::string> enclosures;  ///< names, as ThermalHistory::enclosures
-    std::vector<JointHistory> joints;
-    std::vector<FrictionSummary> friction;  ///< at every speed and force of the operation
-    std::optional<LoadsResult> loads;  ///< of the first segment in which the press runs, where the case has a linkage
-    std::optional<BottomDeadPointSensitivity> sensitivity;
-    std::optional<DriftSeries> drift;
-    std::vector<DriftCauses> causes;  ///< at the largest |E_SW| of all steps, where that is not the end, and at the end
-    GapSeries gaps;
-    std::optional<AdjointCheck> adjoint_check;
-    std::optional<FrameResult> frame;  ///< where the case states a foundation, preload or wanted stress
-    std::optional<ViewData> view;
-    std::optional<AccuracyReport> accuracy;  ///< where the case asks for one
-    long long cells = 0;
-    long long heat_unknowns = 0;
-    long long deformation_cells = 0;  ///< the same as cells, or those of its own mesh; 0 without deformation
-    long long deformation_unknowns = 0;
-    int elastic_iterations = 0;
-    int ranks = 1;
-    double peak_memory = 0;                               ///< of all ranks together [byte]
-    std::vector<std::pair<std::string, double>> timings;  ///< stage, wall time [s]
-    std::vector<std::pair<double, std::string>> fields;   ///< time [s], file in the results folder
-};
 
 struct ChainModel;
 
@@ -110,7 +52,8 @@ public:
     ~SharedModel();
     SharedModel(SharedModel&&) noexcept;
 
-    /// Makes all of it for a case, whose run and whose like's then start with the time steps. Errors as run_case.
+    /// Builds everything that does not depend on the operating point. A following run() of this or a similar case
+    /// starts at the time steps. Errors as run_case.
     void prepare(const casefile::Case& input, Observer& observer);
     /// As run_case, for cases of one shared_part().
     RunResult run(const casefile::Case& input, const RunOptions& options, Observer& observer);

@@ -7,7 +7,7 @@ namespace deadpoint::study {
 
 double rise_at(const casefile::Case& input, const RunResult& result, std::size_t probe, double time)
 {
-    return interpolate(result.thermal.time, result.thermal.probes[probe], time) - input.machine.initial_temperature;
+    return interpolate(result.thermal.time, result.probes[probe].history, time) - input.machine.initial_temperature;
 }
 
 RunSummary summarise(const casefile::Case& input, const RunResult& result)
@@ -19,10 +19,10 @@ RunSummary summarise(const casefile::Case& input, const RunResult& result)
         const double at = std::min(input.reference->time, end);
         double residual = 0, null = 0;
         for (std::size_t i = 0; i < result.probes.size(); ++i) {
-            const auto found = input.reference->rises.find(result.probes[i]);
+            const auto found = input.reference->rises.find(result.probes[i].name);
             if (found == input.reference->rises.end())
                 continue;
-            const ProbeComparison row{result.probes[i], rise_at(input, result, i, at), found->second};
+            const ProbeComparison row{result.probes[i].name, rise_at(input, result, i, at), found->second};
             residual += (row.rise - row.reference) * (row.rise - row.reference);
             null += row.reference * row.reference;
             summary.comparison.push_back(row);
@@ -39,7 +39,7 @@ RunSummary summarise(const casefile::Case& input, const RunResult& result)
             rises.push_back(rise_at(input, result, i, times.back()));
         }
         summary.time_to_95.push_back(time_to_share(times, rises, 0.95));
-        summary.probe_courses.push_back(summarise_course(history.time, history.probes[i]));
+        summary.probe_courses.push_back(summarise_course(history.time, result.probes[i].history));
     }
     if (!result.drift)
         return summary;

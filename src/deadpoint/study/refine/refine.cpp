@@ -2,7 +2,6 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/exchange/step_tolerance.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 
 #include <algorithm>
@@ -35,8 +34,8 @@ std::vector<const Series*> figures(const RunResult& result, Accuracy::Of of)
     if (of == Accuracy::Of::gap)
         series.push_back(&result.drift->gap);
     else
-        for (const auto& probe : result.thermal.probes)
-            series.push_back(&probe);
+        for (const auto& probe : result.probes)
+            series.push_back(&probe.history);
     return series;
 }
 
@@ -74,7 +73,7 @@ double convergence_order(int element_order) { return element_order == 1 ? 2 : 3;
 class Refinement {
 public:
     Refinement(const casefile::Case& input, double size_scale, Observer& observer)
-        : input_(input), observer_(observer), wanted_(*casefile::wanted_accuracy(input))
+        : input_(input), observer_(observer), wanted_(*casefile::wanted_accuracy(input)), press_(input)
     {
         report_.wanted = wanted_;
         for (auto& [name, part] : input_.parts) {
@@ -90,17 +89,13 @@ public:
         settle_time_steps();
         while (!finished())
             refine();
-        RefinedRun refined;
         if (options && !result_.thermal.interrupted)
-            result_ = model_->run(input_, options(input_), observer_);
-        model_.reset();
+            result_ = press_.run(options(input_), observer_);
+        press_.drop_model();
         finish_report();
         result_.timings.insert(result_.timings.begin(), {"refinement", spent_});
         result_.accuracy = std::move(report_);
-        refined.input = std::move(input_);
-        refined.machine = std::move(*machine_);
-        refined.result = std::move(result_);
-        return refined;
+        return {std::move(press_), std::move(result_)};
     }
 
 private:
@@ -109,17 +104,14 @@ private:
         RunOptions options;
         options.kept_times = estimate_times(input_);
         options.at_end = [this](const RunInside& inside) { estimate_ = estimate_error(inside, wanted_.of); };
-        return model_->run(input_, options, observer_);
+        return press_.run(options, observer_);
     }
 
     // Meshes and runs the case as it stands, and adds a round.
     void solve(bool compare)
     {
         const auto start = Clock::now();
-        model_.reset();
-        machine_ = std::make_unique<Machine>(prepare_machine(input_, 1, observer_));
-        deformed_ = prepare_deformation_machine(input_, 1, *machine_, observer_);
-        model_ = std::make_unique<SharedModel>(*machine_, deformed_ ? &*deformed_ : nullptr);
+        press_.take(input_);
         auto result = light_run();
         AccuracyRound round;
         round.cells = result.cells;
@@ -129,11 +121,13 @@ private:
         round.estimate = estimate_.total;
         round.refined = refined_parts_;
         if (!estimate_.by_part.empty())
-            round.worst_part = machine_->parts[worst_part()].name;
+            round.worst_part = machine().parts[worst_part()].name;
         round.seconds = seconds_since(start);
         report_.rounds.push_back(round);
         result_ = std::move(result);
     }
+
+    const Machine& machine() { return press_.machine(observer_); }
 
     [[nodiscard]] std::size_t worst_part() const
     {
@@ -153,13 +147,15 @@ private:
             half.numerics.max_step /= 2;
             half.numerics.initial_step /= 2;
             observer_.stage("accuracy: the same with time steps half as long");
-            auto result = model_->run(half, {}, observer_);
+            press_.take(half);
+            auto result = press_.run({}, observer_);
             report_.time_change = largest_change(result_, result, wanted_.of);
             if (report_.time_change <= share_of_time * wanted_.tolerance)
                 break;
             input_ = std::move(half);
             result_ = std::move(result);
         }
+        press_.take(input_);
         report_.time_seconds = seconds_since(start);
     }
 
@@ -192,10 +188,10 @@ private:
     void plan_sizes()
     {
         std::vector<PartError> parts;
-        const auto orders = describe_orders(input_, *machine_);
+        const auto orders = describe_orders(input_, machine());
         double sum = 0;
-        for (std::size_t p = 0; p < machine_->parts.size(); ++p) {
-            const auto& part = machine_->parts[p];
+        for (std::size_t p = 0; p < machine().parts.size(); ++p) {
+            const auto& part = machine().parts[p];
             sum += estimate_.by_part[p];
             parts.push_back({estimate_.by_part[p], static_cast<double>(part.cell_count), convergence_order(orders[p]),
                              !input_.parts.at(part.name).mesh.empty()});
@@ -221,7 +217,7 @@ private:
     void refine()
     {
         for (std::size_t p = 0; p < factors_.size(); ++p)
-            if (double& size = *input_.parts.at(machine_->parts[p].name).size; factors_[p] < 1)
+            if (double& size = *input_.parts.at(machine().parts[p].name).size; factors_[p] < 1)
                 size = std::stod(fmt::format("{:.3g}", size * factors_[p]));  // a number to put into a case file
         observer_.stage(fmt::format("accuracy: {}; mesh {}, with {} parts finer", standing(), report_.rounds.size() + 1,
                                     refined_parts_));
@@ -244,8 +240,8 @@ private:
     {
         report_.time_tolerance = input_.numerics.time_tolerance;
         report_.max_step = input_.numerics.max_step;
-        for (std::size_t p = 0; p < machine_->parts.size(); ++p) {
-            const auto& part = machine_->parts[p];
+        for (std::size_t p = 0; p < machine().parts.size(); ++p) {
+            const auto& part = machine().parts[p];
             const auto& description = input_.parts.at(part.name);
             report_.parts.push_back({part.name, first_size_.at(part.name), *description.size, part.cell_count,
                                      estimate_.by_part.empty() ? 0 : estimate_.by_part[p], !description.mesh.empty()});
@@ -259,11 +255,9 @@ private:
     casefile::Case input_;
     Observer& observer_;
     Accuracy wanted_;
+    Press press_;
     AccuracyReport report_;
     std::map<std::string, double> first_size_;
-    std::unique_ptr<Machine> machine_;
-    std::optional<Machine> deformed_;  ///< its mesh for the deformation, where that has one
-    std::unique_ptr<SharedModel> model_;
     RunResult result_;
     ErrorEstimate estimate_;
     std::vector<double> factors_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/refine/estimate.hpp"
 
 #include <functional>
@@ -23,8 +23,7 @@ struct PartError {
 std::vector<double> size_factors(const std::vector<PartError>& parts, double target, double least, double most_cells);
 
 struct RefinedRun {
-    casefile::Case input;  ///< with the sizes of all parts and the time steps as used, without its accuracy
-    Machine machine;
+    Press press;  ///< of the case with the sizes of all parts and the time steps as used, without its accuracy
     RunResult result;
 };
 

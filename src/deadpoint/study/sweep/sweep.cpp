@@ -2,7 +2,6 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/fem/space/session.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -11,7 +10,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
-#include <map>
+#include <optional>
 #include <string>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -97,7 +96,7 @@ public:
         const int fit = workers_that_fit(private_share_of_memory * resident_memory());
         workers_ = fem::ranks() > 1 ? 1 : options_.workers > 0 ? options_.workers : fit;
         if (options_.on_prepared)
-            options_.on_prepared(*machine_, queue.size(), workers_);
+            options_.on_prepared(press_->machine(observer_), queue.size(), workers_);
         if (workers_ > 1)
             run_side_by_side(queue);
         else
@@ -111,12 +110,8 @@ private:
         while (!queue.empty() && !observer_.cancelled()) {
             const auto point = queue.back();
             try {
-                if (!machine_) {
-                    machine_ = std::make_unique<Machine>(prepare_machine(cases_[point], 1, observer_));
-                    deformed_ = prepare_deformation_machine(cases_[point], 1, *machine_, observer_);
-                }
-                model_.emplace(*machine_, deformed_ ? &*deformed_ : nullptr);
-                model_->prepare(cases_[point], observer_);
+                start_press(cases_[point]);
+                press_->prepare(observer_);
                 return true;
             } catch (const Error& error) {
                 fail(point, error.what());
@@ -124,6 +119,23 @@ private:
             }
         }
         return false;
+    }
+
+    // Meshes that a point before has made serve the next one too; its half-made model does not.
+    void start_press(const casefile::Case& input)
+    {
+        if (!press_) {
+            press_.emplace(input);
+            return;
+        }
+        press_->drop_model();
+        press_->take(input);
+    }
+
+    void act(std::size_t point)
+    {
+        press_->take(cases_[point]);
+        action_(points_[point], *press_);
     }
 
     void run_in_turn(std::vector<std::size_t>& queue)
@@ -134,7 +146,7 @@ private:
             const auto start = Clock::now();
             observer_.stage(points_[point].name);
             try {
-                action_(points_[point], cases_[point], *machine_, *model_);
+                act(point);
                 if (!observer_.cancelled())
                     finish(point, seconds_since(start));
             } catch (const Error& error) {
@@ -186,7 +198,7 @@ private:
     int work(std::size_t point, int reason) noexcept
     {
         try {
-            action_(points_[point], cases_[point], *machine_, *model_);
+            act(point);
             return observer_.cancelled() ? left_unfinished : 0;
         } catch (const Error& error) {
             write_all(reason, error.what());
@@ -247,14 +259,20 @@ private:
     const PointAction& action_;
     Observer& observer_;
     std::vector<PointOutcome>& outcomes_;
-    std::unique_ptr<Machine> machine_;
-    std::optional<Machine> deformed_;  ///< meshed for the deformation, where that is another mesh
-    std::optional<SharedModel> model_;
+    std::optional<Press> press_;
     int workers_ = 1;
     bool told_to_stop_ = false;
 };
 
 }  // namespace
+
+void scale_sizes(casefile::Case& input, double factor)
+{
+    input.numerics.size *= factor;
+    for (auto& [name, part] : input.parts)
+        if (part.size)
+            *part.size *= factor;
+}
 
 std::vector<PointOutcome> run_points(const std::vector<SweepPoint>& points, const std::vector<casefile::Case>& cases,
                                      const std::vector<std::size_t>& pending, const SweepOptions& options,

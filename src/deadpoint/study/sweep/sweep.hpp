@@ -2,7 +2,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/observer.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/sweep/sweep_plan.hpp"
 
 #include <csignal>
@@ -12,9 +12,12 @@
 /// Running many cases that share what does not change between them.
 namespace deadpoint::study {
 
-/// Runs one case on the model it shares and leaves its results where they belong. With several workers it is called in
-/// a process of its own: what it changes in memory is lost, what it writes stays.
-using PointAction = std::function<void(const SweepPoint&, const casefile::Case&, const Machine&, SharedModel&)>;
+/// Scales all cell sizes that a case states.
+void scale_sizes(casefile::Case& input, double factor);
+
+/// Runs a point on its press, whose meshes and model it shares, and leaves its results where they belong. With several
+/// workers it is called in a process of its own: what it changes in memory is lost, what it writes stays.
+using PointAction = std::function<void(const SweepPoint&, Press&)>;
 
 /// Asks the process of a point to stop; whoever lets an Observer be cancelled by signals handles it quietly. A process
 /// that does not is ended by it.

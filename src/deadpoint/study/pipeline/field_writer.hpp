@@ -1,0 +1,44 @@
+#pragma once
+
+#include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/pipeline/run_result.hpp"
+
+#include <string>
+#include <vector>
+
+/// Internal to study/: deformation and field files at the wanted times of a run.
+namespace deadpoint::study {
+
+class FieldWriter {
+public:
+    /// @param chain     may be null, as may `frame`
+    /// @param folder    existing, for field files; empty: no files
+    /// @param comments  for their heads
+    FieldWriter(const casefile::Case& input, const Machine& machine, fem::Model& model, const ChainModel* chain,
+                const FrameState* frame, const std::vector<fem::Adjoint>& adjoints, std::string folder,
+                std::vector<std::string> comments);
+
+    /// Solves the deformation at one time for what follows it, and writes it where files are wanted. Collective.
+    void write(double time, const fem::Field& field, RunResult& result);
+
+private:
+    /// Closes the joints. @return the rigid motions of the parts
+    std::vector<RigidMotion> close(double time, const fem::Field& field, const fem::Displacement& displacement,
+                                   RunResult& result);
+    void write_file(double time, const fem::Field& field, const fem::Displacement* displacement,
+                    const std::vector<RigidMotion>& motions, const std::vector<fem::PointData>& data,
+                    RunResult& result);
+
+    const casefile::Case& input_;
+    const Machine& machine_;
+    fem::Model& model_;
+    const ChainModel* chain_;
+    const FrameState* frame_;
+    const std::vector<fem::Adjoint>& adjoints_;
+    std::string folder_;
+    std::vector<std::string> comments_;
+    double reference_;
+    std::vector<int> bodies_;
+};
+
+}  // namespace deadpoint::study

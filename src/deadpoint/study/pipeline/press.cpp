@@ -1,0 +1,122 @@
+#include "deadpoint/study/pipeline/press.hpp"
+
+#include "deadpoint/study/pipeline/prepare.hpp"
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace deadpoint::study {
+namespace {
+
+void pass_on(const std::vector<std::string>& warnings, Observer& observer)
+{
+    for (const auto& warning : warnings)
+        observer.warn(warning);
+}
+
+/// Adds the wall time of its life to a sum.
+class Timer {
+public:
+    explicit Timer(double& sum) : sum_(sum) {}
+    ~Timer() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    double& sum_;
+    Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+Press::Press(casefile::Case input, double size_scale) : input_(std::move(input)), size_scale_(size_scale) {}
+Press::~Press() = default;
+Press::Press(Press&&) noexcept = default;
+
+Press& Press::operator=(Press&& other) noexcept
+{
+    model_.reset();  // it stands on the meshes
+    input_ = std::move(other.input_);
+    size_scale_ = other.size_scale_;
+    machine_ = std::move(other.machine_);
+    deformed_ = std::move(other.deformed_);
+    if (other.model_)
+        model_.emplace(std::move(*other.model_));
+    other.model_.reset();
+    mesh_seconds_ = other.mesh_seconds_;
+    meshed_ = other.meshed_;
+    return *this;
+}
+
+void Press::take(casefile::Case input)
+{
+    if (machine_ && shared_part(input) != shared_part(input_)) {
+        drop_model();
+        machine_.reset();
+        deformed_.reset();
+        meshed_ = false;
+        mesh_seconds_ = 0;
+    }
+    input_ = std::move(input);
+}
+
+const Machine& Press::machine(Observer& observer)
+{
+    if (!machine_) {
+        const Timer timer(mesh_seconds_);
+        machine_ = std::make_unique<Machine>(prepare_machine(input_, size_scale_, observer));
+    }
+    return *machine_;
+}
+
+void Press::mesh(Observer& observer)
+{
+    if (meshed_)
+        return;
+    const auto& machine = this->machine(observer);
+    const Timer timer(mesh_seconds_);
+    if (auto own = prepare_deformation_machine(input_, size_scale_, machine, observer))
+        deformed_ = std::make_unique<Machine>(*std::move(own));
+    meshed_ = true;
+}
+
+LoadsResult Press::loads(int segment, Observer& observer)
+{
+    const Machine* parts = loads_need_machine(input_) ? &machine(observer) : machine_.get();
+    observer.stage("loads");
+    auto loads = compute_loads(input_, parts, segment);
+    pass_on(loads.warnings, observer);
+    return loads;
+}
+
+HeatTables Press::heat_tables(int segment, Observer& observer)
+{
+    const Machine* parts = input_.parts.empty() ? nullptr : &machine(observer);
+    std::optional<LoadsResult> of_operation;
+    if (const int running = first_running_segment(input_); running >= 0 && has_loads(input_))
+        of_operation = loads(running, observer);
+    auto tables = study::heat_tables(input_, parts, of_operation ? &*of_operation : nullptr, segment);
+    pass_on(tables.warnings, observer);
+    return tables;
+}
+
+SharedModel& Press::model(Observer& observer)
+{
+    mesh(observer);
+    if (!model_)
+        model_.emplace(*machine_, deformed_.get());
+    return *model_;
+}
+
+void Press::prepare(Observer& observer) { model(observer).prepare(input_, observer); }
+
+RunResult Press::run(const RunOptions& options, Observer& observer)
+{
+    return model(observer).run(input_, options, observer);
+}
+
+void Press::drop_model() { model_.reset(); }
+
+}  // namespace deadpoint::study
