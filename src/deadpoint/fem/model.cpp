@@ -87,7 +87,7 @@ void require_same_mesh(const Machine& machine)
     for (std::size_t i = 0; i < machine.nodes.size(); ++i)
         sum += dot(machine.nodes[i], {1.0, std::numbers::pi, std::numbers::e}) * static_cast<double>(1 + i % 1021);
     std::array<double, 2> range{sum, -sum};
-    MPI_Allreduce(MPI_IN_PLACE, range.data(), 2, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, range.data(), 2, MPI_DOUBLE, MPI_MIN, PETSC_COMM_WORLD);
     if (range[0] != -range[1])
         throw InputError("the ranks built different meshes; run with one rank, and please report the case");
 }
@@ -452,8 +452,8 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
     const auto& space = implementation_->space;
     const auto& machine = implementation_->machine;
     int rank = 0, ranks = 1;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+    MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
 
     const auto rise = gather_all(space, temperature.owned, 1);
     const auto moved =

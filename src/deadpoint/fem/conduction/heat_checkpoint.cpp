@@ -62,7 +62,7 @@ bool HeatCheckpoint::due() const
 {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - last_;
     int answer = plan_.interval == 0 || passed.count() >= std::max(plan_.interval, least_pause * cost_) ? 1 : 0;
-    MPI_Bcast(&answer, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    MPI_Bcast(&answer, 1, MPI_INT, 0, PETSC_COMM_WORLD);
     return answer != 0;
 }
 

@@ -106,7 +106,7 @@ bool HeatSystem::is_finite(const OwnedVec& vector) const
 bool HeatSystem::any(bool flag) const
 {
     int value = flag ? 1 : 0;
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT, MPI_MAX, PETSC_COMM_WORLD);
     return value != 0;
 }
 
@@ -201,8 +201,8 @@ void HeatSystem::widen(const OwnedVec& temperature, std::vector<double>& lowest,
         }
     }
     const auto count = static_cast<int>(lowest.size());
-    MPI_Allreduce(MPI_IN_PLACE, lowest.data(), count, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
-    MPI_Allreduce(MPI_IN_PLACE, highest.data(), count, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, lowest.data(), count, MPI_DOUBLE, MPI_MIN, PETSC_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, highest.data(), count, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
 }
 
 // The heat is as booked and no longer follows the temperature, nor do enclosed air and radiation inside.

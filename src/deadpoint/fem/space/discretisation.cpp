@@ -39,7 +39,7 @@ void partition(dealii::parallel::shared::Triangulation<3>& triangulation, const 
     double all = 0;
     for (const auto& cell : machine.cells)
         all += work(cell);
-    const auto ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    const auto ranks = dealii::Utilities::MPI::n_mpi_processes(PETSC_COMM_WORLD);
     double before = 0;
     for (const auto& cell : triangulation.active_cell_iterators()) {
         const double own = work(machine.cells[cell->active_cell_index()]);
@@ -135,7 +135,7 @@ int solve(KSP solver, Vec rhs, Vec solution, const char* what)
 
 Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_)
     : machine(machine_), orders(std::move(orders_)),
-      triangulation(MPI_COMM_WORLD, dealii::Triangulation<3>::none, false,
+      triangulation(PETSC_COMM_WORLD, dealii::Triangulation<3>::none, false,
                     dealii::parallel::shared::Triangulation<3>::partition_custom_signal),
       dofs(triangulation)
 {
@@ -483,7 +483,7 @@ SparseFunctional Discretisation::functional(const std::vector<std::pair<PetscInt
 
 void sum_over_ranks(std::vector<double>& values)
 {
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
 }
 
 std::vector<double> evaluate(const std::vector<const SparseFunctional*>& functionals, Vec vector)

@@ -47,57 +47,132 @@ void take_workspace_of_products()
               &size);
 }
 
+bool mpi_runs()
+{
+    int started = 0, finished = 0;
+    MPI_Initialized(&started);
+    MPI_Finalized(&finished);
+    return started && !finished;
+}
+
+/// PETSc's own communicator, or where PETSc does not run yet, all ranks.
+MPI_Comm communicator() { return is_open() ? PETSC_COMM_WORLD : MPI_COMM_WORLD; }
+
+/// @throws InputError where the handle is none
+MPI_Comm communicator_of(FortranCommunicator handle)
+{
+    if (!mpi_runs())
+        throw InputError("a communicator was given, but MPI is not open\n  help: call MPI_Init before");
+    const MPI_Comm result = MPI_Comm_f2c(handle.handle);
+    if (result == MPI_COMM_NULL)
+        throw InputError(fmt::format("{} is not the Fortran handle of a communicator\n  help: give what MPI_Comm_c2f "
+                                     "returns, in Python comm.py2f()",
+                                     handle.handle));
+    return result;
+}
+
+/// @throws InputError if PETSc runs on other ranks
+void require_same_ranks(MPI_Comm wanted)
+{
+    int alike = MPI_UNEQUAL;
+    MPI_Comm_compare(wanted, PETSC_COMM_WORLD, &alike);
+    if (alike != MPI_IDENT && alike != MPI_CONGRUENT)
+        throw InputError("PETSc already runs on other ranks than those of the communicator\n  help: set "
+                         "PETSC_COMM_WORLD before PETSc starts, or let the session start it");
+}
+
 }  // namespace
 
 Session::Session(int& argc, char**& argv)
 {
+    start_mpi(&argc, &argv);
+    start_petsc();
+    count_ranks();
+}
+
+Session::Session()
+{
+    start_mpi(nullptr, nullptr);
+    start_petsc();
+    count_ranks();
+}
+
+Session::Session(FortranCommunicator handle)
+{
+    const MPI_Comm wanted = communicator_of(handle);
+    if (is_open())
+        require_same_ranks(wanted);
+    else
+        PETSC_COMM_WORLD = wanted;
+    start_mpi(nullptr, nullptr);
+    start_petsc();
+    count_ranks();
+}
+
+void Session::start_mpi(int* argc, char*** argv)
+{
     require_room();
     take_workspace_of_products();
-    int started = 0;
-    MPI_Initialized(&started);
-    if (!started)
-        MPI_Init(&argc, &argv);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
-    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    if (mpi_runs())
+        return;
+    MPI_Init(argc, argv);
+    closes_mpi_ = true;
+}
+
+void Session::start_petsc()
+{
+    if (is_open())
+        return;
     ask_for_large_pages();
     // PETSc must neither read our command line nor catch our signals.
     PetscInitializeNoArguments();
     PetscPopSignalHandler();
+    closes_petsc_ = true;
+}
+
+void Session::count_ranks()
+{
+    MPI_Comm_rank(PETSC_COMM_WORLD, &rank_);
+    MPI_Comm_size(PETSC_COMM_WORLD, &size_);
 }
 
 Session::~Session()
 {
-    PetscFinalize();
-    int finished = 0;
-    MPI_Finalized(&finished);
-    if (!finished)
+    if (closes_petsc_)
+        PetscFinalize();
+    if (closes_mpi_ && mpi_runs())
         MPI_Finalize();
+}
+
+bool is_open()
+{
+    PetscBool started = PETSC_FALSE;
+    PetscInitialized(&started);
+    return started == PETSC_TRUE;
 }
 
 int rank()
 {
-    int started = 0, value = 0;
-    MPI_Initialized(&started);
-    if (started)
-        MPI_Comm_rank(MPI_COMM_WORLD, &value);
+    int value = 0;
+    if (mpi_runs())
+        MPI_Comm_rank(communicator(), &value);
     return value;
 }
 
 int ranks()
 {
-    int started = 0, value = 1;
-    MPI_Initialized(&started);
-    if (started)
-        MPI_Comm_size(MPI_COMM_WORLD, &value);
+    int value = 1;
+    if (mpi_runs())
+        MPI_Comm_size(communicator(), &value);
     return value;
 }
 
 std::string from_first_rank(std::string text)
 {
     unsigned long long size = text.size();
-    MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, MPI_COMM_WORLD);
+    MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, communicator());
     text.resize(size);
-    MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD);
+    MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, communicator());
     return text;
 }
 
@@ -112,7 +187,7 @@ double peak_memory()
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     double bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
-    MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_SUM, communicator());
     return bytes;
 }
 

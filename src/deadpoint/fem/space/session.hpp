@@ -4,12 +4,24 @@
 
 namespace deadpoint::fem {
 
-/// Holds MPI and PETSc open for the life of the program; make one in main() before anything else of this folder.
-/// Works without mpirun too (one rank).
+/// An MPI communicator by its Fortran handle (MPI_Comm_c2f), which needs no header of MPI.
+struct FortranCommunicator {
+    int handle = 0;
+};
+
+/// Holds MPI and PETSc open for the life of the program; make one in main() before anything else of this folder. It
+/// closes what it has opened: MPI and PETSc that ran before go on. All of this folder works on the ranks of
+/// PETSC_COMM_WORLD. Works without mpirun too (one rank).
 class Session {
 public:
+    /// On all ranks, or on those of a PETSc that already runs.
     /// @throws InputError if the limit of memory leaves no room for the smallest case
     Session(int& argc, char**& argv);
+    /// The same without a command line.
+    Session();
+    /// On the ranks of a communicator. @throws InputError if MPI does not run, if there is no such communicator, or if
+    /// PETSc already runs on other ranks; as above
+    explicit Session(FortranCommunicator communicator);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -17,9 +29,18 @@ public:
     [[nodiscard]] int size() const { return size_; }
 
 private:
+    void start_mpi(int* argc, char*** argv);
+    void start_petsc();
+    void count_ranks();
+
     int rank_ = 0;
     int size_ = 1;
+    bool closes_mpi_ = false;
+    bool closes_petsc_ = false;
 };
+
+/// Whether MPI and PETSc are open.
+bool is_open();
 
 /// This process's number among the ranks, and their count. 0 and 1 before a Session exists.
 int rank();
