@@ -1,0 +1,24 @@
+#pragma once
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/diagnostic.hpp"
+#include "deadpoint/press.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Internal to api/: a case file with all that is wrong with it, as data.
+namespace deadpoint {
+
+struct CheckedCase {
+    casefile::Case value;                      ///< means nothing where there are errors
+    std::vector<Diagnostic> diagnostics;       ///< errors and warnings
+    std::string errors;                        ///< all errors as text for a person; empty: none
+    std::vector<std::filesystem::path> files;  ///< the case's own, those it includes, STEP and mesh files
+};
+
+/// @throws IoError if the file cannot be read
+CheckedCase read_with_diagnostics(const std::filesystem::path& file, const ReadOptions& options);
+
+}  // namespace deadpoint

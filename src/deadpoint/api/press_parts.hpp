@@ -1,0 +1,26 @@
+#pragma once
+
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/press.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+
+#include <filesystem>
+#include <vector>
+
+/// Internal to api/: what stands behind a public press.
+namespace deadpoint {
+
+struct Press::Implementation {
+    study::Press press;
+    std::filesystem::path file;  ///< that it was read from
+    ReadOptions options;
+    std::vector<Diagnostic> warnings;
+    std::vector<std::filesystem::path> inputs;  ///< all files of the user that belong to it
+};
+
+casefile::FileAccess access_of(const ReadOptions& options);
+
+/// @throws InputError where no Session is open
+void require_session();
+
+}  // namespace deadpoint

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "deadpoint/press.hpp"
+#include "deadpoint/report/folder/result_folder.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// Internal to api/: the folder of files that a run leaves.
+namespace deadpoint {
+
+class ResultWriter {
+public:
+    /// Claims and starts the folder on the first rank, where one is wanted. Collective.
+    /// @param inputs  files of the user; a folder that holds one of them is never replaced
+    /// @throws InputError, IoError on all ranks alike
+    ResultWriter(const RunOptions& options, const std::vector<std::filesystem::path>& inputs);
+
+    /// Where a run starts and what it writes while it lasts.
+    [[nodiscard]] study::RunOptions wanted() const;
+    /// Writes the files of a finished run and gives the folder its name. On the first rank; nothing on the others.
+    void write(study::Press& press, const study::RunResult& result, const std::vector<std::string>& warnings,
+               Observer& observer);
+    /// Of the finished results; empty: none were wanted.
+    [[nodiscard]] std::string folder() const { return wanted_folder_.string(); }
+
+private:
+    std::filesystem::path wanted_folder_;
+    std::string start_from_;
+    std::string path_;                              ///< where to write, on all ranks
+    std::unique_ptr<report::ResultFolder> folder_;  ///< on the first rank
+};
+
+}  // namespace deadpoint
