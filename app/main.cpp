@@ -3,6 +3,7 @@
 #include "deadpoint/core/version.hpp"
 #include "errors.hpp"
 #include "interrupt.hpp"
+#include "manual.hpp"
 #include "output.hpp"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -63,6 +65,10 @@ int run(int argc, char** argv)
     add_sweep(app, exit_code);
     add_report(app, exit_code);
     add_view(app, exit_code);
+    if (argc == 3 && std::string_view(argv[1]) == "--write-manual") {  // for those who pack the program
+        write_manual(app, std::string(deadpoint::version), argv[2]);
+        return 0;
+    }
     if (argc > 1 && argv[1][0] != '-' && std::count(subcommands.begin(), subcommands.end(), argv[1]) == 0) {
         return refuse_subcommand(argv[1]);
     }

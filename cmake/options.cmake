@@ -11,7 +11,9 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 add_library(deadpoint_options INTERFACE)
 target_compile_options(deadpoint_options INTERFACE -fno-semantic-interposition)
 target_compile_options(deadpoint_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
-target_link_options(deadpoint_options INTERFACE -Wl,--version-script=${CMAKE_CURRENT_LIST_DIR}/own-eigen.map)
+# At each final link: a shared library shows its public functions only, a program keeps Eigen's to itself.
+target_link_options(deadpoint_options INTERFACE
+    -Wl,--version-script=${CMAKE_CURRENT_LIST_DIR}/$<IF:$<STREQUAL:$<TARGET_PROPERTY:TYPE>,SHARED_LIBRARY>,public,own-eigen>.map)
 if(DEADPOINT_WERROR)
     target_compile_options(deadpoint_options INTERFACE -Werror)
 endif()

@@ -1,0 +1,49 @@
+# Where things go: `cmake --install`, and the Debian package by `cpack`.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS deadpoint RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS deadpoint_shared deadpoint_reduced EXPORT deadpointTargets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY include/deadpoint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/deadpoint)
+install(EXPORT deadpointTargets NAMESPACE deadpoint:: DESTINATION ${package})
+configure_package_config_file(cmake/deadpointConfig.cmake.in ${PROJECT_BINARY_DIR}/deadpointConfig.cmake
+    INSTALL_DESTINATION ${package})
+# Before version 1, what compiled against another minor version must be compiled again (docs/library.md).
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/deadpointConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/deadpointConfig.cmake ${PROJECT_BINARY_DIR}/deadpointConfigVersion.cmake
+    DESTINATION ${package})
+
+set(data ${CMAKE_INSTALL_DATADIR}/deadpoint)
+install(DIRECTORY cases DESTINATION ${data})
+install(DIRECTORY examples DESTINATION ${data})
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# The command writes its own manual and completions, so that they name the options that it has.
+set(manual ${PROJECT_BINARY_DIR}/manual)
+file(MAKE_DIRECTORY ${manual})
+set(manual_files deadpoint.1 deadpoint.bash _deadpoint deadpoint.fish)
+list(TRANSFORM manual_files PREPEND ${manual}/)
+add_custom_command(OUTPUT ${manual_files} COMMAND deadpoint --write-manual ${manual} DEPENDS deadpoint
+    COMMENT "Writing the manual and the completions")
+add_custom_target(deadpoint_manual ALL DEPENDS ${manual_files})
+install(FILES ${manual}/deadpoint.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${manual}/deadpoint.bash RENAME deadpoint
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${manual}/_deadpoint DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${manual}/deadpoint.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME deadpoint)
+set(CPACK_PACKAGE_CONTACT "deadpoint <deadpoint@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# MPI starts without mpirun; dense kernels take half the time by OpenBLAS.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "openmpi-bin, libopenblas0-serial")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS paraview)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+include(CPack)

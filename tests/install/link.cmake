@@ -1,0 +1,37 @@
+# Requirement: an installed copy can be found, linked and run by a program that knows nothing of our build.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+set(prefix ${scratch}/prefix)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+
+# The example, from the installed copy of it.
+set(example ${prefix}/share/deadpoint/examples/link_deadpoint)
+run(${CMAKE_COMMAND} -S ${example} -B ${scratch}/example -DCMAKE_PREFIX_PATH=${prefix}
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=-Wall\ -Wextra\ -Werror)
+require_match("${output}" "Generating done")
+file(STRINGS ${scratch}/example/CMakeCache.txt found REGEX "^deadpoint_DIR")
+require_match("${found}" "${prefix}")
+run(${CMAKE_COMMAND} --build ${scratch}/example)
+run(${scratch}/example/drift ${prefix}/share/deadpoint/cases/starter/case.toml)
+require_match("${output}" "gap after 30 min: [-+][0-9]+\\.[0-9]+ um")
+run(${scratch}/example/light)
+require_match("${output}" "compiled with deadpoint [0-9.]+, linked with")
+run(${prefix}/bin/deadpoint --version)
+
+# A case with a mistake is told by place.
+file(WRITE ${scratch}/broken.toml "format = 1\n[machine]\nambient = \"20 kg\"\n")
+execute_process(COMMAND ${scratch}/example/drift ${scratch}/broken.toml RESULT_VARIABLE result ERROR_VARIABLE errors)
+if(NOT result EQUAL 2)
+    fail("a broken case ended with ${result}: ${errors}")
+endif()
+require_match("${errors}" "line 3: machine.ambient: ")
+
+# The light part needs none of the heavy libraries, not even through others.
+run(ldd ${prefix}/lib/libdeadpoint_reduced.so)
+refuse_match("${output}" "gmsh|deal|petsc|mpi|not found")
+# Public functions only; Eigen's above all stay inside (cmake/own-eigen.map).
+foreach(library IN ITEMS deadpoint deadpoint_reduced)
+    run(nm -DC --defined-only ${prefix}/lib/lib${library}.so)
+    require_match("${output}" "deadpoint::library_version")
+    refuse_match("${output}" "Eigen::|deadpoint::(study|report|fem|casefile)::[a-z_]+\\(")
+endforeach()
+file(REMOVE_RECURSE ${scratch})
