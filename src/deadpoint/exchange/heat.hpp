@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/law_table.hpp"
 #include "deadpoint/exchange/laws.hpp"
 #include "deadpoint/exchange/material.hpp"
 
@@ -71,9 +72,6 @@ struct Enclosure {
     double start = 0;     ///< temperature at the start [K]
 };
 
-/// The film of a surface at an ambient temperature [K].
-using FilmLawAt = std::function<FilmLaw(double ambient)>;
-
 struct SurfaceCondition {
     enum class Kind { film, temperature, flux };
     std::string name;
@@ -98,7 +96,7 @@ struct RadiantRoom {
 /// A stretch of operation during which the laws hold.
 struct HeatSegment {
     double duration = 0;
-    std::vector<HeatLaw> heat;                ///< per source; empty function: none
+    std::vector<LawTable> heat;               ///< per source [W] over its temperature [K]; empty: none
     std::vector<RingHeatLaw> ring_heat;       ///< per source, or none at all; empty function: none
     std::vector<double> zoned_heat;           ///< per source, or none at all: its load part, of the whole press [W]
     std::vector<TimeCourse> body_heat;        ///< per HeatProblem::body_heat, in this model [W]; empty function: none

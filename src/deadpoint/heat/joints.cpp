@@ -18,7 +18,7 @@ struct SourceHeat {
 };
 
 // H = share (law(tau) + extra) at tau = start + self H.
-SourceHeat solve_source(const HeatLaw& law, double share, double extra, double start, double self)
+SourceHeat solve_source(const LawTable& law, double share, double extra, double start, double self)
 {
     SourceHeat result;
     result.film = start;

@@ -234,4 +234,50 @@ double enclosed_air_temperature(std::span<const EnclosedSurface> surfaces, doubl
     return ambient + flow / conductance;
 }
 
+namespace {
+
+const char* name_of(NaturalFlow flow)
+{
+    switch (flow) {
+    case NaturalFlow::vertical:
+        return "vertical";
+    case NaturalFlow::facing_up:
+        return "facing-up";
+    case NaturalFlow::facing_down:
+        return "facing-down";
+    case NaturalFlow::horizontal_cylinder:
+        return "horizontal-cylinder";
+    default:
+        return "none";
+    }
+}
+
+const char* name_of(ForcedFlow flow)
+{
+    switch (flow) {
+    case ForcedFlow::rotating_cylinder:
+        return "rotating-cylinder";
+    case ForcedFlow::rotating_disk:
+        return "rotating-disk";
+    case ForcedFlow::moving_plate:
+        return "moving-plate";
+    default:
+        return "none";
+    }
+}
+
+}  // namespace
+
+LawFormula formula_of(const AirSurface& s)
+{
+    return {std::string("air film, natural ") + name_of(s.natural) + ", forced " + name_of(s.forced),
+            {{"natural_length", s.natural_length},
+             {"forced_length", s.forced_length},
+             {"speed", s.speed},
+             {"emissivity", s.emissivity},
+             {"vertical_law", static_cast<double>(s.vertical_law)},
+             {"down_law", static_cast<double>(s.down_law)},
+             {"rotating_law", static_cast<double>(s.rotating_law)}}};
+}
+
 }  // namespace deadpoint::surroundings

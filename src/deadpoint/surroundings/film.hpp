@@ -49,6 +49,9 @@ inline constexpr double smoothed_difference = 0.1;
 ///         from the law where the film temperature leaves 150..1000 K
 FilmLaw film_law(const AirSurface& surface, double ambient);
 
+/// The same as data: the correlations by name, lengths [m], speed [rad/s or m/s], emissivity.
+LawFormula formula_of(const AirSurface& surface);
+
 /// The natural flow on a flat face by its direction: facing up or down if the normal is within 45 degrees of the
 /// vertical, else vertical.
 /// @param up  component of the outward unit normal along the upward vertical, -1..1

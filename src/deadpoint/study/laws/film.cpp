@@ -126,16 +126,23 @@ double SurfaceFilm::speed_at(double crank_speed) const
 FilmLawAt SurfaceFilm::law_at(double crank_speed) const
 {
     if (constant)
-        return [value = *constant](double) -> FilmLaw { return [value](double) { return LawValue{value, 0, true}; }; };
+        return {{"constant film", {{"coefficient", *constant}}}, [value = *constant](double) -> FilmLaw {
+                    return [value](double) { return LawValue{value, 0, true}; };
+                }};
     auto moved = air;
     moved.speed = speed_at(crank_speed);
-    if (as_printed)
-        return [moved](double ambient) { return surroundings::paper_film_law(moved, ambient); };
+    auto formula = surroundings::formula_of(moved);
+    if (as_printed) {
+        formula.name += ", as the paper prints it";
+        return {formula, [moved](double ambient) { return surroundings::paper_film_law(moved, ambient); }};
+    }
     if (!exchange)
-        return [moved](double ambient) { return surroundings::film_law(moved, ambient); };
-    return [moved, size = area, into_room = *exchange](double ambient) {
-        return surroundings::enclosed_film(surroundings::film_law(moved, ambient), size, into_room);
-    };
+        return {formula, [moved](double ambient) { return surroundings::film_law(moved, ambient); }};
+    formula.name += ", of enclosed air";
+    formula.parameters.insert(formula.parameters.end(), {{"area", area}, {"exchange", *exchange}});
+    return {formula, [moved, size = area, into_room = *exchange](double ambient) {
+                return surroundings::enclosed_film(surroundings::film_law(moved, ambient), size, into_room);
+            }};
 }
 
 SurfaceFilm surface_film(const casefile::Film& film, const Machine& machine, const std::string& name,
