@@ -93,7 +93,9 @@ TEST_CASE("Table 5: the shipped press at its reference has the printed heat of e
 TEST_CASE("Table 5: its viscous parts are those of pins and bearings that all turn with the crank")
 {
     const auto& friction = paper::press().friction;
-    const auto viscous = [&](const char* row) { return friction.at(row).viscous_part; };
+    const auto viscous = [&](const char* row) {
+        return std::get<casefile::CalibratedFriction>(friction.at(row).law).viscous_part;
+    };
     // Petroff's law at one speed, clearance and length over diameter goes as the cube of the diameter; the rows are
     // good to about 1e-6, the one in whole watts to 1e-4.
     const double per_cube = viscous("pivot_p18") / std::pow(140, 3);
@@ -111,7 +113,9 @@ TEST_CASE("Table 5: its viscous parts are those of pins and bearings that all tu
     CHECK(viscous("links_8_11") / viscous("link_11_slider_12") ==
           doctest::Approx(std::pow(51.0 / 35, 3)).epsilon(1e-5));
     // load parts over diameter: one force at both ends of a link with two pins
-    const auto load = [&](const char* row, double diameter) { return friction.at(row).load_part / diameter; };
+    const auto load = [&](const char* row, double diameter) {
+        return std::get<casefile::CalibratedFriction>(friction.at(row).law).load_part / diameter;
+    };
     CHECK(load("crank_pin", 140) == doctest::Approx(load("links_3_4_5", 110)).epsilon(2e-4));  // whole watts
     CHECK(load("links_5_6", 110) == doctest::Approx(load("pivot_h", 80)).epsilon(1e-5));
     CHECK(load("links_5_7", 80) == doctest::Approx(load("links_7_8_9", 110)).epsilon(1e-5));

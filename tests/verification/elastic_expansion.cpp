@@ -128,7 +128,7 @@ TEST_CASE("a table of one coefficient gives the constant's deformation")
     auto input = verification::read("bar");
     Bar plain(input);
     input.materials.at("steel").expansion_table = {{250, 400}, {1.2e-5, 1.2e-5}};
-    input.materials.at("steel").expansion_kind = "instantaneous";
+    input.materials.at("steel").expansion_kind = casefile::Material::Expansion::instantaneous;
     Bar table(input);
     const auto field = along_bar(plain.model);
     CHECK(table.direct(field, 300) == Approx(plain.direct(field, 300)).scale(0).epsilon(1e-12));

@@ -25,20 +25,22 @@ double two_springs(double rods, double tube)
     return rod_stiffness * (stretch - rod_growth);
 }
 
+using Feet = casefile::Foundation::Kind;
+
 struct Tube {
     casefile::Case input;
     Machine machine;
     fem::Model model;
     std::vector<ForceGauge> rods, bonds;
 
-    explicit Tube(bool half = false, const std::string& kind = "free")
+    explicit Tube(bool half = false, Feet kind = Feet::free)
         : input(verification::read("rods-in-tube", half ? std::vector<std::string>{"machine.half_model=true"}
                                                         : std::vector<std::string>{})),
           machine(study::prepare_machine(input, 1, silent)),
           model(machine, study::describe_materials(input, machine), 1, silent)
     {
         input.foundation->kind = kind;
-        if (kind == "elastic")
+        if (kind == Feet::elastic)
             input.foundation->vertical_stiffness = input.foundation->horizontal_stiffness = 1e10;
         model.support(study::describe_foundation(input, machine));
         for (const char* name : {"rod_left", "rod_right"})
@@ -102,8 +104,8 @@ TEST_CASE("forces: warm rods in a tube lose what two springs say")
 
 TEST_CASE("forces: rods get the preload that is stated, weights acting")
 {
-    for (const char* kind : {"free", "clamped", "elastic"}) {
-        CAPTURE(kind);
+    for (const auto kind : {Feet::free, Feet::clamped, Feet::elastic}) {
+        CAPTURE(casefile::name_of(kind));
         Tube tube(false, kind);
         const Vec3 gravity{0, -9.81, 0};
         const auto loads = fem::tighten(tube.model, tube.machine.parts.size(), tube.rods, {60e3, 45e3}, gravity);
@@ -136,8 +138,8 @@ TEST_CASE("forces: rods get the preload that is stated, weights acting")
 
 TEST_CASE("forces: adjoint and direct deformation agree on every foundation")
 {
-    for (const char* kind : {"free", "clamped", "elastic"}) {
-        CAPTURE(kind);
+    for (const auto kind : {Feet::free, Feet::clamped, Feet::elastic}) {
+        CAPTURE(casefile::name_of(kind));
         Tube tube(false, kind);
         const auto field = tube.model.interpolate_field(
             [](const Vec3& x) { return start + 40 * x[1] + 200 * x[0] * x[1] + 10 * std::sin(20 * x[2]); });

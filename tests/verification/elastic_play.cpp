@@ -121,7 +121,7 @@ TEST_CASE("play that no case states: plain bearings follow it, rolling ones do n
     CHECK(runs.observer.about_play().find("joints.crank_bearing.clearance") != std::string::npos);
 
     auto rolling_case = plain_case;
-    rolling_case.friction.at("journals").kind = "rolling";
+    std::get<casefile::CalibratedFriction>(rolling_case.friction.at("journals").law).kind = FrictionKind::rolling;
     const auto rolling = runs.run(rolling_case);
     CHECK(rolling.drift->clearance.value.back() == 0);
     CHECK(runs.observer.about_play().find("none of it counts") != std::string::npos);

@@ -30,11 +30,11 @@ casefile::Case bonded_rings(double outer_size, double inner_size, bool tetrahedr
     input.bodies.erase("inner");
     input.joints.clear();
     for (const char* name : {"bore", "outside"}) {
-        input.surfaces[name].axis = "y";
+        input.surfaces[name].axis = Axis::y;
         input.surfaces[name].temperature.reset();
     }
     auto& ends = input.surfaces["ends"];
-    ends.select = "all";
+    ends.select = casefile::Surface::Select::all;
     ends.within = BoxShape{{-1, height - 1e-7, -1}, {1, 1, 1}};
     input.surfaces["lower_ends"] = ends;
     input.surfaces["lower_ends"].within = BoxShape{{-1, -1, -1}, {1, 1e-7, 1}};

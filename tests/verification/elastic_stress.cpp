@@ -32,6 +32,8 @@ struct Solid {
 };
 
 // A block of 0.2 x 0.6 x 0.1 m on its lower face, its parts and surfaces as in the bar.
+using Feet = casefile::Foundation::Kind;
+
 casefile::Case block(const std::vector<std::string>& overrides = {})
 {
     auto input = verification::read("bar", overrides);
@@ -165,19 +167,19 @@ TEST_CASE("stress: free uniform warming strains nothing")
 TEST_CASE("stress: a block on its feet carries its own weight")
 {
     const double gravity = 9.81, density = 7850, height = 0.6;
-    const auto on_feet = [&](const std::vector<std::string>& overrides, const char* kind) {
+    const auto on_feet = [&](const std::vector<std::string>& overrides, Feet kind) {
         auto input = block(overrides);
         input.foundation.emplace();
         input.foundation->kind = kind;
         input.foundation->surface = "bottom";
         input.foundation->gravity = gravity;
-        if (input.foundation->kind == "elastic")
+        if (input.foundation->kind == Feet::elastic)
             input.foundation->vertical_stiffness = 1e9;
         return input;
     };
-    for (const char* kind : {"free", "clamped", "elastic"})
+    for (const auto kind : {Feet::free, Feet::clamped, Feet::elastic})
         for (const char* order : {"numerics.order=1", "numerics.order=2"}) {
-            CAPTURE(kind);
+            CAPTURE(casefile::name_of(kind));
             CAPTURE(order);
             const auto input = on_feet({"materials.steel.poissons_ratio=0", order}, kind);
             Solid solid(input);
@@ -202,8 +204,8 @@ TEST_CASE("stress: a bar between two elastic pads gives way as springs in a row 
 {
     auto input = block({"materials.steel.poissons_ratio=0.3"});
     auto& ends = input.surfaces["ends"];
-    ends.select = "plane";
-    ends.axis = "y";
+    ends.select = casefile::Surface::Select::plane;
+    ends.axis = Axis::y;
     ends.position = 0.6;
     Solid solid(input);
     const double youngs = 210e9, length = 0.6, pads = 4e11, free_strain = 1.2e-5 * 50;
@@ -271,14 +273,14 @@ TEST_CASE("stress: turning machine and gravity in space changes nothing")
         }
         return by_place;
     };
-    for (const char* kind : {"clamped", "free", "elastic"}) {
-        CAPTURE(kind);
+    for (const auto kind : {Feet::clamped, Feet::free, Feet::elastic}) {
+        CAPTURE(casefile::name_of(kind));
         auto input = block();
         input.foundation.emplace();
         input.foundation->kind = kind;
         input.foundation->surface = "bottom";
         input.foundation->gravity = 9.81;
-        if (kind == std::string("elastic"))
+        if (kind == Feet::elastic)
             input.foundation->vertical_stiffness = 1e9;
         const auto upright = solve(input);
         auto turned = verification::with_axes(input, {1, 0, 2});

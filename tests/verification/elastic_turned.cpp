@@ -49,7 +49,7 @@ Figures figures_of(const casefile::Case& input, const Machine& machine, double a
     return figures;
 }
 
-void check_turned(const std::string& foundation, double degrees)
+void check_turned(casefile::Foundation::Kind foundation, double degrees)
 {
     CAPTURE(degrees);
     const double angle = degrees * std::numbers::pi / 180;
@@ -75,8 +75,8 @@ void check_turned(const std::string& foundation, double degrees)
 
 TEST_CASE("a press that lies has stroke, forces, gap, corners and clearances of the upright one")
 {
-    check_turned("free", 90);
-    check_turned("clamped", 30);
+    check_turned(casefile::Foundation::Kind::free, 90);
+    check_turned(casefile::Foundation::Kind::clamped, 30);
 }
 
 TEST_CASE("feet that look along no axis must be clamped")

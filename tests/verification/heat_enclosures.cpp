@@ -99,7 +99,7 @@ TEST_CASE("a sealed box at rest passes on what it makes: temperatures by the bal
     auto& face = input.surfaces["wall_outside"];
     face = input.surfaces.at("wall_inside");
     face.position = 0.11;
-    face.film->coefficient = 5;
+    face.film->law = casefile::FilmCoefficient{5};
     const auto solved = solve(input);
     const double wall = ambient + (power + windage) / outside;
     const double enclosed = wall + (power + windage) / wall_film;
@@ -117,8 +117,7 @@ TEST_CASE("order in time: enclosed air and films that follow the temperatures on
     auto input = read("warm-box", {"machine.initial_temperature=80 degC", "operation.0.duration=1 h",
                                    "enclosures.box.temperature=30 degC"});
     auto& film = *input.surfaces.at("block_faces").film;
-    film.coefficient.reset();
-    film.law = "vertical";
+    film.law = casefile::PlateFilm{};
     film.length = 0.04;
     deadpoint::Observer silent;
     const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
@@ -192,7 +191,7 @@ Case radiating()
 {
     auto input = lumped({"enclosures.box.exchange=0 W/K"});
     for (const auto* surface : {"block_faces", "wall_inside"})
-        input.surfaces.at(surface).film->coefficient = 0;
+        input.surfaces.at(surface).film->law = casefile::FilmCoefficient{0};
     input.surfaces.at("block_faces").film->emissivity = 0.8;
     input.surfaces.at("wall_inside").film->emissivity = 0.3;
     return input;
@@ -203,7 +202,7 @@ void cool_outside(Case& input)
     auto& face = input.surfaces["wall_outside"];
     face = input.surfaces.at("wall_inside");
     face.position = 0.11;
-    face.film->coefficient = 5;
+    face.film->law = casefile::FilmCoefficient{5};
     face.film->emissivity = 0;
 }
 
@@ -265,7 +264,7 @@ TEST_CASE("radiation inside an enclosure: long steps converge, of second order")
 {
     auto input = radiating();
     input.bodies.at("inner").initial_temperature = zero_celsius + 180;
-    input.surfaces.at("block_faces").film->coefficient = 2;
+    input.surfaces.at("block_faces").film->law = casefile::FilmCoefficient{2};
     input.operation[0].duration = 4 * 3600;
     cool_outside(input);
     deadpoint::Observer silent;
@@ -297,7 +296,7 @@ TEST_CASE("bodies and parts begin at temperatures of their own")
     input.operation[0].duration = time;
     input.heat_sources["lamp"] = {{"block"}, "", deadpoint::casefile::Course{power, {}, {}}, true};
     for (const auto* surface : {"block_faces", "wall_inside"})
-        input.surfaces.at(surface).film->coefficient = 5;
+        input.surfaces.at(surface).film->law = casefile::FilmCoefficient{5};
     const auto solved = solve(input);
     CHECK(solved.probe("block", 0) == Approx(90).epsilon(1e-12));
     CHECK(solved.probe("wall", 0) == Approx(10).epsilon(1e-12));  // the part's own, not its body's

@@ -24,18 +24,19 @@ Case with_conduction_times(Case input, double factor)
     for (auto& [name, material] : input.materials)
         material.conductivity *= factor;
     for (auto& [name, law] : input.friction) {
-        law.load_part *= factor;
-        law.viscous_part *= factor;
+        auto& calibrated = std::get<casefile::CalibratedFriction>(law.law);
+        calibrated.load_part *= factor;
+        calibrated.viscous_part *= factor;
     }
     for (auto& [name, joint] : input.joints)
         for (auto& interface : joint.interfaces) {
-            interface.conductance.side_a *= factor;
-            interface.conductance.side_b *= factor;
+            if (auto* sides = std::get_if<casefile::SideFilms>(&interface.conductance))
+                *sides = {sides->a * factor, sides->b * factor};
             interface.oil *= factor;
         }
     for (auto& [name, surface] : input.surfaces)
         if (surface.film)
-            *surface.film->coefficient *= factor;
+            *std::get<casefile::FilmCoefficient>(surface.film->law).value *= factor;
     return input;
 }
 

@@ -35,7 +35,7 @@ Case on_one_circuit(double flow = 0.01)
 
 Case in_still_air(Case input)
 {
-    input.surfaces.at("air").film->coefficient = 0;
+    input.surfaces.at("air").film->law = casefile::FilmCoefficient{0};
     return input;
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("oil takes all heat of joints in still air, and warms the later joint"
     CHECK(circuit(both).outlet.value.back() - circuit(both).inlet.value.back() ==
           doctest::Approx(130.0 / 19).epsilon(1e-6));
     auto alone = in_still_air(on_one_circuit());
-    alone.friction.at("one").load_part = 0;
+    std::get<casefile::CalibratedFriction>(alone.friction.at("one").law).load_part = 0;
     const auto second = solve(alone);
     // Without heat in the first joint the oil reaches the second one cooler by about 50 W / 19 W/K.
     CHECK(both.history().source_temperature[1].back() - second.history().source_temperature[1].back() > 1.5);
@@ -150,7 +150,7 @@ Case with_motor(double power)
     auto input = in_still_air(read("three-blocks", {"friction.one.load_part=0 W"}));
     for (auto* joint : {"first", "second"}) {
         auto& interface = input.joints.at(joint).interfaces[0];
-        interface.conductance.side_a = interface.conductance.side_b = 1e-9;
+        interface.conductance = casefile::SideFilms{1e-9, 1e-9};
         interface.oil = 0;
     }
     deadpoint::casefile::HeatInput motor;
@@ -195,8 +195,8 @@ TEST_CASE("heat on a surface equals a flux of the same power, beside a film on t
     source.surface = "top";
     auto& top = input.surfaces["top"];
     top.parts = {"middle_block"};
-    top.select = "plane";
-    top.axis = "y";
+    top.select = casefile::Surface::Select::plane;
+    top.axis = Axis::y;
     top.position = 0.05;
     const auto heated = solve(input);
     auto fluxed = input;
@@ -211,7 +211,7 @@ TEST_CASE("friction heat can go into the volume of a part")
 {
     auto input = with_motor(0);
     input.heat_sources.clear();
-    input.friction.at("one").load_part = 25;
+    std::get<casefile::CalibratedFriction>(input.friction.at("one").law).load_part = 25;
     input.joints.at("first").interfaces[0].heat_into = "middle_block";
     const auto solved = solve(input);
     CHECK(middle_rise(solved, 1000) == doctest::Approx(25 * 1000 / middle_capacity).epsilon(1e-7));

@@ -116,10 +116,9 @@ inline Case with_axes(Case input, const std::array<std::size_t, 3>& to)
             auto& box = std::get<deadpoint::BoxShape>(shape.form);
             box = {moved(box.min), moved(box.max)};
         }
-    const std::string names = "xyz";
     for (auto& [name, surface] : input.surfaces)
-        if (surface.select == "plane")
-            surface.axis = names[to[names.find(surface.axis)]];
+        if (surface.select == deadpoint::casefile::Surface::Select::plane)
+            surface.axis = static_cast<deadpoint::Axis>(to[static_cast<std::size_t>(*surface.axis)]);
     for (auto& [name, probe] : input.probes)
         probe.position = moved(probe.position);
     return input;

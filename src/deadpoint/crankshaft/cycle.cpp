@@ -3,6 +3,7 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/crankshaft/check.hpp"
 #include "deadpoint/crankshaft/load_channels.hpp"
+#include "deadpoint/exchange/friction.hpp"
 
 #include <algorithm>
 #include <array>
@@ -255,13 +256,13 @@ BearingCycle summarise(std::string name, std::vector<Vec2> force)
             cycle.peak_x_y[i] = std::max(cycle.peak_x_y[i], std::abs(f[i]));
         cycle.mean_magnitude += magnitude;
         cycle.rms += magnitude * magnitude;
-        cycle.mean_power_4_3 += std::pow(magnitude, friction_load_exponent);
+        cycle.mean_rolling_load += std::pow(magnitude, rolling_load_exponent);
     }
     const double count = static_cast<double>(force.size());
     cycle.mean = mean_of(force);
     cycle.mean_magnitude /= count;
     cycle.rms = std::sqrt(cycle.rms / count);
-    cycle.mean_power_4_3 /= count;
+    cycle.mean_rolling_load /= count;
     cycle.name = std::move(name);
     cycle.force = std::move(force);
     return cycle;

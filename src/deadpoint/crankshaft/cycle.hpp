@@ -23,9 +23,6 @@ struct ShaftCycle {
     std::vector<std::string> warnings;     ///< of this analysis, beside shaft_warnings
 };
 
-/// Exponent of the load in the load-dependent part of rolling friction, as the paper has it.
-inline constexpr double friction_load_exponent = 1.33;
-
 /// Statistics of one bearing's force. Means are over time: the samples are evenly spaced over a whole period.
 /// @throws DomainError if there is no sample or one is not finite
 BearingCycle summarise(std::string name, std::vector<Vec2> force);

@@ -58,7 +58,8 @@ struct BearingCycle {
     Vec2 mean{};                ///< of the force [N]
     double mean_magnitude = 0;  ///< [N]
     double rms = 0;             ///< of the magnitude [N]
-    double mean_power_4_3 = 0;  ///< mean of F^1.33 [N^1.33], what the load part of rolling friction follows
+    /// Mean of F^1.33 [N^1.33], which the load part of rolling friction follows (rolling_load_exponent).
+    double mean_rolling_load = 0;
 };
 
 }  // namespace deadpoint

@@ -42,7 +42,7 @@ TEST_CASE("the shipped steel over temperature follows the formulas of EN 1993-1-
         const double elongation = 1.2e-5 * t + 0.4e-8 * t * t - 2.416e-4;
         CHECK(at(steel.expansion_table, t) * (t - 20) == Approx(elongation).epsilon(1e-6));
     }
-    CHECK(steel.expansion_kind == "mean");
+    CHECK(steel.expansion_kind == Material::Expansion::mean);
     CHECK(*steel.expansion_reference == Approx(293.15));
 }
 

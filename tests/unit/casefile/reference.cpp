@@ -282,7 +282,8 @@ TEST_CASE("the points of the paper's sweeps are settings that the case takes")
         CHECK(bearing.stiffness[1][1] == 1e9);
     }
     const auto traditional = read_reference(press / "paper.toml", "traditional");
-    CHECK(read_case(press / "case.toml", traditional.points.at("traditional").set).value.crankshaft->model == "rigid");
+    CHECK(read_case(press / "case.toml", traditional.points.at("traditional").set).value.crankshaft->model ==
+          Crankshaft::Model::rigid);
 }
 
 TEST_CASE("the rises that the shipped press shows beside its result are those of the paper's reference file")

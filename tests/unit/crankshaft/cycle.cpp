@@ -77,7 +77,7 @@ TEST_CASE("bearing cycle: its statistics")
     CHECK(cycle.mean[1] == doctest::Approx(0.5));
     CHECK(cycle.mean_magnitude == doctest::Approx(6.25));
     CHECK(cycle.rms == doctest::Approx(7.5));
-    CHECK(cycle.mean_power_4_3 == doctest::Approx((std::pow(5, 1.33) + 2 * std::pow(10, 1.33)) / 4));
+    CHECK(cycle.mean_rolling_load == doctest::Approx((std::pow(5, 1.33) + 2 * std::pow(10, 1.33)) / 4));
     CHECK_THROWS_AS(summarise("left", {}), DomainError);
     CHECK_THROWS_AS(summarise("left", {{std::nan(""), 0}}), DomainError);
 }

@@ -63,9 +63,9 @@ casefile::Case small_case()
     description.bodies["link"].mass = 9.7;  // 10 kg computed: +3.1 %
     description.parts["column_right"].body = "frame";
     auto& film = description.surfaces["air"].film.emplace();
-    film.coefficient = 5;
+    film.law = casefile::FilmCoefficient{5};
     film.emissivity = 0.9;
-    description.joints["pin"].kind = "revolute";
+    description.joints["pin"].kind = casefile::Joint::Kind::revolute;
     return description;
 }
 

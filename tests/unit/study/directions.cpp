@@ -40,9 +40,9 @@ std::size_t joint_named(const study::LoadsResult& loads, const std::string& name
 TEST_CASE("a press turned in the plane with its gravity moves and carries as it did")
 {
     auto upright = slider_crank();
-    upright.process_force.emplace().kind = "half_sine";
+    upright.process_force.emplace().kind = casefile::ProcessForce::Kind::half_sine;
     upright.process_force->offset = 0.02;
-    upright.crankshaft->model = "flexible";
+    upright.crankshaft->model = casefile::Crankshaft::Model::flexible;
     upright.crankshaft->belt.emplace();
     upright.crankshaft->belt->force = 400;
     upright.crankshaft->belt->position = 0.25;
@@ -79,7 +79,7 @@ TEST_CASE("a horizontal press: its guide carries the weight of the slide across 
     auto lying = turned(slider_crank(), -90 * degree);
     lying.machine.gravity_direction = {0, -1, 0};
     lying.mechanism.stroke_direction = Vec2{1, 0};
-    lying.process_force.emplace().kind = "half_sine";
+    lying.process_force.emplace().kind = casefile::ProcessForce::Kind::half_sine;
     const double slide_mass = *lying.bodies.at("slide").mass;
     lying.bodies.at("rod").mass = 1e-9;  // [kg], so that the rod pulls along itself
     lying.bodies.at("rod").inertia = 1e-12;
@@ -104,7 +104,7 @@ TEST_CASE("an inclined slide: the process presses along it and not on its guide"
     leaning.machine.gravity_direction = {0, -1, 0};
     leaning.bodies.at("rod").mass = 1e-9;
     leaning.bodies.at("rod").inertia = 1e-12;
-    leaning.process_force.emplace().kind = "half_sine";
+    leaning.process_force.emplace().kind = casefile::ProcessForce::Kind::half_sine;
     const auto loads = study::compute_loads(leaning, nullptr, 0);
     CHECK(loads.history.process_force[0] == Approx(20e3));
     CHECK(norm(loads.history.joints[joint_named(loads, "guide")].force[0]) ==
@@ -135,7 +135,7 @@ TEST_CASE("the stroke points against gravity along its guide, or as stated")
 TEST_CASE("walls of a press that lies need their height stated")
 {
     auto input = slider_crank();
-    input.surfaces["wall"].film.emplace().law = "vertical";
+    input.surfaces["wall"].film.emplace().law = casefile::PlateFilm{};
     CHECK(casefile::check_directions(input).empty());
     input.machine.gravity_direction = {0, 1, 0};
     CHECK(casefile::check_directions(input).empty());

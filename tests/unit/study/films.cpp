@@ -47,15 +47,15 @@ const Press& press()
 }
 
 /// Conductance of an interface of the press, the first of its joint changed.
-study::InterfaceConductance conductance(const std::string& joint, const casefile::Conductance* changed = nullptr,
-                                        bool with_loads = true)
+study::InterfaceConductance
+conductance(const std::string& joint, const std::optional<casefile::Conductance>& changed = {}, bool with_loads = true)
 {
     auto input = press().input;
     if (changed)
         input.joints.at(joint).interfaces.at(0).conductance = *changed;
     if (!with_loads)  // or the guide would ask for them
         for (auto& interface : input.joints.at("guide").interfaces)
-            interface.conductance.pressure = 1e5;
+            std::get<casefile::RoughContact>(interface.conductance).surfaces.pressure = 1e5;
     const auto all =
         study::interface_conductances(input, press().machine, with_loads ? &press().loads : nullptr, 2 * pi);
     return *std::ranges::find(all, joint, &study::InterfaceConductance::joint);
@@ -66,16 +66,15 @@ study::SurfaceFilm film_of(const std::string& surface)
     return study::surface_film(*press().input.surfaces.at(surface).film, press().machine, surface, &press().loads);
 }
 
-casefile::Conductance fractal()
+casefile::FractalContact fractal()
 {
-    casefile::Conductance c;
-    c.law = "fractal";
+    casefile::FractalContact c;
     c.fractal_dimension = 1.5;
     c.fractal_roughness = 1e-10;
     c.sample_length = 1e-3;
     c.separation = 2e-6;
-    c.hardness = 2.2e9;
-    c.fluid_conductivity = 0.14;
+    c.surfaces.hardness = 2.2e9;
+    c.surfaces.fluid_conductivity = 0.14;
     return c;
 }
 
@@ -107,7 +106,7 @@ TEST_CASE("rough contact takes conductivities from the parts and the pressure fr
 TEST_CASE("fractal contact in a bearing is pressed by its mean load over the area of both seats")
 {
     const auto given = fractal();
-    const auto c = conductance("crank_bearing", &given);
+    const auto c = conductance("crank_bearing", given);
     const auto& history = press().loads.history;
     const auto driver = static_cast<std::size_t>(press().loads.linkage.driver);
     double mean = 0;  // the positions are evenly spaced in time
@@ -123,25 +122,24 @@ TEST_CASE("fractal contact in a bearing is pressed by its mean load over the are
 TEST_CASE("a stated pressure goes before the loads, and without either the law is refused")
 {
     auto given = fractal();
-    CHECK(has(error_of([&] { conductance("crank_bearing", &given, false); }), "joints.crank_bearing.interfaces.front"));
-    CHECK(has(error_of([&] { conductance("crank_bearing", &given, false); }), "add pressure"));
-    given.pressure = 1e6;
-    const auto c = conductance("crank_bearing", &given);
+    CHECK(has(error_of([&] { conductance("crank_bearing", given, false); }), "joints.crank_bearing.interfaces.front"));
+    CHECK(has(error_of([&] { conductance("crank_bearing", given, false); }), "add pressure"));
+    given.surfaces.pressure = 1e6;
+    const auto c = conductance("crank_bearing", given);
     CHECK(*c.pressure == 1e6);
     CHECK_FALSE(c.pressure_from_loads);
-    CHECK(c.film_a == conductance("crank_bearing", &given, false).film_a);
+    CHECK(c.film_a == conductance("crank_bearing", given, false).film_a);
 }
 
 TEST_CASE("rolling elements conduct by their spots, faster when they roll")
 {
-    casefile::Conductance c;
-    c.law = "rolling_elements";
+    casefile::RollingElements c;
     c.loaded_elements = 9;
     c.element_diameter = 0.02;
     c.pitch_diameter = 0.1;
     c.inner_spot = Vec2{2e-3, 2e-4};
     c.outer_spot = Vec2{2e-3, 3e-4};
-    const auto turning = conductance("crank_bearing", &c);
+    const auto turning = conductance("crank_bearing", c);
     tribology::BearingPath path;
     path.elements.assign(9, {{2e-3, 2e-4}, {2e-3, 3e-4}});
     path.element_diameter = 0.02;
@@ -150,9 +148,9 @@ TEST_CASE("rolling elements conduct by their spots, faster when they roll")
     CHECK(turning.film_a ==
           Approx(2 * tribology::bearing_conductance(path).per_area(turning.area).conductance).epsilon(1e-9));
     c.pitch_diameter.reset();
-    CHECK(conductance("crank_bearing", &c).film_a < turning.film_a);
+    CHECK(conductance("crank_bearing", c).film_a < turning.film_a);
     c.inner_spot = Vec2{2e-3, -1e-3};
-    CHECK(has(error_of([&] { conductance("crank_bearing", &c); }), "joints.crank_bearing.interfaces.front: "));
+    CHECK(has(error_of([&] { conductance("crank_bearing", c); }), "joints.crank_bearing.interfaces.front: "));
 }
 
 TEST_CASE("walls, plates, cylinders and disks take their lengths from the case or the geometry")
@@ -170,7 +168,7 @@ TEST_CASE("walls, plates, cylinders and disks take their lengths from the case o
     CHECK(film_of("flywheel_faces").air.forced_length == Approx(0.4).epsilon(1e-9));  // not of the polygon in it
     CHECK(film_of("table_top").air.natural == surroundings::NaturalFlow::facing_up);
     casefile::Film film;
-    film.law = "vertical";
+    film.law = casefile::PlateFilm{};
     const auto message = error_of([&] { study::surface_film(film, press().machine, "air_uprights", &press().loads); });
     CHECK(has(message, "surfaces.air_uprights.film"));
     CHECK(has(message, "add length"));
@@ -193,9 +191,9 @@ TEST_CASE("what moves has the root mean square speed of its faces")
     const auto& frame = *std::ranges::find(surfaces, std::string("air_bed"), &MeshSurface::name);
     CHECK(has(error_of([&] { study::rms_speed(press().machine, frame, press().loads); }), "does not move"));
     casefile::Film film;
-    film.law = "moving";
+    auto& moving = film.law.emplace<casefile::MovingFilm>();
     CHECK(has(error_of([&] { study::surface_film(film, press().machine, "air_slide", nullptr); }), "add speed"));
-    film.speed = 0.3;
+    moving.speed = 0.3;
     const auto given = study::surface_film(film, press().machine, "air_slide", nullptr);
     CHECK(given.speed_at(1) == 0.3);
     CHECK(given.speed_at(0) == 0);
@@ -204,13 +202,11 @@ TEST_CASE("what moves has the root mean square speed of its faces")
 TEST_CASE("the paper's constants and enclosed air")
 {
     casefile::Film film;
-    film.law = "paper";
-    film.constant = "crankshaft";
+    film.law = casefile::PaperFilm{casefile::PaperFilm::Of::crankshaft};
     CHECK(*study::surface_film(film, press().machine, "air_bed", nullptr).constant == 9.7);
-    film.constant = "frame";
+    film.law = casefile::PaperFilm{casefile::PaperFilm::Of::frame};
     CHECK(*study::surface_film(film, press().machine, "air_bed", nullptr).constant == 5);
-    film.law = "enclosed";
-    film.exchange = 2;
+    film.law = casefile::EnclosedFilm{{}, 2};
     const auto closed = study::surface_film(film, press().machine, "air_bed", nullptr);
     const double open = surroundings::film_law(closed.air, 293.15)(303.15).value;
     CHECK(closed.law_at(1)(293.15)(303.15).value == Approx(open / (1 + open * closed.area / 2)).epsilon(exact));
@@ -219,8 +215,7 @@ TEST_CASE("the paper's constants and enclosed air")
 TEST_CASE("the paper's correlations as printed, with its Table 7")
 {
     casefile::Film film;
-    film.law = "paper_vertical";
-    film.length = 2;
+    film.law = casefile::PlateFilm{casefile::PlateFilm::Facing::sideways, true, 2};
     const auto wall = study::surface_film(film, press().machine, "air_bed", nullptr);
     // 0.13 Ra^(1/3), Ra = 9.80665 0.0262.. 8 K (2 m)^3 / nu^2 0.707 with Table 7 at 24 degC; figures of the model page
     const auto at = wall.law_at(1)(293.15)(301.15);
@@ -231,9 +226,7 @@ TEST_CASE("the paper's correlations as printed, with its Table 7")
     CHECK(at.slope > 0);
     CHECK(wall.law_at(1)(293.15)(285.15).value == Approx(at.value).epsilon(exact));  // colder counts as warmer
     CHECK(wall.law_at(1)(293.15)(293.15).value == 0);
-    film.law = "paper_rotating_cylinder";
-    film.length.reset();
-    film.diameter = 0.17;
+    film.law = casefile::RoundFilm{casefile::RoundFilm::Form::rotating_cylinder, true, 0.17};
     const auto shaft = study::surface_film(film, press().machine, "air_crankshaft", nullptr);
     CHECK(shaft.law_at(20.94)(293.15)(303.15).value ==
           Approx(surroundings::compare_rotating_film(20.94, 0.17, 298.15).paper).epsilon(exact));
@@ -245,8 +238,8 @@ TEST_CASE("half a plate has the length of the whole one")
     auto input = casefile::read_case(DEADPOINT_TEST_DATA "/study/blocks.toml").value;
     casefile::Surface top;
     top.parts = {"middle"};
-    top.select = "plane";
-    top.axis = "y";
+    top.select = casefile::Surface::Select::plane;
+    top.axis = Axis::y;
     top.position = 0.3;
     input.surfaces["top"] = top;
     Observer quiet;

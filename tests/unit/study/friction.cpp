@@ -108,7 +108,7 @@ TEST_CASE("the press at its reference has the published heat")
     CHECK(std::abs(laws.heat("crank_pin", segment(200, 3e5)).heat(at_20).value - 927) < 0.5);
     for (const auto& [name, row] : input.friction) {
         const auto result = laws.heat(name, segment(200, 3e5));
-        CHECK(*result.load_part == Approx(row.load_part).epsilon(exact));
+        CHECK(*result.load_part == Approx(std::get<casefile::CalibratedFriction>(row.law).load_part).epsilon(exact));
         CHECK(result.unloaded == (name == "guide_10"));
     }
 }
@@ -125,8 +125,10 @@ TEST_CASE("without force the load parts fall by the ratio of duties, the viscous
     CHECK(std::abs(ratio - 1) > 0.01);  // above 1: the short push from below relieves the bearings of the weight
     CHECK(*laws.heat("link_9_slider_10", segment(200, 0)).load_ratio < 0.9);
     CHECK(*none.load_ratio == Approx(ratio).epsilon(exact));
-    CHECK(full.heat(at_20).value - none.heat(at_20).value ==
-          Approx((1 - ratio) * input.friction.at("crank_bearings").load_part).epsilon(exact));
+    CHECK(
+        full.heat(at_20).value - none.heat(at_20).value ==
+        Approx((1 - ratio) * std::get<casefile::CalibratedFriction>(input.friction.at("crank_bearings").law).load_part)
+            .epsilon(exact));
     CHECK(none.heat(at_20).value - *none.load_part == Approx(full.heat(at_20).value - *full.load_part).epsilon(exact));
     // a row that follows no load
     CHECK(laws.heat("guide_10", segment(200, 0)).heat(at_20).value == Approx(362.23).epsilon(exact));
@@ -305,7 +307,7 @@ TEST_CASE("what a law lacks is said with the row's name")
     input.lubricants.at("oil").density = 0;
     CHECK(has(error_of([&] { heat(input, "crank_pin"); }), "friction.crank_pin: the shear of an oil film needs"));
     input = press_case({}, "physics.toml");
-    input.friction.at("crank_pin").length.reset();
+    std::get<casefile::PinFriction>(input.friction.at("crank_pin").law).length.reset();
     CHECK(has(error_of([&] { heat(input, "crank_pin"); }), "the length of the pin of joints.crank_pin is missing"));
 }
 
@@ -316,8 +318,7 @@ casefile::Case slider_crank()
 {
     auto input = casefile::read_case(DEADPOINT_TEST_DATA "/study/balanced-crank.toml", {}).value;
     auto& friction = input.friction["gib"];
-    friction.law = "guide";
-    friction.coefficient = 0.05;
+    friction.law = casefile::GuideFriction{0.05, {}, {}};
     input.joints.at("guide").friction = "gib";
     return input;
 }
@@ -336,7 +337,7 @@ TEST_CASE("a guide under an eccentric force: both ends by hand, alike in heat, f
         input.bodies.at(body).mass = input.bodies.at(body).inertia = 0;
     input.crankshaft.reset();
     auto& process = input.process_force.emplace();
-    process.kind = "rectangular";
+    process.kind = casefile::ProcessForce::Kind::rectangular;
     process.from = 1.25 * pi;
     process.to = 1.75 * pi;
     process.offset = 0.03;
@@ -376,9 +377,8 @@ TEST_CASE("a guide under an eccentric force: both ends by hand, alike in heat, f
     study::FrictionLaws laws(input, nullptr, &loads);
     CHECK(laws.heat("gib", input.operation[0]).heat(at_20).value == Approx(rubbed).epsilon(exact));
     // calibrated: the load part follows the same duty, here over that without the moment at the reference
-    auto& gib = input.friction.at("gib");
-    gib.law = "calibrated";
-    gib.kind = "guide";
+    auto& gib = input.friction.at("gib").law.emplace<casefile::CalibratedFriction>();
+    gib.kind = FrictionKind::guide;
     gib.load_part = 100;
     gib.reference_speed = input.operation[0].speed;
     gib.reference_force = 0;
@@ -393,7 +393,7 @@ TEST_CASE("power: the drive gives the work of the process, friction comes on top
 {
     auto input = slider_crank();
     auto& process = input.process_force.emplace();
-    process.kind = "travel_table";
+    process.kind = casefile::ProcessForce::Kind::travel_table;
     process.over_height = {{0, 0.01}, {1, 0}};
     auto& belt = input.crankshaft->belt.emplace();
     belt.power = 510;
@@ -427,7 +427,7 @@ TEST_CASE("every speed and force is summed up once, and what their loads warn ab
 {
     auto input = slider_crank();
     auto& process = input.process_force.emplace();
-    process.kind = "rectangular";
+    process.kind = casefile::ProcessForce::Kind::rectangular;
     process.from = 0;
     process.to = 1;
     auto segment_of = [&](double speed, double force) {

@@ -163,13 +163,13 @@ TEST_CASE("the flexible crankshaft agrees with the rigid one in the mean")
 TEST_CASE("the course of the force follows the crankshaft unless stated")
 {
     auto input = read(data / "balanced-crank.toml");
-    CHECK(study::process_force_kind(input) == "rectangular");
-    input.crankshaft->model = "flexible";
-    CHECK(study::process_force_kind(input) == "elastic");
+    CHECK(study::process_force_kind(input) == casefile::ProcessForce::Kind::rectangular);
+    input.crankshaft->model = casefile::Crankshaft::Model::flexible;
+    CHECK(study::process_force_kind(input) == casefile::ProcessForce::Kind::elastic);
     input.crankshaft.reset();
-    CHECK(study::process_force_kind(input) == "elastic");
-    input.process_force.emplace().kind = "half_sine";
-    CHECK(study::process_force_kind(input) == "half_sine");
+    CHECK(study::process_force_kind(input) == casefile::ProcessForce::Kind::elastic);
+    input.process_force.emplace().kind = casefile::ProcessForce::Kind::half_sine;
+    CHECK(study::process_force_kind(input) == casefile::ProcessForce::Kind::half_sine);
 }
 
 TEST_CASE("crank angles of the case count from the x axis")
@@ -185,23 +185,23 @@ TEST_CASE("crank angles of the case count from the x axis")
         CHECK(law(-16 * pi / 180, 0, 0) == 0);
         CHECK(law(16 * pi / 180, 0, 0) == 0);
     }
-    process.kind = "angle_table";
+    process.kind = casefile::ProcessForce::Kind::angle_table;
     process.over_angle = {{bottom - 0.2, bottom, bottom + 0.1}, {0, 1, 0}};
     CHECK(study::describe_process_force(input, 100, bottom)(-0.1, 0, 0) == Approx(50));
-    process.kind = "travel_table";
+    process.kind = casefile::ProcessForce::Kind::travel_table;
     process.over_height = {{0, 0.002}, {1, 0}};
     CHECK(study::describe_process_force(input, 100, bottom)(-0.1, 0.001, -1) == Approx(50));
     CHECK(study::describe_process_force(input, 100, bottom)(0.1, 0.001, 1) == 0);
     process.both_ways = true;
     CHECK(study::describe_process_force(input, 100, bottom)(0.1, 0.001, 1) == Approx(50));
-    process.kind = "none";
+    process.kind = casefile::ProcessForce::Kind::none;
     CHECK(study::describe_process_force(input, 100, bottom)(0, 0, 0) == 0);
 }
 
 TEST_CASE("an eccentric force shows as a moment in the guide")
 {
     auto input = read(data / "balanced-crank.toml");
-    input.process_force.emplace().kind = "elastic";
+    input.process_force.emplace().kind = casefile::ProcessForce::Kind::elastic;
     const auto central = loads_of(input);
     input.process_force->offset = 0.03;
     const auto eccentric = loads_of(input);
@@ -293,7 +293,7 @@ TEST_CASE("what is missing or wrong is named with its remedy")
     CHECK(error_of(wrong) != "");
     // Without any damping there is no periodic motion.
     wrong = input;
-    wrong.crankshaft->model = "flexible";
+    wrong.crankshaft->model = casefile::Crankshaft::Model::flexible;
     wrong.crankshaft->modal_damping = 0;
     CHECK(has(error_of(wrong), "damp"));
 }
@@ -326,8 +326,8 @@ TEST_CASE("belt pull by power, and a rectangular pulse on a flexible shaft")
     belt.angle = pi;
     const auto pulled = loads_of(input);
     CHECK(pulled.crankshaft->loads.steady.at(0).force[0] == Approx(-700));
-    input.crankshaft->model = "flexible";
-    input.process_force.emplace().kind = "rectangular";
+    input.crankshaft->model = casefile::Crankshaft::Model::flexible;
+    input.process_force.emplace().kind = casefile::ProcessForce::Kind::rectangular;
     const auto loads = loads_of(input);
     CHECK(std::ranges::any_of(loads.warnings, [](const auto& w) { return has(w, "doubles the peak by its edges"); }));
 }
@@ -356,7 +356,7 @@ TEST_CASE("natural frequencies do not hang on how many sections a shaft is writt
 TEST_CASE("a force whose window misses bottom dead point is warned about; one that is not stated sits about it")
 {
     auto input = read(cases / "jl75g-60" / "l5a-230.toml");
-    input.crankshaft->model = "rigid";
+    input.crankshaft->model = casefile::Crankshaft::Model::rigid;
     input.process_force.reset();
     CHECK_FALSE(study::misplaced_force(input, 0.3));
     const auto law = study::describe_process_force(input, 1000, 0.3);

@@ -187,12 +187,10 @@ TEST_CASE("heat without load has no zone")
 namespace {
 
 // A pair 170 x 260 as in the press, with balls of 32 mm, preloaded by 2 kN.
-casefile::Friction preloaded(const std::string& arrangement, double distance)
+casefile::PalmgrenFriction preloaded(PairArrangement arrangement, double distance)
 {
-    casefile::Friction f;
-    f.law = "palmgren";
-    f.bearing = "angular_contact_ball_pair";
-    f.lubricant = "oil";
+    casefile::PalmgrenFriction f;
+    f.bearing = BearingType::angular_contact_ball_pair;
     f.mean_diameter = 0.215;
     f.static_rating = 220e3;
     f.contact_angle = 15 * pi / 180;
@@ -205,17 +203,25 @@ casefile::Friction preloaded(const std::string& arrangement, double distance)
     return f;
 }
 
-RingHeatLaw ring_heat(const casefile::Friction& friction)
+casefile::Friction oiled(const casefile::FrictionLaw& law)
+{
+    casefile::Friction friction;
+    friction.law = law;
+    friction.lubricant = "oil";
+    return friction;
+}
+
+RingHeatLaw ring_heat(const casefile::PalmgrenFriction& law)
 {
     tribology::Duty duty = tribology::steady_duty(5000, 200 * rpm);
-    return study::physical_heat(starter(), friction, {{"joint", nullptr, {duty}}}).ring_heat;
+    return study::physical_heat(starter(), oiled(law), {{"joint", nullptr, {duty}}}).ring_heat;
 }
 
 }  // namespace
 
 TEST_CASE("rings of one temperature keep the heat, a warmer inner ring raises it by the preload")
 {
-    const auto law = ring_heat(preloaded("face_to_face", 0.042));
+    const auto law = ring_heat(preloaded(PairArrangement::face_to_face, 0.042));
     REQUIRE(law);
     CHECK(law(0) == 0);
     CHECK(law(5) > 0);
@@ -224,7 +230,7 @@ TEST_CASE("rings of one temperature keep the heat, a warmer inner ring raises it
     // A preload of zero is the least: colder rings take nothing more.
     CHECK(law(-40) == Approx(law(-50)).epsilon(1e-9));
     CHECK(!ring_heat([] {
-        auto f = preloaded("face_to_face", 0.042);
+        auto f = preloaded(PairArrangement::face_to_face, 0.042);
         f.ring_expansion.reset();
         return f;
     }()));
@@ -233,16 +239,17 @@ TEST_CASE("rings of one temperature keep the heat, a warmer inner ring raises it
 TEST_CASE("a pair back to back whose cones meet in one point does not feel its rings")
 {
     // d_m cos b = l sin b
-    const auto law = ring_heat(preloaded("back_to_back", 0.215 / std::tan(15 * pi / 180)));
+    const auto law = ring_heat(preloaded(PairArrangement::back_to_back, 0.215 / std::tan(15 * pi / 180)));
     CHECK(std::abs(law(20)) < 1e-6);
-    CHECK(ring_heat(preloaded("back_to_back", 0.042))(20) < ring_heat(preloaded("face_to_face", 0.042))(20));
+    CHECK(ring_heat(preloaded(PairArrangement::back_to_back, 0.042))(20) <
+          ring_heat(preloaded(PairArrangement::face_to_face, 0.042))(20));
 }
 
 TEST_CASE("the rings of a case are its journals and seats, by the side that moves or stands")
 {
     auto input = starter();
     auto& journals = input.friction.at("journals");
-    journals = preloaded("face_to_face", 0.042);
+    journals = oiled(preloaded(PairArrangement::face_to_face, 0.042));
     const auto problem = problem_of(input);
     const auto row = static_cast<std::size_t>(std::distance(input.friction.begin(), input.friction.find("journals")));
     const auto first = static_cast<int>(first_interface(input, "crank_bearing"));
@@ -266,12 +273,6 @@ TEST_CASE("a load zone needs loads and a law with a load part")
     interface.load_zone = true;
     Observer quiet;
     CHECK(problem_of(input).segments[0].interfaces[first_interface(input, "crank_bearing")].load_zone);
-    auto& journals = input.friction.at("journals");
-    journals = {};
-    journals.law = "skf";
-    journals.bearing = "cylindrical_roller";
-    journals.lubricant = "oil";
-    journals.bore = 0.08;
-    journals.outside_diameter = 0.14;
+    input.friction.at("journals") = oiled(casefile::SkfFriction{BearingType::cylindrical_roller, 0.08, 0.14, 0});
     CHECK_THROWS_WITH_AS(problem_of(input), doctest::Contains("friction.journals has no load part"), InputError);
 }

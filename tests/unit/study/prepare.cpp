@@ -25,8 +25,8 @@ casefile::Case block(double from, double to)
     input.materials["steel"].density = 7850;
     part.shapes = {{Shape::Operation::add, BoxShape{{0, 0, 0}, {0.1, 0.1, 0.1}}}};
     auto& top = input.surfaces["heated"];
-    top.select = "plane";
-    top.axis = "y";
+    top.select = casefile::Surface::Select::plane;
+    top.axis = Axis::y;
     top.position = 0.1;
     top.heat_flux = casefile::Course{1000, {}, {}};
     top.within = BoxShape{{-everywhere, -everywhere, -everywhere}, {from, everywhere, everywhere}};
@@ -35,9 +35,9 @@ casefile::Case block(double from, double to)
     other.temperature = casefile::Course{300, {}, {}};
     other.within = BoxShape{{to, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}};
     auto& air = input.surfaces["air"];
-    air.select = "exposed";
+    air.select = casefile::Surface::Select::exposed;
     air.film = casefile::Film{};
-    air.film->coefficient = 5;
+    air.film->law = casefile::FilmCoefficient{5};
     return input;
 }
 

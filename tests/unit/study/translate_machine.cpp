@@ -32,8 +32,8 @@ casefile::Case two_links()
     input.parts["pin"] = part;
     casefile::Surface gib;
     gib.parts = {"link"};
-    gib.select = "plane";
-    gib.axis = "x";
+    gib.select = casefile::Surface::Select::plane;
+    gib.axis = Axis::x;
     gib.position = 0.25;
     input.surfaces["gib"] = gib;
     casefile::Joint joint;
@@ -59,7 +59,7 @@ TEST_CASE("a normal of any length becomes a direction")
 {
     casefile::Case input = two_links();
     casefile::Surface& gib = input.surfaces["gib"];
-    gib.axis.clear();
+    gib.axis.reset();
     gib.position.reset();
     gib.normal = {0, -3, 4};
     gib.point = {0.1, 0.2, 0.3};
@@ -106,7 +106,7 @@ TEST_CASE("interfaces are cylinders about the joint's centre, or named surfaces"
 TEST_CASE("a box selects all faces in it")
 {
     casefile::Surface surface;
-    surface.select = "box";
+    surface.select = casefile::Surface::Select::box;
     CHECK_THROWS_WITH_AS(study::selector_of(surface, "inside"), doctest::Contains("surfaces.inside"), InputError);
     surface.within = BoxShape{{0, 0, 0}, {1, 1, 1}};
     CHECK(study::selector_of(surface, "inside").kind == Kind::all);

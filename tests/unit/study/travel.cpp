@@ -29,18 +29,19 @@ casefile::Case slider_crank()
     input.bodies["frame"].ground = true;
     for (const char* body : {"crank", "rod", "slide"})
         input.bodies[body] = {};
-    const auto joint = [](const char* kind, const char* a, const char* b, double y) {
+    using Kind = casefile::Joint::Kind;
+    const auto joint = [](Kind kind, const char* a, const char* b, double y) {
         casefile::Joint result;
         result.kind = kind;
         result.bodies = {a, b};
         result.centre = {0, y};
         return result;
     };
-    input.joints["bearing"] = joint("revolute", "crank", "frame", 0);
+    input.joints["bearing"] = joint(Kind::revolute, "crank", "frame", 0);
     input.joints["bearing"].driver = true;
-    input.joints["pin"] = joint("revolute", "rod", "crank", -throw_);
-    input.joints["wrist"] = joint("revolute", "rod", "slide", -throw_ - rod);
-    auto& guide = input.joints["guide"] = joint("slide", "slide", "frame", -throw_ - rod);
+    input.joints["pin"] = joint(Kind::revolute, "rod", "crank", -throw_);
+    input.joints["wrist"] = joint(Kind::revolute, "rod", "slide", -throw_ - rod);
+    auto& guide = input.joints["guide"] = joint(Kind::slide, "slide", "frame", -throw_ - rod);
     casefile::Interface face;
     face.name = "face";
     guide.interfaces = {face};

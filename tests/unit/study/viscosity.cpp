@@ -26,7 +26,7 @@ casefile::Case with_oil(const casefile::Lubricant& oil)
 TEST_CASE("two points of a data sheet give the line of ASTM D341")
 {
     casefile::Lubricant oil;
-    oil.law = "walther";
+    oil.law = casefile::Lubricant::Law::walther;
     oil.viscosity = {{zero_celsius + 40, zero_celsius + 100}, {32e-6, 5.4e-6}};
     const auto law = study::viscosity_law(with_oil(oil), "oil");
     CHECK(law(zero_celsius + 40).value == Approx(32e-6).epsilon(1e-12));
@@ -48,7 +48,7 @@ TEST_CASE("two points of a data sheet give the line of ASTM D341")
 TEST_CASE("Vogel's formula")
 {
     casefile::Lubricant oil;
-    oil.law = "vogel";
+    oil.law = casefile::Lubricant::Law::vogel;
     oil.vogel_factor = 0.1387e-6;
     oil.vogel_b = 736.48;
     const auto law = study::viscosity_law(with_oil(oil), "oil");
@@ -59,7 +59,7 @@ TEST_CASE("Vogel's formula")
 TEST_CASE("an oil that grows stiffer as it warms is named")
 {
     casefile::Lubricant oil;
-    oil.law = "walther";
+    oil.law = casefile::Lubricant::Law::walther;
     oil.viscosity = {{zero_celsius + 40, zero_celsius + 100}, {5.4e-6, 32e-6}};
     CHECK_THROWS_WITH_AS(study::viscosity_law(with_oil(oil), "oil"), doctest::Contains("lubricants.oil: "), InputError);
 }
@@ -77,19 +77,19 @@ TEST_CASE("an oil's law ends where nothing flows, and says which oil and where")
                          "(`viscosity`), or check why a joint gets there",
                          DomainError);
     CHECK_THROWS_AS(law(zero_celsius + 70), DomainError);  // 1e-8 mm2/s
-    oil.law = "walther";
+    oil.law = casefile::Lubricant::Law::walther;
     oil.viscosity = {{zero_celsius + 40, zero_celsius + 100}, {32e-6, 5.4e-6}};
     const auto line = study::viscosity_law(with_oil(oil), "oil");
     CHECK(line(zero_celsius - 30).value < tribology::stiffest_oil);
     CHECK_THROWS_AS(line(zero_celsius - 120), DomainError);
-    oil.law = "vogel";
+    oil.law = casefile::Lubricant::Law::vogel;
     oil.vogel_factor = 6e-8;
     oil.vogel_b = 900;
     const auto formula = study::viscosity_law(with_oil(oil), "oil");
     CHECK(formula(zero_celsius - 20).value < tribology::stiffest_oil);
     CHECK_THROWS_AS(formula(zero_celsius - 90), DomainError);
     // stated points are believed
-    oil.law = "table";
+    oil.law = casefile::Lubricant::Law::table;
     oil.viscosity = {{zero_celsius, zero_celsius + 20}, {2, 1.5}};
     CHECK(study::viscosity_law(with_oil(oil), "oil")(zero_celsius + 10).value > tribology::stiffest_oil);
 }

@@ -190,5 +190,4 @@ TEST_CASE("heat laws and viscosity curves that mean nothing are refused")
     CHECK_THROWS_AS(calibrated_heat(law(FrictionKind::pin, 1, 1), nullptr, 1), InputError);
     CHECK_THROWS_AS(calibrated_heat(law(FrictionKind::pin, 1, 1), curve, 1, {-1, 1}), InputError);
     CHECK_THROWS_AS(speed_ratio(law(FrictionKind::pin, 1, 1), 1, -1), InputError);
-    CHECK_THROWS_AS(friction_kind("sliding"), InputError);
 }

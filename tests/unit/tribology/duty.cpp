@@ -95,8 +95,6 @@ TEST_CASE("duty: the peak measure puts the largest load at every sample; a share
     CHECK(duty_mean(measured(duty, LoadMeasure::peak), 1, 1) == doctest::Approx(40).epsilon(1e-12));
     CHECK(duty_mean(measured(duty, LoadMeasure::mean), 1, 1) == doctest::Approx(20).epsilon(1e-4));
     CHECK(duty_mean(shared(duty, 0.25), 1, 1) == doctest::Approx(duty_mean(duty, 1, 1) / 4).epsilon(1e-13));
-    CHECK(load_measure("peak") == LoadMeasure::peak);
-    CHECK_THROWS_AS(load_measure("rms"), InputError);
 }
 
 TEST_CASE("duty: bearings of the crankshaft, and guides that carry a moment")

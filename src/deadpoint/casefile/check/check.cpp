@@ -152,7 +152,9 @@ private:
             check_side(here + ".a", interface.a, interface.diameter.has_value());
             check_side(here + ".b", interface.b, interface.diameter.has_value());
             check_heat_place(here, joint, interface);
-            refer(here + ".conductance.material", "material", interface.conductance.material, c_.materials);
+            if (const auto* elements = std::get_if<RollingElements>(&interface.conductance)) {
+                refer(here + ".conductance.material", "material", elements->material, c_.materials);
+            }
             if (!interface.a.empty() && interface.a == interface.b) {
                 report("inconsistent", here + ".b", fmt::format("'{}' cannot touch itself", interface.b),
                        "name the other side");
@@ -189,7 +191,7 @@ private:
             const auto found = c_.bodies.find(body);
             return found != c_.bodies.end() && found->second.ground;
         });
-        if (joint.kind != "revolute" || !grounded || (joint.turns_fully && !interface.stands_still)) {
+        if (joint.kind != Joint::Kind::revolute || !grounded || (joint.turns_fully && !interface.stands_still)) {
             report(
                 "inconsistent", path + ".load_zone",
                 "a load zone stands still only in a revolute joint with the ground, on an interface that does not turn",
@@ -376,7 +378,7 @@ private:
     {
         const auto& slide = c_.mechanism.slide_body;
         const bool guided = std::ranges::any_of(c_.joints, [&](const auto& joint) {
-            return joint.second.kind == "slide" &&
+            return joint.second.kind == Joint::Kind::slide &&
                    std::ranges::find(joint.second.bodies, slide) != joint.second.bodies.end();
         });
         if (!guided && c_.bodies.contains(slide)) {
@@ -392,9 +394,10 @@ private:
             return;
         }
         const auto& process = *c_.process_force;
-        const bool rigid = c_.crankshaft && c_.crankshaft->model == "rigid";
-        const bool window =
-            process.kind == "half_sine" || process.kind == "rectangular" || (process.kind.empty() && rigid);
+        const bool rigid = c_.crankshaft && c_.crankshaft->model == Crankshaft::Model::rigid;
+        using Kind = ProcessForce::Kind;
+        const auto kind = process.kind.value_or(rigid ? Kind::rectangular : Kind::elastic);
+        const bool window = kind == Kind::half_sine || kind == Kind::rectangular;
         for (const auto& [key, stated] :
              {std::pair{"from", process.from.has_value()}, std::pair{"to", process.to.has_value()}}) {
             if (stated && !window) {
@@ -406,7 +409,7 @@ private:
             }
         }
         const bool idle = std::ranges::all_of(c_.operation, [](const Segment& segment) { return segment.force == 0; });
-        if (idle && !process.kind.empty() && process.kind != "none") {
+        if (idle && process.kind && process.kind != Kind::none) {
             warn("unused", "process_force.kind",
                  "there is no process force: every segment of [[operation]] has a force of 0",
                  "add force = \"300 kN\" to the segment in which the press works");
@@ -512,7 +515,7 @@ private:
         refer("chain.ground_surface", "surface", chain.ground_surface, c_.surfaces);
         refer("chain.crank_joint", "joint", chain.crank_joint, c_.joints);
         const auto crank = c_.joints.find(chain.crank_joint);
-        if (chain.bearing_play == "limited" && crank != c_.joints.end() && !crank->second.clearance) {
+        if (chain.bearing_play == Chain::Play::limited && crank != c_.joints.end() && !crank->second.clearance) {
             report("missing-key", "chain.bearing_play", "nothing says how much play there is at the start",
                    fmt::format("add clearance = \"80 um\" (on the diameter) to joints.{}", chain.crank_joint));
         }

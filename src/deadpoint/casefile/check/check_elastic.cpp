@@ -6,10 +6,12 @@ namespace deadpoint::casefile {
 
 namespace {
 
+constexpr double aligned = 1e-6;  // sine of the angle within which two directions are the same
+
 bool is_held_sideways(const Foundation& foundation)
 {
-    return foundation.kind == "clamped" ||
-           (foundation.kind == "elastic" && foundation.horizontal_stiffness.value_or(0) > 0);
+    return foundation.kind == Foundation::Kind::clamped ||
+           (foundation.kind == Foundation::Kind::elastic && foundation.horizontal_stiffness.value_or(0) > 0);
 }
 
 // Feet that are a plane say which way they look; others are taken to look along y.
@@ -17,8 +19,11 @@ bool pulls_along_feet(const Case& c)
 {
     const auto& name = c.foundation->surface.empty() && c.chain ? c.chain->ground_surface : c.foundation->surface;
     const auto feet = c.surfaces.find(name);
-    const bool plane = feet != c.surfaces.end() && feet->second.select == "plane";
-    const auto axis = plane ? std::string("xyz").find(feet->second.axis) : 1;
+    const bool plane = feet != c.surfaces.end() && feet->second.select == Surface::Select::plane;
+    if (plane && !feet->second.axis) {
+        return norm(cross(normalised(feet->second.normal), normalised(c.machine.gravity_direction))) > aligned;
+    }
+    const auto axis = static_cast<std::size_t>(plane ? *feet->second.axis : Axis::y);
     for (std::size_t i = 0; i < 3; ++i) {
         if (i != axis && c.machine.gravity_direction[i] != 0) {
             return true;

@@ -16,7 +16,7 @@ std::optional<Finding> check_film(const std::string& path, const std::string& na
     if (surface.film->ambient)
         return wrong(fmt::format("the film of surface '{}' states its own `ambient`", name),
                      "remove it: the enclosure says how warm the air is");
-    if (surface.film->law == "enclosed")
+    if (std::holds_alternative<EnclosedFilm>(surface.film->law))
         return wrong(fmt::format("the film of surface '{}' counts its enclosure's air by itself", name),
                      "take a law of open air, like \"vertical\"");
     return {};

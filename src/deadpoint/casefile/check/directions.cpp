@@ -30,7 +30,7 @@ std::map<std::string, Joint>::const_iterator guide_of(const Case& c)
     const auto slide = slide_of(c);
     return std::ranges::find_if(c.joints, [&](const auto& entry) {
         const auto& joint = entry.second;
-        return joint.kind == "slide" && norm(joint.direction) > 0 &&
+        return joint.kind == Joint::Kind::slide && norm(joint.direction) > 0 &&
                std::ranges::find(joint.bodies, slide) != joint.bodies.end() &&
                std::ranges::any_of(joint.bodies, [&](const auto& body) { return is_ground(c, body); });
     });
@@ -57,6 +57,16 @@ std::variant<Vec2, Finding> stated_direction(const Case& c)
                    "state it along the guide, from the table towards the slide, or remove it");
 }
 
+// Whether the geometry tells the height of a wall.
+bool takes_height(const FilmLaw& law)
+{
+    const auto* plate = std::get_if<PlateFilm>(&law);
+    const auto* moving = std::get_if<MovingFilm>(&law);
+    const auto* enclosed = std::get_if<EnclosedFilm>(&law);
+    return (plate != nullptr && plate->facing == PlateFilm::Facing::sideways && !plate->length) ||
+           (moving != nullptr && !moving->length) || (enclosed != nullptr && !enclosed->length);
+}
+
 // Heights of walls that the geometry tells are extents along y.
 void check_walls(const Case& c, std::vector<Finding>& findings)
 {
@@ -64,10 +74,7 @@ void check_walls(const Case& c, std::vector<Finding>& findings)
     if (std::abs(down[1]) > 1 - aligned)
         return;
     for (const auto& [name, surface] : c.surfaces) {
-        if (!surface.film || surface.film->length)
-            continue;
-        const auto& law = surface.film->law;
-        if (law == "vertical" || law == "paper_vertical" || law == "moving" || law == "enclosed") {
+        if (surface.film && takes_height(surface.film->law)) {
             findings.push_back(mistake("surfaces." + name + ".film",
                                        "its height would be taken along y, but gravity does not act along y",
                                        "add length = \"500 mm\", the height of the surface along gravity"));

@@ -5,12 +5,15 @@
 #include "deadpoint/casefile/describe/case_friction.hpp"
 #include "deadpoint/casefile/describe/case_heat.hpp"
 #include "deadpoint/casefile/describe/case_loads.hpp"
+#include "deadpoint/casefile/describe/spelling.hpp"
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The case file as plain data, in SI units. One describe() per struct (describe.hpp) names each key, its unit, its
@@ -18,6 +21,8 @@
 namespace deadpoint::casefile {
 
 struct Material {
+    /// mean: from the reference temperature on; instantaneous: the slope of the length over the temperature.
+    enum class Expansion { mean, instantaneous };
     std::string library;  ///< name in the shipped library; given keys override it
     double density = 0;
     double conductivity = 0;  ///< of a table its first value; likewise below
@@ -26,17 +31,18 @@ struct Material {
     Table conductivity_table;  ///< over temperature [W/m/K over K]; empty: constant
     Table specific_heat_table;
     Table expansion_table;
-    std::string expansion_kind;                 ///< of a table: "mean" or "instantaneous"
-    std::optional<double> expansion_reference;  ///< of "mean" [K]
+    std::optional<Expansion> expansion_kind;    ///< of a table
+    std::optional<double> expansion_reference;  ///< of mean coefficients [K]
     double youngs_modulus = 0;
     double poissons_ratio = 0;
     std::string source;
 };
 
 struct Lubricant {
+    enum class Law { table, walther, vogel };
     std::string library;
     double density = 0;
-    std::string law = "table";           ///< "table", "walther" or "vogel"
+    Law law = Law::table;
     Table viscosity;                     ///< kinematic, over temperature [m2/s over K]
     std::optional<double> vogel_factor;  ///< [m2/s]
     std::optional<double> vogel_b;       ///< [K]
@@ -70,8 +76,9 @@ struct Part {
 
 /// One of the bearings or bushes that share a joint.
 struct JointElement {
+    enum class Type { rolling, plain, guide };
     std::string name;
-    std::string type;     ///< "rolling", "plain", "guide"
+    Type type = Type::rolling;
     double position = 0;  ///< along the axis [m]
     double width = 0;
     double diameter = 0;
@@ -94,7 +101,8 @@ struct Interface {
 };
 
 struct Joint {
-    std::string kind;                 ///< "revolute", "slide"
+    enum class Kind { revolute, slide };
+    Kind kind = Kind::revolute;
     std::vector<std::string> bodies;  ///< two
     Vec2 centre{};
     Vec2 direction{0, 1};
@@ -112,9 +120,11 @@ struct Joint {
 };
 
 struct Surface {
+    /// exposed: what nothing touches and no other surface claims.
+    enum class Select { exposed, all, plane, cylinder, box, group };
     std::vector<std::string> parts;
-    std::string select;  ///< "exposed", "all", "plane", "cylinder", "box", "group"
-    std::string axis;    ///< "x", "y", "z"
+    Select select = Select::exposed;
+    std::optional<Axis> axis;
     std::optional<double> position;
     Vec3 normal{};  ///< of an inclined plane, of any length, either way; else 0
     Vec3 point{};   ///< on an inclined plane [m]
@@ -144,6 +154,8 @@ struct Probe {
 };
 
 struct Chain {
+    /// How far the crank follows when heat opens or closes its bearings.
+    enum class Play { limited, none, paper };
     std::string slide_body;
     std::string slide_surface;
     std::string table_surface;
@@ -151,7 +163,7 @@ struct Chain {
     std::string crank_joint;               ///< its seats give E_BG, its rings E_BC
     std::optional<double> reaction_angle;  ///< direction in which the crank is pressed into its bearings at bottom dead
                                            ///< point [rad from x]; else along the stroke
-    std::string bearing_play;              ///< "limited", "none", "paper"; empty: by joint and bearing type
+    std::optional<Play> bearing_play;      ///< else by joint and bearing type
     double drift_rate_limit = 0;           ///< warm-up is over when |dE/dt| stays below [m/s]
     bool corners = true;                   ///< also the gap at the slide's four corners
     bool clearances = true;                ///< also the clearances of guides and bearings
@@ -230,5 +242,19 @@ struct Case {
     Output output;
     std::optional<Reference> reference;
 };
+
+template <>
+inline constexpr auto spelling<Material::Expansion> = std::array<std::string_view, 2>{"mean", "instantaneous"};
+template <>
+inline constexpr auto spelling<Lubricant::Law> = std::array<std::string_view, 3>{"table", "walther", "vogel"};
+template <>
+inline constexpr auto spelling<JointElement::Type> = std::array<std::string_view, 3>{"rolling", "plain", "guide"};
+template <>
+inline constexpr auto spelling<Joint::Kind> = std::array<std::string_view, 2>{"revolute", "slide"};
+template <>
+inline constexpr auto spelling<Surface::Select> =
+    std::array<std::string_view, 6>{"exposed", "all", "plane", "cylinder", "box", "group"};
+template <>
+inline constexpr auto spelling<Chain::Play> = std::array<std::string_view, 3>{"limited", "none", "paper"};
 
 }  // namespace deadpoint::casefile

@@ -1,16 +1,22 @@
 #pragma once
 
+#include "deadpoint/casefile/describe/spelling.hpp"
 #include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The part of a case that says how the machine stands and what strains it besides heat.
 namespace deadpoint::casefile {
 
 struct Foundation {
-    std::string kind = "free";                   ///< or "clamped", "elastic"
+    /// free: held in their plane, in which they slide; elastic: on pads that give way.
+    enum class Kind { free, clamped, elastic };
+    Kind kind = Kind::free;
     std::string surface;                         ///< the feet; empty: that of the dimension chain
     std::optional<double> vertical_stiffness;    ///< of the pads, per area [N/m3]
     std::optional<double> horizontal_stiffness;  ///< [N/m3]
@@ -20,10 +26,15 @@ struct Foundation {
 /// Rods that are stretched when the machine is assembled and press parts of it together.
 struct Preload {
     std::vector<std::string> parts;   ///< names or patterns; each part is one rod
-    std::string axis = "y";           ///< along the rods
+    Axis axis = Axis::y;              ///< along the rods
     double force = 0;                 ///< of each rod at the start, weights acting [N]
     double process_share = 0;         ///< of the process force, that each rod has to hold
     std::vector<std::string> closes;  ///< pairs of parts that nothing but the preload holds together
 };
+
+template <>
+inline constexpr auto spelling<Foundation::Kind> = std::array<std::string_view, 3>{"free", "clamped", "elastic"};
+template <>
+inline constexpr auto spelling<Axis> = std::array<std::string_view, 3>{"x", "y", "z"};
 
 }  // namespace deadpoint::casefile

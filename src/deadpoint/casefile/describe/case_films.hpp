@@ -1,10 +1,14 @@
 #pragma once
 
 #include "deadpoint/casefile/describe/case_loads.hpp"
+#include "deadpoint/casefile/describe/spelling.hpp"
 #include "deadpoint/core/vec.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 
 /// The part of a case that says how interfaces conduct and what surfaces give to the air.
 namespace deadpoint::casefile {
@@ -24,45 +28,128 @@ struct Course {
     std::optional<DailyCourse> daily;  ///< of temperatures only
 };
 
-/// A resistance, two films, or a law with its parameters. Conductivities and elasticity are the parts' own.
-struct Conductance {
-    double resistance = 0;  ///< of the whole contact, 0 = none [m2 K/W]; h1 = h2 = 2 / resistance
-    double side_a = 0;      ///< film to side a [W/m2/K]; both given instead of `resistance`
-    double side_b = 0;
-    std::string law;                           ///< "fractal", "cooper_mikic_yovanovich", "oil_film", "rolling_elements"
-    std::optional<double> pressure;            ///< else the joint's mean load over its area [Pa]
-    std::optional<double> hardness;            ///< of the softer side [Pa]
-    std::optional<double> fluid_conductivity;  ///< of what fills the gaps [W/m/K]
-    std::optional<double> gas_jump;            ///< additional gap of a rarefied gas [m]
-    std::optional<double> fractal_dimension;   ///< D
-    std::optional<double> fractal_roughness;   ///< G [m]
-    std::optional<double> sample_length;       ///< L_u [m]
-    std::optional<double> separation;          ///< z [m]
-    std::optional<double> roughness;           ///< sigma, of both sides combined [m]
-    std::optional<double> slope;               ///< m, of both combined
-    std::optional<double> thickness;           ///< of the film [m]
-    std::optional<double> clearance;           ///< radial, of a journal [m]
-    std::optional<double> eccentricity;        ///< share of the clearance
-    std::optional<double> loaded_elements;     ///< of a rolling bearing, a whole number
-    std::optional<double> element_diameter;
-    std::optional<double> pitch_diameter;
-    std::optional<Vec2> inner_spot;  ///< semi-axes across and along the rolling direction [m]
-    std::optional<Vec2> outer_spot;
+/// A known resistance of the whole contact, shared evenly by both sides.
+struct ContactResistance {
+    double value = 0;  ///< 0: no conduction [m2 K/W]
+};
+
+/// A known film to each side.
+struct SideFilms {
+    double a = 0;  ///< [W/m2/K]
+    double b = 0;  ///< [W/m2/K]
+};
+
+/// What two rough surfaces are pressed with and what fills their gaps.
+struct PressedSurfaces {
+    std::optional<double> pressure;  ///< else the joint's mean load over its area [Pa]
+    double hardness = 0;             ///< of the softer side [Pa]
+    double fluid_conductivity = 0;   ///< [W/m/K]
+    std::optional<double> gas_jump;  ///< additional gap of a rarefied gas [m]
+};
+
+struct FractalContact {
+    PressedSurfaces surfaces;
+    double fractal_dimension = 0;  ///< D
+    double fractal_roughness = 0;  ///< G [m]
+    double sample_length = 0;      ///< L_u [m]
+    double separation = 0;         ///< z [m]
+};
+
+/// Cooper, Mikic and Yovanovich.
+struct RoughContact {
+    PressedSurfaces surfaces;
+    double roughness = 0;         ///< sigma, of both sides combined [m]
+    std::optional<double> slope;  ///< m, of both combined; else by the roughness
+};
+
+struct OilFilm {
+    double fluid_conductivity = 0;       ///< [W/m/K]
+    std::optional<double> gas_jump;      ///< additional gap of a rarefied gas [m]
+    std::optional<double> thickness;     ///< [m]; else by clearance and eccentricity
+    std::optional<double> clearance;     ///< radial, of a journal [m]
+    std::optional<double> eccentricity;  ///< share of the clearance
+};
+
+/// Ring to ring through balls or rollers.
+struct RollingElements {
+    std::optional<double> fluid_conductivity;  ///< of the lubricant in the contacts [W/m/K]
+    std::optional<double> thickness;           ///< of that lubricant [m]
+    double loaded_elements = 0;                ///< a whole number
+    double element_diameter = 0;               ///< [m]
+    std::optional<double> pitch_diameter;      ///< [m]; none: the elements stand still
+    Vec2 inner_spot{};                         ///< semi-axes across and along the rolling direction [m]
+    Vec2 outer_spot{};
     std::string material;  ///< of rings and elements; else that of side a
 };
 
-/// A coefficient, or a law with its lengths.
+/// Known values, or a law with its parameters. Conductivities and elasticity are the parts' own.
+using Conductance = std::variant<ContactResistance, SideFilms, FractalContact, RoughContact, OilFilm, RollingElements>;
+
+/// Empty for known values.
+std::string_view law_name(const Conductance& conductance);
+
+/// A known coefficient [W/m2/K].
+struct FilmCoefficient {
+    std::optional<double> value;  ///< none only before the case is read
+};
+
+/// A flat surface at rest.
+struct PlateFilm {
+    enum class Facing { sideways, up, down };
+    Facing facing = Facing::sideways;
+    bool as_printed = false;       ///< by the correlation of the paper with its Table 7, errors included
+    std::optional<double> length;  ///< height, or area over perimeter; else from the geometry [m]
+
+    [[nodiscard]] bool is_same_law(const PlateFilm& other) const
+    {
+        return facing == other.facing && as_printed == other.as_printed;
+    }
+};
+
+/// A cylinder or a disk.
+struct RoundFilm {
+    enum class Form { cylinder, rotating_cylinder, rotating_disk };
+    Form form = Form::cylinder;
+    bool as_printed = false;
+    std::optional<double> diameter;  ///< else from the geometry [m]
+
+    [[nodiscard]] bool is_same_law(const RoundFilm& other) const
+    {
+        return form == other.form && as_printed == other.as_printed;
+    }
+};
+
+/// A wall that moves along itself.
+struct MovingFilm {
+    std::optional<double> length;  ///< along the motion; else from the geometry [m]
+    std::optional<double> speed;   ///< root mean square; else from the loads [m/s]
+};
+
+/// A wall around air that exchanges little with the room.
+struct EnclosedFilm {
+    std::optional<double> length;  ///< height; else from the geometry [m]
+    double exchange = 0;           ///< of the air with the room [W/K]
+};
+
+/// One of the paper's two constants.
+struct PaperFilm {
+    enum class Of { frame, crankshaft };
+    Of of = Of::frame;
+};
+
+using FilmLaw = std::variant<FilmCoefficient, PlateFilm, RoundFilm, MovingFilm, EnclosedFilm, PaperFilm>;
+
+/// Convection and radiation of a surface.
 struct Film {
-    std::optional<double> coefficient;  ///< [W/m2/K]
-    std::string law;               ///< "vertical", "horizontal_up", "horizontal_down", "cylinder", "rotating_cylinder",
-                                   ///< "rotating_disk", "moving", "enclosed", "paper", "paper_vertical" and the like
-    std::optional<double> length;  ///< height, area / perimeter, or length along the motion [m]
-    std::optional<double> diameter;  ///< of a cylinder or disk [m]
-    std::optional<double> speed;     ///< root mean square, of what moves [m/s]
-    std::optional<double> exchange;  ///< of enclosed air with the room [W/K]
-    std::string constant;            ///< of the paper: "frame" or "crankshaft"
+    FilmLaw law;
     double emissivity = 0;
     std::optional<Course> ambient;  ///< else the operation's [K]
 };
+
+/// Empty for a known coefficient.
+std::string_view law_name(const Film& film);
+
+template <>
+inline constexpr auto spelling<PaperFilm::Of> = std::array<std::string_view, 2>{"frame", "crankshaft"};
 
 }  // namespace deadpoint::casefile

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "deadpoint/casefile/describe/spelling.hpp"
 #include "deadpoint/core/vec.hpp"
 
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The part of a case that loads are computed from, besides bodies and joints.
@@ -27,6 +29,8 @@ struct Mechanism {
 };
 
 struct Crankshaft {
+    /// A beam on springs, or bearing loads by statics alone.
+    enum class Model { flexible, rigid };
     struct Section {
         double length = 0;
         double diameter = 0;
@@ -62,7 +66,7 @@ struct Crankshaft {
         double power = 0;
         double pulley_diameter = 0;
     };
-    std::string model = "flexible";  ///< or "rigid"
+    Model model = Model::flexible;
     std::string material;
     std::vector<Section> sections;
     std::vector<Disk> disks;
@@ -79,7 +83,8 @@ struct Crankshaft {
 };
 
 struct ProcessForce {
-    std::string kind;            ///< empty: "elastic" with a flexible crankshaft, else "rectangular"
+    enum class Kind { elastic, half_sine, rectangular, angle_table, travel_table, none };
+    std::optional<Kind> kind;    ///< else elastic with a flexible crankshaft, else rectangular
     std::optional<double> from;  ///< crank angle [rad]; else 15 deg before bottom dead point
     std::optional<double> to;    ///< else 15 deg after it
     double stiffness = 1e9;      ///< of press and die [N/m]
@@ -88,5 +93,11 @@ struct ProcessForce {
     bool both_ways = false;      ///< over_height holds on the way up as well
     double offset = 0;           ///< of the line of action from the slide's guided point [m]
 };
+
+template <>
+inline constexpr auto spelling<Crankshaft::Model> = std::array<std::string_view, 2>{"flexible", "rigid"};
+template <>
+inline constexpr auto spelling<ProcessForce::Kind> =
+    std::array<std::string_view, 6>{"elastic", "half_sine", "rectangular", "angle_table", "travel_table", "none"};
 
 }  // namespace deadpoint::casefile

@@ -27,7 +27,7 @@ constexpr std::string_view across =
 
 void describe_form(Visitor& v, CylinderShape& c)
 {
-    v.axis({"axis", "direction of the cylinder", required}, c.axis);
+    choose(v, {"axis", "direction of the cylinder", required}, c.axis);
     v.vector({"centre", across, required}, c.centre, D::length);
     v.quantity({"diameter", "outer diameter", required}, c.diameter, D::length, positive);
     v.quantity({"bore", "diameter of the hole along it; 0 for none", optional}, c.bore, D::length, non_negative);
@@ -37,7 +37,7 @@ void describe_form(Visitor& v, CylinderShape& c)
 
 void describe_form(Visitor& v, OutlineShape& o)
 {
-    v.axis({"axis", "direction of extrusion", required}, o.axis);
+    choose(v, {"axis", "direction of extrusion", required}, o.axis);
     v.points(
         {"points", "corners around the outline, either way; their coordinates are those across the axis", required},
         o.points);
@@ -50,7 +50,7 @@ void describe_form(Visitor& v, OutlineShape& o)
 
 void describe_form(Visitor& v, ShaftShape& s)
 {
-    v.axis({"axis", "direction of the shaft", required}, s.axis);
+    choose(v, {"axis", "direction of the shaft", required}, s.axis);
     v.vector({"centre", across, required}, s.centre, D::length);
     v.quantity({"from", "coordinate along the axis where the first section begins", required}, s.from, D::length,
                any_value);
@@ -67,17 +67,6 @@ T& form_as(Shape& shape)
 }
 
 }  // namespace
-
-void Visitor::axis(const Key& key, Axis& value)
-{
-    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
-    std::string name(names.at(static_cast<std::size_t>(value)));
-    choice(key, name, names);
-    const auto found = std::ranges::find(names, name);
-    if (found != names.end()) {
-        value = static_cast<Axis>(found - names.begin());
-    }
-}
 
 void describe(Visitor& v, Case& c)
 {
@@ -151,20 +140,20 @@ void describe(Visitor& v, Material& m)
     choose(v,
            {"expansion_kind", "of a table: `mean` coefficients count from `expansion_reference` to the temperature, "
                               "`instantaneous` ones are the slope of the length over the temperature"},
-           m.expansion_kind, {"mean", "instantaneous"});
+           m.expansion_kind);
     v.quantity({"expansion_reference", "where a mean coefficient counts from"}, m.expansion_reference, D::temperature,
                absolute_temperature);
     v.quantity({"youngs_modulus", "modulus of elasticity", need}, m.youngs_modulus, D::pressure, positive);
     v.number({"poissons_ratio", "lateral contraction", need}, m.poissons_ratio, {-1, 0.5, true});
     v.text({"source", "where the values are from"}, m.source);
     const bool table = !m.expansion_table.x.empty();
-    v.expect(!table || !m.expansion_kind.empty(), "expansion", "nothing says what its table holds",
+    v.expect(!table || m.expansion_kind, "expansion", "nothing says what its table holds",
              "add expansion_kind = \"mean\" or \"instantaneous\"");
-    v.expect(table || m.expansion_kind.empty() || !m.library.empty(), "expansion_kind",
-             "a constant coefficient has no kind", "remove it, or give a table");
-    v.expect(!table || m.expansion_kind != "mean" || m.expansion_reference, "expansion",
+    v.expect(table || !m.expansion_kind || !m.library.empty(), "expansion_kind", "a constant coefficient has no kind",
+             "remove it, or give a table");
+    v.expect(!table || m.expansion_kind != Material::Expansion::mean || m.expansion_reference, "expansion",
              "nothing says where its mean coefficients count from", "add expansion_reference = \"20 degC\"");
-    v.expect(!m.expansion_reference || m.expansion_kind == "mean", "expansion_reference",
+    v.expect(!m.expansion_reference || m.expansion_kind == Material::Expansion::mean, "expansion_reference",
              "only mean coefficients have a reference temperature", "remove it, or say expansion_kind = \"mean\"");
 }
 
@@ -181,16 +170,17 @@ void describe(Visitor& v, Lubricant& l)
             "beyond them, but not beyond what flows (0.1 to 1e6 mm^2/s); `walther`: the line of ASTM D341 through its "
             "two points; `vogel`: nu = vogel_factor "
             "exp(vogel_b / (T - vogel_pole))"},
-           l.law, {"table", "walther", "vogel"});
-    v.curve({"viscosity", "kinematic viscosity of `table` and `walther`", l.law == "vogel" ? optional : need},
-            l.viscosity, {"temperature", D::temperature, D::kinematic_viscosity, positive});
+           l.law);
+    v.curve(
+        {"viscosity", "kinematic viscosity of `table` and `walther`", l.law == Lubricant::Law::vogel ? optional : need},
+        l.viscosity, {"temperature", D::temperature, D::kinematic_viscosity, positive});
     v.quantity({"vogel_factor", "of `vogel`"}, l.vogel_factor, D::kinematic_viscosity, positive);
     v.quantity({"vogel_b", "of `vogel`"}, l.vogel_b, D::temperature_difference, positive);
     v.quantity({"vogel_pole", "of `vogel`"}, l.vogel_pole, D::temperature, positive);
-    v.expect(l.law != "walther" || l.viscosity.x.size() == 2, "viscosity",
+    v.expect(l.law != Lubricant::Law::walther || l.viscosity.x.size() == 2, "viscosity",
              "the line of ASTM D341 goes through two points",
              "give two temperatures, usually 40 and 100 degC, or law = \"table\"");
-    const bool vogel = l.law == "vogel";
+    const bool vogel = l.law == Lubricant::Law::vogel;
     v.expect(!vogel || (l.vogel_factor && l.vogel_b), "law", "`vogel` needs `vogel_factor` and `vogel_b`", "add both");
     v.expect(vogel || !(l.vogel_factor || l.vogel_b), l.vogel_factor ? "vogel_factor" : "vogel_b",
              "it belongs to law = \"vogel\"", "remove it, or add the law");
@@ -278,7 +268,7 @@ void describe(Visitor& v, Joint& j)
     v.about(
         "A joint says everything about one connection of two bodies: how they move, what rubs, which surfaces touch "
         "and how they conduct.");
-    choose(v, {"kind", "how the bodies move against each other", required}, j.kind, {"revolute", "slide"});
+    choose(v, {"kind", "how the bodies move against each other", required}, j.kind);
     v.texts({"bodies", "the two bodies", required}, j.bodies);
     v.vector({"centre", "x and y at bottom dead point", required}, j.centre, D::length);
     v.vector({"direction", "of travel, for a slide: any direction of the plane"}, j.direction, D::none);
@@ -305,19 +295,19 @@ void describe(Visitor& v, Joint& j)
     v.expect(j.bodies.size() == 2, "bodies", "a joint connects two bodies",
              "write it like bodies = [\"crank\", \"frame\"]");
     v.expect(norm(j.direction) > 0, "direction", "the direction of travel has no length", "write it like [0, 1]");
-    v.expect(j.preload == 0 || j.kind == "slide", "preload", "only a slide has a gib to press on it",
+    v.expect(j.preload == 0 || j.kind == Joint::Kind::slide, "preload", "only a slide has a gib to press on it",
              "remove `preload`");
-    v.expect(j.swept || j.kind == "slide", "swept", "only a slide travels along a guide", "remove `swept`");
-    v.expect(!j.guide_length || (j.kind == "slide" && j.guides_rotation), "guide_length",
+    v.expect(j.swept || j.kind == Joint::Kind::slide, "swept", "only a slide travels along a guide", "remove `swept`");
+    v.expect(!j.guide_length || (j.kind == Joint::Kind::slide && j.guides_rotation), "guide_length",
              "only a slide that guides rotation carries a moment over its length", "remove `guide_length`");
-    v.expect(!j.driver || j.kind != "slide", "driver", "a slide cannot drive the crank",
+    v.expect(!j.driver || j.kind != Joint::Kind::slide, "driver", "a slide cannot drive the crank",
              "name a revolute joint as driver");
 }
 
 void describe(Visitor& v, JointElement& e)
 {
     v.text({"name", "name in reports", required}, e.name);
-    choose(v, {"type", "how it carries", required}, e.type, {"rolling", "plain", "guide"});
+    choose(v, {"type", "how it carries", required}, e.type);
     v.quantity({"position", "along the axis"}, e.position, D::length, any_value);
     v.quantity({"width", "along the axis"}, e.width, D::length, non_negative);
     v.quantity({"diameter", "of its running surface"}, e.diameter, D::length, non_negative);
@@ -353,9 +343,8 @@ void describe(Visitor& v, Surface& s)
         "A set of exterior faces: all conditions given must hold. A surface may carry one of `film`, `temperature`, "
         "`temperature_formula`, `heat_flux` and `insulated`; without any it only names its faces.");
     v.texts({"parts", "names of parts, `*` stands for any letters; none: every part"}, s.parts);
-    choose(v, {"select", "`exposed`: what nothing touches and no other surface claims", required}, s.select,
-           {"exposed", "all", "plane", "cylinder", "box", "group"});
-    choose(v, {"axis", "normal of the plane, axis of the cylinder"}, s.axis, {"x", "y", "z"});
+    choose(v, {"select", "`exposed`: what nothing touches and no other surface claims", required}, s.select);
+    choose(v, {"axis", "normal of the plane, axis of the cylinder"}, s.axis);
     v.quantity({"position", "of the plane along its normal"}, s.position, D::length, any_value);
     v.vector({"normal", "of a plane that is inclined, of any length and either way, in place of `axis`"}, s.normal,
              D::none);
@@ -377,19 +366,19 @@ void describe(Visitor& v, Surface& s)
            s.temperature_formula);
     v.course({"heat_flux", "heat into the part"}, s.heat_flux, D::heat_flux, any_value);
     v.flag({"insulated", "no heat passes; takes its faces from an `exposed` surface"}, s.insulated);
-    const bool plane = s.select == "plane";
-    const bool cylinder = s.select == "cylinder";
-    v.expect(!(plane || cylinder) || inclined || !s.axis.empty(), "select", "the selection needs an `axis`",
-             "add axis = \"z\"");
+    const bool plane = s.select == Surface::Select::plane;
+    const bool cylinder = s.select == Surface::Select::cylinder;
+    v.expect(!(plane || cylinder) || inclined || s.axis, "select", "the selection needs an `axis`", "add axis = \"z\"");
     v.expect(!plane || inclined || s.position, "select", "a plane needs its `position`", "add position = \"0 mm\"");
-    v.expect(!inclined || (plane && s.axis.empty() && !s.position), "normal",
+    v.expect(!inclined || (plane && !s.axis && !s.position), "normal",
              "a normal belongs to a plane that has neither `axis` nor `position`",
              "keep normal = [0.6, 0.8, 0] with a point, or axis and position");
     v.expect(!cylinder || (s.centre && s.diameter), "select", "a cylinder needs `centre` and `diameter`",
              "add both, like centre = [\"0 mm\", \"0 mm\"], diameter = \"80 mm\"");
-    v.expect(s.select != "box" || s.within, "select", "a box needs `within`",
+    v.expect(s.select != Surface::Select::box || s.within, "select", "a box needs `within`",
              "add within = { x = [\"0 mm\", \"1 mm\"], y = [...], z = [...] }");
-    v.expect(s.select != "group" || !s.group.empty(), "select", "a group needs its name", "add group = \"name\"");
+    v.expect(s.select != Surface::Select::group || !s.group.empty(), "select", "a group needs its name",
+             "add group = \"name\"");
     const int effects = (s.film ? 1 : 0) + (s.temperature ? 1 : 0) + (s.temperature_formula.empty() ? 0 : 1) +
                         (s.heat_flux ? 1 : 0) + (s.insulated ? 1 : 0);
     v.expect(effects < 2, "", "the surface has more than one boundary condition",
@@ -447,7 +436,7 @@ void describe(Visitor& v, Chain& c)
          "`clearance` of the crank joint is used up; `none`: not at all, as bearings under preload; `paper`: all of "
          "the change counts, whatever the play (Zheng et al. 2018). Without it `limited` where the joint states a "
          "clearance, else `none` for rolling and `paper` for plain bearings, and a run says what that makes of E_SW"},
-        c.bearing_play, {"limited", "none", "paper"});
+        c.bearing_play);
     v.quantity({"drift_rate_limit", "the press is warm when its drift stays slower than this; 0 for no such time"},
                c.drift_rate_limit, D::velocity, non_negative);
     v.flag({"corners", "also follows the gap at the four corners of the slide; one solve of the deformation each"},

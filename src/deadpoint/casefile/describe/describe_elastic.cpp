@@ -17,7 +17,7 @@ void describe(Visitor& v, Foundation& f)
            {"kind",
             "`free`: the feet stay in their plane and slide; `clamped`: they do not move; `elastic`: they stand on "
             "pads that give way in proportion"},
-           f.kind, {"free", "clamped", "elastic"});
+           f.kind);
     v.text({"surface", "the feet; else the `ground_surface` of [chain]"}, f.surface);
     v.quantity({"vertical_stiffness", "of the pads across the feet's plane, per area; `elastic` only"},
                f.vertical_stiffness, D::bedding, positive);
@@ -27,7 +27,7 @@ void describe(Visitor& v, Foundation& f)
                 "acceleration of gravity on what stands on the feet, along `gravity_direction` of [machine], for "
                 "stress and preload; the drift does not depend on it"},
                f.gravity, D::acceleration, non_negative);
-    const bool elastic = f.kind == "elastic";
+    const bool elastic = f.kind == Foundation::Kind::elastic;
     v.expect(!elastic || f.vertical_stiffness, "kind", "nothing says how far the pads give way",
              "add vertical_stiffness = \"0.5 N/mm^3\" (force per travel and area)");
     v.expect(elastic || !(f.vertical_stiffness || f.horizontal_stiffness),
@@ -41,7 +41,7 @@ void describe(Visitor& v, Preload& p)
         "Rods or bolts that are stretched at assembly and press parts together. Every part named is one rod, bonded "
         "to the machine at its two ends. The run reports how warming changes their forces.");
     v.texts({"parts", "the rods: names of parts, `*` stands for any letters", required}, p.parts);
-    choose(v, {"axis", "along the rods; y unless stated"}, p.axis, {"x", "y", "z"});
+    choose(v, {"axis", "along the rods; y unless stated"}, p.axis);
     v.quantity({"force", "in each rod at the start", required}, p.force, D::force, positive);
     v.number({"process_share", "share of the process force that each rod has to hold; a rod that falls below it is "
                                "warned about"},

@@ -38,8 +38,7 @@ void describe(Visitor& v, Crankshaft& c)
     v.about(
         "The crankshaft on its bearings, as a beam along z. Angles are counted from the x axis towards y, angles of "
         "what turns with the shaft from the crank throw.");
-    choose(v, {"model", "`flexible`: a beam on springs; `rigid`: bearing loads by statics alone"}, c.model,
-           {"flexible", "rigid"});
+    choose(v, {"model", "`flexible`: a beam on springs; `rigid`: bearing loads by statics alone"}, c.model);
     v.text({"material", "its material", required}, c.material);
     v.quantity({"start", "z where the first section begins"}, c.start, D::length, any_value);
     v.quantity({"pin_position", "z of the crank pin's middle"}, c.pin_position, D::length, any_value);
@@ -145,7 +144,7 @@ void describe(Visitor& v, ProcessForce& p)
             "a die of `stiffness` that the slide meets so early that the force is reached at bottom dead point; "
             "`half_sine` and `rectangular`: between `from` and `to`; `angle_table` and `travel_table`: a share "
             "of the force over crank angle or slide height"},
-           p.kind, {"elastic", "half_sine", "rectangular", "angle_table", "travel_table", "none"});
+           p.kind);
     v.quantity({"stiffness", "of press and die together"}, p.stiffness, D::stiffness, positive);
     v.quantity({"from", "crank angle where the force begins; else 15 deg before bottom dead point"}, p.from, D::angle,
                any_value);
@@ -163,9 +162,9 @@ void describe(Visitor& v, ProcessForce& p)
                D::length, any_value);
     v.expect(!p.from || !p.to || *p.from < *p.to, "to", "the force must end after it begins",
              "write it like from = \"255 deg\", to = \"285 deg\"");
-    v.expect(p.kind != "angle_table" || !p.over_angle.x.empty(), "kind", "the table is missing",
+    v.expect(p.kind != ProcessForce::Kind::angle_table || !p.over_angle.x.empty(), "kind", "the table is missing",
              "add over_angle = { angle = [\"250 deg\", ...], value = [0, ...] }");
-    v.expect(p.kind != "travel_table" || !p.over_height.x.empty(), "kind", "the table is missing",
+    v.expect(p.kind != ProcessForce::Kind::travel_table || !p.over_height.x.empty(), "kind", "the table is missing",
              "add over_height = { height = [\"0 mm\", ...], value = [1, ...] }");
     v.expect(within_a_turn(p.over_angle), "over_angle", "the angles cover more than one turn",
              "keep them within 360 deg");

@@ -3,6 +3,8 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/quantity.hpp"
 
+#include <functional>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
@@ -13,7 +15,11 @@
 
 namespace deadpoint::casefile {
 
-enum class Need { optional, required };
+enum class Need {
+    optional,
+    required,
+    of_law  ///< required where the law is chosen that the key belongs to
+};
 
 /// One key of a table in the case file.
 struct Key {
@@ -42,6 +48,16 @@ struct CurveKeys {
 };
 
 class Visitor;
+
+/// One of the laws that a key of a table chooses; its own keys lie in the same table.
+struct Law {
+    std::string_view name;  ///< value of the key
+    /// Describes the case's law, which becomes this one.
+    std::function<void(Visitor&)> describe;
+    /// Describes a law with nothing stated, the same to all visitors in turn.
+    std::function<void(std::initializer_list<Visitor*>)> describe_fresh;
+};
+
 /// One description per struct: names every key with its unit, range and meaning, and the rules between keys.
 /// Reading, checking, writing and the reference page are visitors of these functions (describe.cpp).
 void describe(Visitor& v, Case& c);
@@ -53,13 +69,27 @@ void describe(Visitor& v, Part& p);
 void describe(Visitor& v, Shape& s);
 void describe(Visitor& v, ShaftSection& s);
 void describe(Visitor& v, Friction& f);
+void describe(Visitor& v, CalibratedFriction& f);
+void describe(Visitor& v, PalmgrenFriction& f);
+void describe(Visitor& v, SkfFriction& f);
+void describe(Visitor& v, PinFriction& f);
+void describe(Visitor& v, GuideFriction& f);
 void describe(Visitor& v, Joint& j);
 void describe(Visitor& v, JointElement& e);
 void describe(Visitor& v, Interface& i);
 void describe(Visitor& v, Conductance& c);
+void describe(Visitor& v, FractalContact& c);
+void describe(Visitor& v, RoughContact& c);
+void describe(Visitor& v, OilFilm& f);
+void describe(Visitor& v, RollingElements& e);
 void describe(Visitor& v, Surface& s);
 void describe(Visitor& v, BoxShape& b);  ///< of the key `within`
 void describe(Visitor& v, Film& f);
+void describe(Visitor& v, PlateFilm& f);
+void describe(Visitor& v, RoundFilm& f);
+void describe(Visitor& v, MovingFilm& f);
+void describe(Visitor& v, EnclosedFilm& f);
+void describe(Visitor& v, PaperFilm& f);
 void describe(Visitor& v, HeatInput& h);
 void describe(Visitor& v, OilCircuit& c);
 void describe(Visitor& v, Enclosure& e);
@@ -136,7 +166,9 @@ public:
                                             std::span<const std::string_view> values, std::size_t value,
                                             std::string_view meaning) = 0;
 
-    void axis(const Key& key, Axis& value);
+    /// The keys of the law that the key `tag` chose, which was described before.
+    /// @param chosen  its name; empty where the case names none
+    virtual void laws(std::string_view tag, std::string_view chosen, std::span<const Law> laws) = 0;
 
     /// A table below this one.
     template <class T>

@@ -4,10 +4,12 @@
 #include "deadpoint/casefile/describe/visitor.hpp"
 #include "deadpoint/casefile/files/reference_file.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/syntax/value_texts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace deadpoint::casefile {
 namespace {
@@ -167,13 +169,25 @@ public:
         for (const auto name : keys) {
             names += fmt::format("{}`{}`", names.empty() ? "" : ", ", name);
         }
-        current().rows += fmt::format("| one of {} | {} | required | {} |\n", names, choices(values), meaning);
+        current().rows.push_back(
+            {"", fmt::format("| one of {} | {} | required | {} |\n", names, choices(values), meaning)});
         current().alternatives = keys[key];
         std::vector<std::size_t> all(values.size());
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i] = i;
         }
         return all;
+    }
+    void laws(std::string_view, std::string_view, std::span<const Law> laws) override
+    {
+        std::vector<Row> merged;
+        const auto before = std::exchange(current().rows, {});
+        for (const auto& law : laws) {
+            law.describe_fresh({this});
+            merge(merged, std::exchange(current().rows, {}), &Row::key);
+        }
+        current().rows = before;
+        current().rows.insert(current().rows.end(), merged.begin(), merged.end());
     }
 
 protected:
@@ -221,12 +235,16 @@ protected:
     void end_list() override { close(); }
 
 private:
+    struct Row {
+        std::string key;
+        std::string text;
+    };
     struct Section {
         std::string title;
         std::string path;
         int level = 2;
         std::string about;
-        std::string rows;
+        std::vector<Row> rows;
         std::string alternatives;
     };
 
@@ -238,7 +256,10 @@ private:
             text += "\n" + section.about + "\n";
         }
         if (!section.rows.empty()) {
-            text += "\n| key | value | default | meaning |\n|---|---|---|---|\n" + section.rows;
+            text += "\n| key | value | default | meaning |\n|---|---|---|---|\n";
+            for (const auto& row : section.rows) {
+                text += row.text;
+            }
         }
         return text;
     }
@@ -279,8 +300,11 @@ private:
 
     void row(const Key& key, const std::string& value, const std::string& standard)
     {
-        current().rows += fmt::format("| `{}` | {} | {} | {} |\n", key.name, value,
-                                      key.need == Need::required ? "required" : standard, escaped(key.meaning));
+        const std::string_view shown = key.need == Need::required ? "required"
+                                       : key.need == Need::of_law ? std::string_view()
+                                                                  : std::string_view(standard);
+        current().rows.push_back({std::string(key.name), fmt::format("| `{}` | {} | {} | {} |\n", key.name, value,
+                                                                     shown, escaped(key.meaning))});
     }
 
     std::vector<Section> sections_;

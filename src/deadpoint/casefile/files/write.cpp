@@ -1,90 +1,15 @@
 #include "deadpoint/casefile/files/write.hpp"
 
-#include "deadpoint/casefile/describe/visitor.hpp"
+#include "deadpoint/casefile/syntax/value_texts.hpp"
 #include "deadpoint/core/hash.hpp"
 
-#include <algorithm>
-#include <array>
 #include <fmt/format.h>
+#include <optional>
 
 namespace deadpoint::casefile {
 namespace {
 
-std::string quoted(std::string_view text)
-{
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            result += fmt::format("\\{}", c);
-        } else if (c == '\n') {
-            result += "\\n";
-        } else if (c == '\t') {
-            result += "\\t";
-        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            result += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-        } else {
-            result += c;
-        }
-    }
-    return result + "\"";
-}
-
-std::string key_text(std::string_view key)
-{
-    const bool bare = !key.empty() && std::ranges::all_of(key, [](unsigned char c) {
-        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-';
-    });
-    return bare ? std::string(key) : quoted(key);
-}
-
-std::string value_text(double value, Dimension dimension)
-{
-    return dimension == Dimension::none ? format_number(value) : quoted(format_quantity(value, dimension));
-}
-
-template <class Values, class Show>
-std::string list_text(const Values& values, Show show)
-{
-    std::string text;
-    for (const auto& value : values) {
-        text += (text.empty() ? "" : ", ") + show(value);
-    }
-    return "[" + text + "]";
-}
-
-std::string values_text(std::span<const double> values, Dimension dimension)
-{
-    return list_text(values, [&](double v) { return value_text(v, dimension); });
-}
-
-/// One value where both directions are alike and apart.
-std::string matrix_text(const Matrix2& m, Dimension dimension)
-{
-    if (m[0][0] == m[1][1] && m[0][1] == 0 && m[1][0] == 0) {
-        return value_text(m[0][0], dimension);
-    }
-    return list_text(m, [&](const auto& row) { return values_text(row, dimension); });
-}
-
-std::string points_text(const std::vector<Vec2>& points)
-{
-    return list_text(points, [](const Vec2& p) { return values_text(p, Dimension::length); });
-}
-
-std::string curve_text(const Table& table, std::string_view x_name, Dimension x, Dimension y)
-{
-    return fmt::format("{{ {} = {}, value = {} }}", x_name, values_text(table.x, x), values_text(table.y, y));
-}
-
-std::string daily_text(const DailyCourse& daily)
-{
-    return fmt::format("{{ mean = {}, amplitude = {}, time_of_maximum = {}, period = {} }}",
-                       value_text(daily.mean, Dimension::temperature),
-                       value_text(daily.amplitude, Dimension::temperature_difference),
-                       value_text(daily.time_of_maximum, Dimension::time), value_text(daily.period, Dimension::time));
-}
-
-class Writer final : public Visitor {
+class Writer final : public ValueTexts {
 public:
     std::string run(Case& c)
     {
@@ -93,57 +18,7 @@ public:
         return frames_.back().body;
     }
 
-    void number(const Key& key, double& value, const Range&) override { emit(key, format_number(value)); }
-    void integer(const Key& key, int& value, const Range&) override { emit(key, fmt::format("{}", value)); }
-    void flag(const Key& key, bool& value) override { emit(key, value ? "true" : "false"); }
-    void text(const Key& key, std::string& value) override
-    {
-        if (!value.empty() || key.need == Need::required) {
-            emit(key, quoted(value));
-        }
-    }
-    void path(const Key& key, std::string& value) override { text(key, value); }
-    void choice(const Key& key, std::string& value, std::span<const std::string_view>) override { text(key, value); }
-    void quantity(const Key& key, double& value, Dimension dimension, const Range&) override
-    {
-        emit(key, value_text(value, dimension));
-    }
-    void quantity(const Key& key, std::optional<double>& value, Dimension dimension, const Range&) override
-    {
-        if (value) {
-            emit(key, value_text(*value, dimension));
-        }
-    }
-    void vector(const Key& key, std::span<double> value, Dimension dimension) override
-    {
-        emit(key, values_text(value, dimension));
-    }
-    void vector(const Key& key, std::optional<Vec2>& value, Dimension dimension) override
-    {
-        if (value) {
-            emit(key, values_text(*value, dimension));
-        }
-    }
-    void matrix(const Key& key, Matrix2& value, Dimension dimension) override
-    {
-        emit(key, matrix_text(value, dimension));
-    }
-    void matrix(const Key& key, std::optional<Matrix2>& value, Dimension dimension) override
-    {
-        if (value) {
-            emit(key, matrix_text(*value, dimension));
-        }
-    }
-    void extent(const Key& key, double& from, double& to) override
-    {
-        emit(key, values_text(std::array{from, to}, Dimension::length));
-    }
-    void quantities(const Key& key, std::vector<double>& value, Dimension dimension, const Range&) override
-    {
-        if (!value.empty()) {
-            emit(key, values_text(value, dimension));
-        }
-    }
+    using ValueTexts::quantities;
     void quantities(const Key& key, std::map<std::string, double>& value, Dimension dimension) override
     {
         if (value.empty()) {
@@ -156,50 +31,14 @@ public:
         }
         end_table();
     }
-    void texts(const Key& key, std::vector<std::string>& value) override
-    {
-        if (!value.empty()) {
-            emit(key, list_text(value, [](const std::string& text) { return quoted(text); }));
-        }
-    }
-    void points(const Key& key, std::vector<Vec2>& value) override { emit(key, points_text(value)); }
-    void loops(const Key& key, std::vector<std::vector<Vec2>>& value) override
-    {
-        if (!value.empty()) {
-            emit(key, list_text(value, points_text));
-        }
-    }
-    void curve(const Key& key, Table& value, const CurveKeys& keys) override
-    {
-        if (!value.x.empty()) {
-            emit(key, curve_text(value, keys.x_name, keys.x, keys.y));
-        }
-    }
-    void property(const Key& key, double& constant, Table& table, Dimension dimension, const Range&) override
-    {
-        emit(key, table.x.empty() ? value_text(constant, dimension)
-                                  : curve_text(table, "temperature", Dimension::temperature, dimension));
-    }
-    void course(const Key& key, std::optional<Course>& value, Dimension dimension, const Range&) override
-    {
-        if (!value) {
-            return;
-        }
-        if (value->daily) {
-            return emit(key, daily_text(*value->daily));
-        }
-        emit(key, value->table ? curve_text(*value->table, "time", Dimension::time, dimension)
-                               : value_text(value->constant, dimension));
-    }
-    std::vector<std::size_t> tagged(std::span<const std::string_view> keys, std::size_t& key,
-                                    std::span<const std::string_view> values, std::size_t value,
-                                    std::string_view) override
-    {
-        emit({keys[key], ""}, quoted(values[value]));
-        return {value};
-    }
 
 protected:
+    void put(const Key& key, std::optional<std::string> text) override
+    {
+        if (text) {
+            emit(key, *text);
+        }
+    }
     bool begin_table(const Key& key, bool present) override
     {
         if (!present) {

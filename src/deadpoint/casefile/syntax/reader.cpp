@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/syntax/reader.hpp"
 
+#include "deadpoint/casefile/syntax/value_texts.hpp"
 #include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/suggest.hpp"
 
@@ -83,7 +84,7 @@ Reader::Reader(const Document& document, Diagnostics& diagnostics, const Library
 
 void Reader::push(const Node& node, std::string path)
 {
-    frames_.push_back({&node, std::move(path), {}, diagnostics_.size(), false});
+    frames_.push_back({&node, std::move(path), {}, diagnostics_.size(), false, {}});
 }
 
 /// Leaves a table: what it holds and nobody asked for is a mistake.
@@ -133,13 +134,28 @@ void Reader::report_key(const Node& at, std::string code, std::string path, std:
 const Node* Reader::take(const Key& key)
 {
     auto& frame = top();
-    frame.known.emplace_back(key.name);
+    if (std::ranges::find(frame.known, key.name) == frame.known.end()) {
+        frame.known.emplace_back(key.name);
+    }
     const Node* node = frame.node->find(key.name);
-    if (node == nullptr && key.need == Need::required) {
+    if (node == nullptr && key.need != Need::optional) {
+        report_missing(key);
+    }
+    return node;
+}
+
+void Reader::report_missing(const Key& key)
+{
+    const auto& frame = top();
+    const Node* law = key.need == Need::of_law ? frame.node->find(frame.law) : nullptr;
+    if (law != nullptr) {
+        report(*law, "inconsistent", path_of(frame.law),
+               fmt::format("'{}' is missing for {} = \"{}\"", key.name, frame.law, law->text),
+               fmt::format("add `{}`", key.name));
+    } else {
         report_key(*frame.node, "missing-key", path_of(key.name), fmt::format("'{}' is missing", key.name),
                    fmt::format("add it: {}", key.meaning));
     }
-    return node;
 }
 
 const Node* Reader::take(const Key& key, Node::Kind kind, std::string_view help)
@@ -414,6 +430,66 @@ std::vector<std::size_t> Reader::tagged(std::span<const std::string_view> keys, 
     }
     frame.open_ended = true;  // its other keys cannot be judged
     return {};
+}
+
+/// Whether the table states a law's key as a law with nothing stated has it, as the resolved case does.
+bool Reader::is_default(const Law& law, const std::string& key) const
+{
+    const auto keys = fresh_keys(law);
+    const auto standard = std::ranges::find(keys, key, &LawKey::name);
+    if (standard == keys.end() || !standard->text) {
+        return false;
+    }
+    const Node& table = *frames_.back().node;
+    if (const Node& value = *table.find(key);
+        value.kind == Node::Kind::string && in_quotes(value.text) == *standard->text) {
+        return true;
+    }
+    Diagnostics trial;
+    Reader reader(document_, trial, library_);
+    reader.push(table, frames_.back().path);
+    const auto read = fresh_keys(law, &reader);
+    const bool wrong = std::ranges::any_of(trial.items(), [&](const auto& item) { return item.path == path_of(key); });
+    return !wrong && std::ranges::find(read, key, &LawKey::name)->text == standard->text;
+}
+
+void Reader::report_foreign(std::string_view tag, std::string_view chosen, const Node& node)
+{
+    if (chosen.empty()) {
+        report(node, "inconsistent", path_of(node.key),
+               fmt::format("'{}' belongs to a {}, and none is named", node.key, tag),
+               fmt::format("add `{}`, or remove the key", tag));
+    } else {
+        report(node, "inconsistent", path_of(node.key),
+               fmt::format("{} = \"{}\" does not use '{}'", tag, chosen, node.key),
+               fmt::format("remove it, or take another {}", tag));
+    }
+}
+
+void Reader::laws(std::string_view tag, std::string_view chosen, std::span<const Law> laws)
+{
+    const auto keys = merged_keys(laws, "");
+    for (const auto& key : keys) {
+        top().known.push_back(key.name);
+    }
+    const Node* named = top().node->find(tag);
+    const std::string_view stated = named != nullptr ? std::string_view(named->text) : std::string_view();
+    if (stated != chosen) {
+        return;  // which keys belong here cannot be judged
+    }
+    std::vector<LawKey> own;
+    if (const auto law = std::ranges::find(laws, chosen, &Law::name); law != laws.end()) {
+        top().law = tag;
+        law->describe(*this);
+        own = fresh_keys(*law);
+    }
+    for (const auto& key : keys) {
+        const Node* node = top().node->find(key.name);
+        const bool foreign = node != nullptr && std::ranges::find(own, key.name, &LawKey::name) == own.end();
+        if (foreign && std::ranges::none_of(laws, [&](const Law& law) { return is_default(law, key.name); })) {
+            report_foreign(tag, chosen, *node);
+        }
+    }
 }
 
 bool Reader::begin_table(const Key& key, bool present)

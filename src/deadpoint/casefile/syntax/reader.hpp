@@ -50,6 +50,7 @@ public:
     std::vector<std::size_t> tagged(std::span<const std::string_view> keys, std::size_t& key,
                                     std::span<const std::string_view> values, std::size_t value,
                                     std::string_view meaning) override;
+    void laws(std::string_view tag, std::string_view chosen, std::span<const Law> laws) override;
 
 protected:
     bool begin_table(const Key& key, bool present) override;
@@ -70,6 +71,7 @@ private:
         std::vector<std::string> known;
         std::size_t errors = 0;   ///< in all, when the frame was opened
         bool open_ended = false;  ///< keys are names chosen by the user, or items
+        std::string_view law;     ///< key that chose the law being described
     };
 
     void push(const Node& node, std::string path);
@@ -77,6 +79,9 @@ private:
     [[nodiscard]] Frame& top() { return frames_.back(); }
     [[nodiscard]] std::string path_of(std::string_view key) const;
     const Node* take(const Key& key);
+    void report_missing(const Key& key);
+    [[nodiscard]] bool is_default(const Law& law, const std::string& key) const;
+    void report_foreign(std::string_view tag, std::string_view chosen, const Node& node);
     const Node* take(const Key& key, Node::Kind kind, std::string_view help);
     void report(const Node& at, std::string code, std::string path, std::string message, std::string help);
     void report_key(const Node& at, std::string code, std::string path, std::string message, std::string help);

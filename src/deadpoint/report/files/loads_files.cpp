@@ -91,7 +91,7 @@ Json bearing_json(const BearingCycle& b)
             {"mean_N", pair(b.mean)},
             {"mean_magnitude_N", b.mean_magnitude},
             {"rms_N", b.rms},
-            {"mean_F_to_1.33_N1.33", b.mean_power_4_3}};
+            {"mean_F_to_1.33_N1.33", b.mean_rolling_load}};
 }
 
 Json bearings_json(const std::vector<BearingCycle>& bearings)

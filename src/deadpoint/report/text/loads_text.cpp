@@ -117,8 +117,9 @@ std::string linkage_plan_text(const casefile::Case& input)
     for (const std::size_t left : {1, 2, 3})
         joints.align_left(left);
     for (const auto& [name, joint] : input.joints)
-        joints.add_row({name, joint.driver ? "revolute, driver" : joint.kind, joint.bodies.at(0), joint.bodies.at(1),
-                        fmt::format("{:.3f}", 1e3 * joint.centre[0]), fmt::format("{:.3f}", 1e3 * joint.centre[1])});
+        joints.add_row({name, joint.driver ? "revolute, driver" : std::string(casefile::name_of(joint.kind)),
+                        joint.bodies.at(0), joint.bodies.at(1), fmt::format("{:.3f}", 1e3 * joint.centre[0]),
+                        fmt::format("{:.3f}", 1e3 * joint.centre[1])});
     text += joints.text() + "\nOperation\n";
     TextTable operation({"segment", "speed [rpm]", "force [kN]"});
     for (const auto& segment : input.operation)

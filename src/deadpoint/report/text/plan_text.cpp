@@ -85,12 +85,12 @@ std::string interfaces_section(const Case& description, const Machine& machine)
     table.align_left(3);
     for (const auto& contact : machine.interfaces) {
         const auto joint = description.joints.find(contact.name.substr(0, contact.name.find('.')));
-        table.add_row({contact.name, joint == description.joints.end() ? "" : joint->second.kind,
-                       part_name(machine, contact.part_a), part_name(machine, contact.part_b),
-                       significant(1e4 * contact.area, 4), percent(contact.coverage()),
-                       fmt::format("{:.1f}", 1e6 * contact.max_gap),
-                       contact.stroke > 0 ? fmt::format("{:.1f}", 1e3 * contact.stroke) : "",
-                       contact.stroke > 0 ? percent(contact.least_coverage()) : ""});
+        table.add_row(
+            {contact.name, joint == description.joints.end() ? "" : std::string(casefile::name_of(joint->second.kind)),
+             part_name(machine, contact.part_a), part_name(machine, contact.part_b), significant(1e4 * contact.area, 4),
+             percent(contact.coverage()), fmt::format("{:.1f}", 1e6 * contact.max_gap),
+             contact.stroke > 0 ? fmt::format("{:.1f}", 1e3 * contact.stroke) : "",
+             contact.stroke > 0 ? percent(contact.least_coverage()) : ""});
     }
     return section("Joints and their interfaces", table);
 }
@@ -107,9 +107,9 @@ std::string bonds_section(const Machine& machine)
 std::string condition_text(const casefile::Surface& surface)
 {
     if (surface.film) {
-        std::string text = surface.film->coefficient
-                               ? fmt::format("film {} W/m2/K", significant(*surface.film->coefficient))
-                               : fmt::format("film by law '{}'", surface.film->law);
+        const auto* known = std::get_if<casefile::FilmCoefficient>(&surface.film->law);
+        std::string text = known ? fmt::format("film {} W/m2/K", significant(known->value.value_or(0)))
+                                 : fmt::format("film by law '{}'", casefile::law_name(*surface.film));
         if (surface.film->emissivity > 0) {
             text += fmt::format(", emissivity {}", significant(surface.film->emissivity));
         }

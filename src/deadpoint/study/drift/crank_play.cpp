@@ -9,9 +9,14 @@ namespace {
 
 const casefile::Joint& crank_joint(const casefile::Case& input) { return input.joints.at(input.chain->crank_joint); }
 
-bool is_stated(const casefile::Case& input)
+bool is_stated(const casefile::Case& input) { return input.chain->bearing_play || crank_joint(input).clearance; }
+
+bool is_rolling(const casefile::FrictionLaw& law)
 {
-    return !input.chain->bearing_play.empty() || crank_joint(input).clearance;
+    const auto* calibrated = std::get_if<casefile::CalibratedFriction>(&law);
+    return std::holds_alternative<casefile::PalmgrenFriction>(law) ||
+           std::holds_alternative<casefile::SkfFriction>(law) ||
+           (calibrated && calibrated->kind == FrictionKind::rolling);
 }
 
 // By its elements; a joint without any by the law of its friction.
@@ -19,10 +24,10 @@ bool is_rolling(const casefile::Case& input)
 {
     const auto& joint = crank_joint(input);
     if (!joint.elements.empty())
-        return std::ranges::any_of(joint.elements, [](const auto& element) { return element.type == "rolling"; });
-    const auto law = input.friction.find(joint.friction);
-    return law != input.friction.end() &&
-           (law->second.law == "palmgren" || law->second.law == "skf" || law->second.kind == "rolling");
+        return std::ranges::any_of(
+            joint.elements, [](const auto& element) { return element.type == casefile::JointElement::Type::rolling; });
+    const auto row = input.friction.find(joint.friction);
+    return row != input.friction.end() && is_rolling(row->second.law);
 }
 
 double mean_of(const std::vector<double>& values)
@@ -49,11 +54,12 @@ double largest_growth(const ChainModel& chain, const ThermalHistory& history)
 drift::BearingPlay crank_play(const casefile::Case& input)
 {
     using enum drift::BearingPlay::Kind;
+    using Play = casefile::Chain::Play;
     const auto& stated = input.chain->bearing_play;
     const auto& clearance = crank_joint(input).clearance;
-    if (stated == "none")
+    if (stated == Play::none)
         return {none, 0};
-    if (stated == "paper")
+    if (stated == Play::paper)
         return {whole, 0};
     if (clearance)
         return {limited, 0.5 * *clearance};

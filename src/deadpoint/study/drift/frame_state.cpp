@@ -27,8 +27,6 @@ bool pair_matches(const std::string& pair, const std::string& a, const std::stri
     return (matches(first, a) && matches(second, b)) || (matches(first, b) && matches(second, a));
 }
 
-Axis axis_of(const std::string& name) { return static_cast<Axis>(std::string("xyz").find(name)); }
-
 void add(std::vector<PartStress>& sum, const std::vector<PartStress>& other)
 {
     for (std::size_t p = 0; p < sum.size(); ++p)
@@ -79,14 +77,29 @@ bool has_frame_state(const casefile::Case& input)
     return input.foundation || !input.preload.empty() || !input.output.stress.empty();
 }
 
+namespace {
+
+Foundation::Kind kind_of(casefile::Foundation::Kind stated)
+{
+    switch (stated) {
+    case casefile::Foundation::Kind::clamped:
+        return Foundation::Kind::clamped;
+    case casefile::Foundation::Kind::elastic:
+        return Foundation::Kind::elastic;
+    default:
+        return Foundation::Kind::free;
+    }
+}
+
+}  // namespace
+
 Foundation describe_foundation(const casefile::Case& input, const Machine& machine)
 {
     Foundation result;
     std::string surface = input.chain ? input.chain->ground_surface : std::string{};
     if (input.foundation) {
         const auto& stated = *input.foundation;
-        using enum Foundation::Kind;
-        result.kind = stated.kind == "clamped" ? clamped : stated.kind == "elastic" ? elastic : free;
+        result.kind = kind_of(stated.kind);
         result.vertical = stated.vertical_stiffness.value_or(0);
         result.horizontal = stated.horizontal_stiffness.value_or(0);
         if (!stated.surface.empty())
@@ -130,7 +143,7 @@ void FrameState::find_gauges(const casefile::Case& input)
                 continue;
             if (!taken.insert(part).second)
                 throw InputError(fmt::format("preload.{}: rod '{}' is preloaded twice; name it once", name, part));
-            rods_.push_back({part, ForceGauge::Kind::rod, p, axis_of(preload.axis)});
+            rods_.push_back({part, ForceGauge::Kind::rod, p, preload.axis});
             wanted_.push_back(preload.force);
             start_.rods.push_back({part, name, preload.force, {}, preload.process_share});
         }

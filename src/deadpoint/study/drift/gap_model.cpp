@@ -164,7 +164,7 @@ GapModel describe_gaps(const casefile::Case& input, const Machine& machine, cons
         next += static_cast<int>(contacts.size());
         const auto centre = chain.sensitivity.joint_centres[index++];
         JointClearances clearances(model, input, machine, name);
-        if (joint.kind == "slide")
+        if (joint.kind == casefile::Joint::Kind::slide)
             clearances.of_guide(contacts);
         else
             clearances.of_bearings(contacts, centre);

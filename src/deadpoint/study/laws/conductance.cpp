@@ -8,11 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
+#include <variant>
 
 namespace deadpoint::study {
 namespace {
 
-using casefile::Conductance;
 using tribology::ContactConductance;
 
 /// One interface with all that its law may ask for.
@@ -73,77 +74,76 @@ double mean_load(const LoadsResult& loads, const std::string& joint)
     return tribology::duty_mean(tribology::duty_of(loads.history, loads.history.joints.at(index)), 1, 0);
 }
 
-double contact_pressure(const Place& at, InterfaceConductance& result)
+double contact_pressure(const Place& at, const std::optional<double>& given, InterfaceConductance& result)
 {
-    const auto& given = at.interface.conductance.pressure;
     if (!given && !at.loads)
         throw InputError(
             fmt::format("{}.conductance: the law \"{}\" needs the contact pressure, and there are no loads "
                         "to compute it from\n  help: add pressure = \"1 MPa\", or describe the linkage "
                         "with its driver and slide body",
-                        at.path(), at.interface.conductance.law));
+                        at.path(), casefile::law_name(at.interface.conductance)));
     result.pressure = given ? *given : mean_load(*at.loads, at.joint_name) / area_side_by_side(at);
     result.pressure_from_loads = !given;
     return *result.pressure;
 }
 
-tribology::GapFluid fluid_of(const Conductance& c)
+tribology::GapFluid fluid_of(double conductivity, const std::optional<double>& jump)
 {
-    return {c.fluid_conductivity.value_or(0), c.gas_jump.value_or(0)};
+    return {conductivity, jump.value_or(0)};
 }
 
-ContactConductance fractal(const Place& at, double pressure)
+ContactConductance by_law(const Place& at, const casefile::FractalContact& c, InterfaceConductance& result)
 {
-    const auto& c = at.interface.conductance;
+    const double pressure = contact_pressure(at, c.surfaces.pressure, result);
     const auto a = at.material(at.contact().part_a);
     const auto b = at.material(at.contact().part_b);
     tribology::FractalContact contact;
-    contact.dimension = c.fractal_dimension.value_or(0);
-    contact.roughness = c.fractal_roughness.value_or(0);
-    contact.sample = c.sample_length.value_or(0);
-    contact.separation = c.separation.value_or(0);
-    contact.hardness = c.hardness.value_or(0);
+    contact.dimension = c.fractal_dimension;
+    contact.roughness = c.fractal_roughness;
+    contact.sample = c.sample_length;
+    contact.separation = c.separation;
+    contact.hardness = c.surfaces.hardness;
     contact.modulus =
         tribology::contact_modulus(a.youngs_modulus, a.poissons_ratio, b.youngs_modulus, b.poissons_ratio);
     contact.conductivity1 = a.conductivity;
     contact.conductivity2 = b.conductivity;
-    return tribology::fractal_conductance(contact, fluid_of(c), pressure);
+    return tribology::fractal_conductance(contact, fluid_of(c.surfaces.fluid_conductivity, c.surfaces.gas_jump),
+                                          pressure);
 }
 
-ContactConductance rough(const Place& at, double pressure)
+ContactConductance by_law(const Place& at, const casefile::RoughContact& c, InterfaceConductance& result)
 {
-    const auto& c = at.interface.conductance;
+    const double pressure = contact_pressure(at, c.surfaces.pressure, result);
     tribology::RoughContact contact;
-    contact.roughness = c.roughness.value_or(0);
+    contact.roughness = c.roughness;
     contact.slope = c.slope ? *c.slope : tribology::slope_of_roughness(contact.roughness);
-    contact.hardness = c.hardness.value_or(0);
+    contact.hardness = c.surfaces.hardness;
     contact.conductivity1 = at.material(at.contact().part_a).conductivity;
     contact.conductivity2 = at.material(at.contact().part_b).conductivity;
-    auto result = tribology::rough_conductance(contact, fluid_of(c), pressure);
+    auto value =
+        tribology::rough_conductance(contact, fluid_of(c.surfaces.fluid_conductivity, c.surfaces.gas_jump), pressure);
     if (!c.slope)
-        result.notes.push_back(fmt::format("slope {:.3g} estimated from the roughness", contact.slope));
-    return result;
+        value.notes.push_back(fmt::format("slope {:.3g} estimated from the roughness", contact.slope));
+    return value;
 }
 
-ContactConductance oil_film(const Conductance& c)
+ContactConductance by_law(const Place&, const casefile::OilFilm& c, InterfaceConductance&)
 {
     if (c.thickness)
-        return tribology::film_conductance(fluid_of(c), *c.thickness);
-    return tribology::journal_film_conductance(c.fluid_conductivity.value_or(0), c.clearance.value_or(0),
+        return tribology::film_conductance(fluid_of(c.fluid_conductivity, c.gas_jump), *c.thickness);
+    return tribology::journal_film_conductance(c.fluid_conductivity, c.clearance.value_or(0),
                                                c.eccentricity.value_or(0));
 }
 
 tribology::SolidHeat solid_of(const casefile::Material& m) { return {m.conductivity, m.density, m.specific_heat}; }
 
-ContactConductance rolling_elements(const Place& at)
+ContactConductance by_law(const Place& at, const casefile::RollingElements& c, InterfaceConductance&)
 {
-    const auto& c = at.interface.conductance;
     const auto material = c.material.empty() ? at.material(at.contact().part_a) : at.material(c.material);
-    const Vec2 inner = c.inner_spot.value_or(Vec2{}), outer = c.outer_spot.value_or(Vec2{});
     tribology::BearingPath path;
-    path.elements.assign(static_cast<std::size_t>(c.loaded_elements.value_or(0)),
-                         {{inner[0], inner[1]}, {outer[0], outer[1]}});
-    path.element_diameter = c.element_diameter.value_or(0);
+    path.elements.assign(static_cast<std::size_t>(c.loaded_elements),
+                         {{c.inner_spot[0], c.inner_spot[1]}, {c.outer_spot[0], c.outer_spot[1]}});
+    path.element_diameter = c.element_diameter;
     path.element = solid_of(material);
     path.ring = path.element;
     if (c.pitch_diameter) {
@@ -157,18 +157,28 @@ ContactConductance rolling_elements(const Place& at)
     return tribology::bearing_conductance(path).per_area(cut ? 2 * contact.area : contact.area);
 }
 
-ContactConductance by_law(const Place& at, InterfaceConductance& result)
+void set_films(const Place&, const casefile::ContactResistance& known, InterfaceConductance& result)
 {
-    const auto& law = at.interface.conductance.law;
-    if (law == "fractal")
-        return fractal(at, contact_pressure(at, result));
-    if (law == "cooper_mikic_yovanovich")
-        return rough(at, contact_pressure(at, result));
-    if (law == "oil_film")
-        return oil_film(at.interface.conductance);
-    if (law == "rolling_elements")
-        return rolling_elements(at);
-    throw InputError(fmt::format("{}.conductance: there is no law '{}'", at.path(), law));
+    result.film_a = result.film_b = known.value > 0 ? 2 / known.value : 0;
+}
+
+void set_films(const Place&, const casefile::SideFilms& known, InterfaceConductance& result)
+{
+    result.film_a = known.a;
+    result.film_b = known.b;
+}
+
+template <class Law>
+void set_films(const Place& at, const Law& law, InterfaceConductance& result)
+{
+    try {
+        const auto value = by_law(at, law, result);
+        result.film_a = result.film_b = 2 * value.conductance;
+        result.in_range = value.in_range;
+        result.notes = value.notes;
+    } catch (const DomainError& error) {
+        throw DomainError(fmt::format("{}: {}", at.path(), error.what()));
+    }
 }
 
 InterfaceConductance conductance_of(const Place& at)
@@ -177,22 +187,9 @@ InterfaceConductance conductance_of(const Place& at)
     result.joint = at.joint_name;
     result.name = at.interface.name;
     result.area = at.contact().area;
-    const auto& given = at.interface.conductance;
-    if (given.law.empty()) {
-        result.law = "given";
-        result.film_a = given.resistance > 0 ? 2 / given.resistance : given.side_a;
-        result.film_b = given.resistance > 0 ? 2 / given.resistance : given.side_b;
-        return result;
-    }
-    result.law = given.law;
-    try {
-        const auto value = by_law(at, result);
-        result.film_a = result.film_b = 2 * value.conductance;
-        result.in_range = value.in_range;
-        result.notes = value.notes;
-    } catch (const DomainError& error) {
-        throw DomainError(fmt::format("{}: {}", at.path(), error.what()));
-    }
+    const auto law = casefile::law_name(at.interface.conductance);
+    result.law = law.empty() ? "given" : law;
+    std::visit([&](const auto& given) { set_films(at, given, result); }, at.interface.conductance);
     return result;
 }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <string_view>
+#include <variant>
 
 namespace deadpoint::study {
 namespace {
@@ -22,74 +24,104 @@ const MeshSurface& find_surface(const Machine& machine, const std::string& name)
     return *found;
 }
 
-double needed_length(const std::optional<double>& given, const std::optional<double>& derived, const char* key,
-                     const char* meaning, const casefile::Film& film, const std::string& surface)
+/// A surface and its film, with all that the law may ask for.
+struct Place {
+    const casefile::Film& film;
+    const Machine& machine;
+    const MeshSurface& surface;
+    const LoadsResult* loads;
+};
+
+double needed_length(const Place& at, const std::optional<double>& given, const std::optional<double>& derived,
+                     const char* key, const char* meaning)
 {
     if (given)
         return *given;
     if (derived)
         return *derived;
+    std::string_view law = casefile::law_name(at.film);
+    constexpr std::string_view printed = "paper_";
+    if (law.starts_with(printed))
+        law.remove_prefix(printed.size());
     throw InputError(fmt::format("surfaces.{}.film: law = \"{}\" needs `{}`, {}; it does not follow from this "
                                  "surface's geometry\n  help: add {} = \"500 mm\", or split the surface",
-                                 surface, film.law, key, meaning, key));
+                                 at.surface.name, law, key, meaning, key));
 }
 
-double height(const casefile::Film& film, const Machine& machine, const MeshSurface& surface)
+double height(const Place& at, const std::optional<double>& given,
+              const char* meaning = "its height (else that of a surface on one part)")
 {
-    return needed_length(film.length, height_of(machine, surface), "length",
-                         film.law == "moving" ? "along its motion (else the height of a surface on one part)"
-                                              : "its height (else that of a surface on one part)",
-                         film, surface.name);
+    return needed_length(at, given, height_of(at.machine, at.surface), "length", meaning);
 }
 
-double diameter(const casefile::Film& film, const Machine& machine, const MeshSurface& surface)
+void set_film(SurfaceFilm& result, const Place&, const casefile::FilmCoefficient& film)
 {
-    const bool disk = film.law == "rotating_disk";
-    return needed_length(
-        film.diameter, disk ? disk_diameter(machine, surface) : cylinder_diameter(machine, surface), "diameter",
-        disk ? "of the disk (else that of the cylinder around its plane)" : "of one cylinder", film, surface.name);
+    result.constant = film.value.value_or(0);
 }
 
-void set_moving(SurfaceFilm& result, const casefile::Film& film, const Machine& machine, const MeshSurface& surface,
-                const LoadsResult* loads)
+void set_film(SurfaceFilm& result, const Place&, const casefile::PaperFilm& film)
 {
-    result.air.forced = ForcedFlow::moving_plate;
-    result.air.forced_length = result.air.natural_length;
+    result.constant = film.of == casefile::PaperFilm::Of::frame ? surroundings::paper_frame_coefficient
+                                                                : surroundings::paper_crankshaft_coefficient;
+}
+
+void set_film(SurfaceFilm& result, const Place& at, const casefile::PlateFilm& film)
+{
+    using Facing = casefile::PlateFilm::Facing;
+    result.as_printed = film.as_printed;
+    auto& air = result.air;
+    if (film.facing == Facing::sideways) {
+        air.natural = NaturalFlow::vertical;
+        air.natural_length = height(at, film.length);
+        return;
+    }
+    air.natural = film.facing == Facing::up ? NaturalFlow::facing_up : NaturalFlow::facing_down;
+    air.natural_length = needed_length(at, film.length, area_over_perimeter(at.machine, at.surface), "length",
+                                       "area over perimeter (else that of a single plane)");
+}
+
+void set_film(SurfaceFilm& result, const Place& at, const casefile::RoundFilm& film)
+{
+    using Form = casefile::RoundFilm::Form;
+    const bool disk = film.form == Form::rotating_disk;
+    const auto derived = disk ? disk_diameter(at.machine, at.surface) : cylinder_diameter(at.machine, at.surface);
+    result.as_printed = film.as_printed;
+    auto& air = result.air;
+    air.natural = disk ? NaturalFlow::vertical : NaturalFlow::horizontal_cylinder;
+    air.natural_length =
+        needed_length(at, film.diameter, derived, "diameter",
+                      disk ? "of the disk (else that of the cylinder around its plane)" : "of one cylinder");
+    if (film.form == Form::cylinder)
+        return;
+    air.forced = disk ? ForcedFlow::rotating_disk : ForcedFlow::rotating_cylinder;
+    air.forced_length = air.natural_length;
+    result.speed_per_turn = 1;
+}
+
+void set_film(SurfaceFilm& result, const Place& at, const casefile::MovingFilm& film)
+{
+    auto& air = result.air;
+    air.natural = NaturalFlow::vertical;
+    air.natural_length = height(at, film.length, "along its motion (else the height of a surface on one part)");
+    air.forced = ForcedFlow::moving_plate;
+    air.forced_length = air.natural_length;
     if (film.speed) {
         result.running_speed = *film.speed;
         return;
     }
-    if (!loads)
+    if (!at.loads)
         throw InputError(fmt::format("surfaces.{}.film: law = \"moving\" needs the speed of the body, and there are no "
                                      "loads to take it from\n  help: add speed = \"0.5 m/s\" (root mean square), or "
                                      "describe the linkage with its driver and slide body",
-                                     surface.name));
-    result.speed_per_turn = rms_speed(machine, surface, *loads) / loads->speed;
+                                     at.surface.name));
+    result.speed_per_turn = rms_speed(at.machine, at.surface, *at.loads) / at.loads->speed;
 }
 
-void set_flow(SurfaceFilm& result, const casefile::Film& film, const Machine& machine, const MeshSurface& surface,
-              const LoadsResult* loads)
+void set_film(SurfaceFilm& result, const Place& at, const casefile::EnclosedFilm& film)
 {
-    auto& air = result.air;
-    if (film.law == "horizontal_up" || film.law == "horizontal_down") {
-        air.natural = film.law == "horizontal_up" ? NaturalFlow::facing_up : NaturalFlow::facing_down;
-        air.natural_length = needed_length(film.length, area_over_perimeter(machine, surface), "length",
-                                           "area over perimeter (else that of a single plane)", film, surface.name);
-        return;
-    }
-    const bool round = film.law == "cylinder" || film.law == "rotating_cylinder";
-    const bool turns = film.law == "rotating_cylinder" || film.law == "rotating_disk";
-    air.natural = round ? NaturalFlow::horizontal_cylinder : NaturalFlow::vertical;
-    air.natural_length = round || turns ? diameter(film, machine, surface) : height(film, machine, surface);
-    if (turns) {
-        air.forced = round ? ForcedFlow::rotating_cylinder : ForcedFlow::rotating_disk;
-        air.forced_length = air.natural_length;
-        result.speed_per_turn = 1;
-    } else if (film.law == "moving") {
-        set_moving(result, film, machine, surface, loads);
-    } else if (film.law == "enclosed") {
-        result.exchange = film.exchange.value_or(0) / (machine.half_model ? 2 : 1);
-    }
+    result.air.natural = NaturalFlow::vertical;
+    result.air.natural_length = height(at, film.length);
+    result.exchange = film.exchange / (at.machine.half_model ? 2 : 1);
 }
 
 int body_in_linkage(const Machine& machine, const MeshSurface& surface, const LoadsResult& loads)
@@ -152,20 +184,10 @@ SurfaceFilm surface_film(const casefile::Film& film, const Machine& machine, con
     SurfaceFilm result;
     result.surface = name;
     result.area = surface.area;
-    result.law = film.law.empty() ? "given" : film.law;
-    if (film.law.empty()) {
-        result.constant = film.coefficient.value_or(0);
-    } else if (film.law == "paper") {
-        result.constant = film.constant == "frame" ? surroundings::paper_frame_coefficient
-                                                   : surroundings::paper_crankshaft_coefficient;
-    } else {
-        constexpr std::string_view printed = "paper_";
-        result.as_printed = film.law.starts_with(printed);
-        auto plain = film;
-        if (result.as_printed)
-            plain.law = film.law.substr(printed.size());
-        set_flow(result, plain, machine, surface, loads);
-    }
+    const auto law = casefile::law_name(film);
+    result.law = law.empty() ? "given" : law;
+    const Place at{film, machine, surface, loads};
+    std::visit([&](const auto& given) { set_film(result, at, given); }, film.law);
     return result;
 }
 

@@ -202,15 +202,16 @@ const LoadsResult& FrictionLaws::loads(const casefile::Segment& segment)
     return compute(fmt::format("{} {}", segment.speed, segment.force), input);
 }
 
-const LoadsResult& FrictionLaws::reference(const casefile::Friction& friction)
+const LoadsResult& FrictionLaws::reference(const casefile::CalibratedFriction& friction)
 {
     auto input = input_;
     casefile::Segment segment;
     segment.speed = friction.reference_speed;
     segment.force = *friction.reference_force;
     if (input.crankshaft) {
-        const bool changed = input.crankshaft->model != "flexible" || friction.reference_stiffness;
-        input.crankshaft->model = "flexible";
+        using Model = casefile::Crankshaft::Model;
+        const bool changed = input.crankshaft->model != Model::flexible || friction.reference_stiffness;
+        input.crankshaft->model = Model::flexible;
         if (friction.reference_stiffness)
             for (auto& bearing : input.crankshaft->bearings)
                 bearing.stiffness = {{{*friction.reference_stiffness, 0}, {0, *friction.reference_stiffness}}};
@@ -227,7 +228,7 @@ const LoadsResult& FrictionLaws::reference(const casefile::Friction& friction)
 
 std::vector<RubbingJoint> FrictionLaws::rubbing_joints(const std::string& row, const LoadsResult& loads) const
 {
-    const auto measure = tribology::load_measure(input_.friction.at(row).load_measure);
+    const auto measure = input_.friction.at(row).load_measure;
     std::vector<RubbingJoint> result;
     for (std::size_t j = 0; j < loads.linkage.joints.size(); ++j) {
         const auto name = original_name(loads, j);
@@ -250,14 +251,15 @@ std::vector<RubbingJoint> FrictionLaws::rubbing_joints(const std::string& row, c
 
 FrictionHeat FrictionLaws::calibrated(const std::string& row, const casefile::Segment& segment)
 {
-    const auto& given = input_.friction.at(row);
+    const auto& friction = input_.friction.at(row);
+    const auto& given = std::get<casefile::CalibratedFriction>(friction.law);
     tribology::CalibratedFriction law;
-    law.kind = tribology::friction_kind(given.kind);
+    law.kind = given.kind;
     law.load_part = given.load_part;
     law.viscous_part = given.viscous_part;
     law.exponent = given.exponent;
     law.reference_speed = given.reference_speed;
-    law.scale = given.scale;
+    law.scale = friction.scale;
 
     FrictionHeat result;
     auto ratio = tribology::speed_ratio(law, segment.speed);
@@ -271,10 +273,10 @@ FrictionHeat FrictionLaws::calibrated(const std::string& row, const casefile::Se
         }
     }
     tribology::ViscosityLaw viscosity;
-    if (!given.lubricant.empty())
-        viscosity = viscosity_law(input_, given.lubricant);
+    if (!friction.lubricant.empty())
+        viscosity = viscosity_law(input_, friction.lubricant);
     result.heat = tribology::calibrated_heat(law, viscosity, segment.speed, ratio);
-    result.load_part = given.scale * given.load_part * ratio.load;
+    result.load_part = friction.scale * given.load_part * ratio.load;
     return result;
 }
 
@@ -296,10 +298,10 @@ FrictionHeat FrictionLaws::physical(const std::string& row, const casefile::Segm
 FrictionHeat FrictionLaws::heat(const std::string& row, const casefile::Segment& segment)
 {
     const auto& friction = input_.friction.at(row);
-    auto result =
-        for_row(row, [&] { return friction.law == "calibrated" ? calibrated(row, segment) : physical(row, segment); });
+    const bool is_calibrated = std::holds_alternative<casefile::CalibratedFriction>(friction.law);
+    auto result = for_row(row, [&] { return is_calibrated ? calibrated(row, segment) : physical(row, segment); });
     result.row = row;
-    result.law = friction.law;
+    result.law = casefile::law_name(friction);
     for (const auto& [name, joint] : input_.joints)
         if (joint.friction == row)
             result.joints.push_back(name);
@@ -317,16 +319,17 @@ void FrictionLaws::contrast_bearings(FrictionSummary& result, const LoadsResult&
     } else {
         for (const auto& [name, joint] : input_.joints) {
             const auto row = input_.friction.find(joint.friction);
-            if (joint.driver && row != input_.friction.end() && row->second.reference_force &&
-                row->second.reference_speed == loads.speed)
-                flexible = &reference(row->second).crankshaft->flexible->bearings;
+            const auto* law =
+                row == input_.friction.end() ? nullptr : std::get_if<casefile::CalibratedFriction>(&row->second.law);
+            if (joint.driver && law && law->reference_force && law->reference_speed == loads.speed)
+                flexible = &reference(*law).crankshaft->flexible->bearings;
         }
         result.same_loads = false;
     }
     if (!flexible)
         return;
     for (std::size_t b = 0; b < rigid.size(); ++b)
-        result.bearings.push_back({rigid[b].name, rigid[b].mean_power_4_3 / (*flexible)[b].mean_power_4_3,
+        result.bearings.push_back({rigid[b].name, rigid[b].mean_rolling_load / (*flexible)[b].mean_rolling_load,
                                    std::pow(rigid[b].peak / (*flexible)[b].peak, tribology::rolling_load_exponent)});
 }
 

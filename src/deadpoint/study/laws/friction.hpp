@@ -106,7 +106,7 @@ public:
     const LoadsResult& loads(const casefile::Segment& segment);
 
 private:
-    const LoadsResult& reference(const casefile::Friction& friction);
+    const LoadsResult& reference(const casefile::CalibratedFriction& friction);
     const LoadsResult& compute(const std::string& key, const casefile::Case& input);
     void keep_warnings(const LoadsResult& loads, bool at_reference);
     [[nodiscard]] std::vector<RubbingJoint> rubbing_joints(const std::string& row, const LoadsResult& loads) const;

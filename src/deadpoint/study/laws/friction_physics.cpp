@@ -10,13 +10,14 @@
 #include "deadpoint/tribology/friction/rolling_bearing.hpp"
 #include "deadpoint/tribology/friction/skf.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <variant>
 
 namespace deadpoint::study {
 namespace {
 
 using casefile::Friction;
+using casefile::PalmgrenFriction;
 using tribology::Duty;
 
 tribology::Lubricant lubricant_of(const casefile::Case& input, const Friction& friction)
@@ -39,13 +40,6 @@ HeatLaw scaled(HeatLaw law, double factor)
     };
 }
 
-// As the library of laws spells it.
-tribology::BearingType bearing_type(std::string name)
-{
-    std::ranges::replace(name, '_', ' ');
-    return tribology::bearing_type(name);
-}
-
 double palmgren_load_heat(const tribology::PalmgrenBearing& bearing, const Duty& duty, double axial)
 {
     double sum = 0;
@@ -55,22 +49,22 @@ double palmgren_load_heat(const tribology::PalmgrenBearing& bearing, const Duty&
     return sum;
 }
 
-bool is_pair(const Friction& friction) { return friction.bearing == "angular_contact_ball_pair"; }
+bool is_pair(const PalmgrenFriction& friction) { return friction.bearing == BearingType::angular_contact_ball_pair; }
 
-tribology::BallBearing ball_bearing(const Friction& friction)
+tribology::BallBearing ball_bearing(const PalmgrenFriction& friction)
 {
     tribology::BallBearing bearing;
     bearing.balls = friction.balls;
     bearing.rows = is_pair(friction) ? 2 : 1;
     bearing.ball_diameter = *friction.ball_diameter;
-    bearing.pitch_diameter = *friction.mean_diameter;
+    bearing.pitch_diameter = friction.mean_diameter;
     bearing.contact_angle = friction.contact_angle.value_or(0);
     bearing.inner_osculation = friction.osculation;
     bearing.outer_osculation = friction.osculation;
     return bearing;
 }
 
-double spin_heat(const Friction& friction, const Duty& duty, double preload)
+double spin_heat(const PalmgrenFriction& friction, const Duty& duty, double preload)
 {
     const auto bearing = ball_bearing(friction);
     tribology::BallLoading loading;
@@ -82,19 +76,17 @@ double spin_heat(const Friction& friction, const Duty& duty, double preload)
 }
 
 // Heat without the oil of one bearing under its loads and a preload.
-double load_heat(const tribology::PalmgrenBearing& bearing, const Friction& friction, const Duty& duty, double preload)
+double load_heat(const tribology::PalmgrenBearing& bearing, const PalmgrenFriction& friction, const Duty& duty,
+                 double preload)
 {
     return palmgren_load_heat(bearing, duty, preload) + (friction.balls > 0 ? spin_heat(friction, duty, preload) : 0);
 }
 
 // Preload when the inner ring is warmer than the outer one, the balls in between.
-double warm_preload(const Friction& friction, double difference)
+double warm_preload(const PalmgrenFriction& friction, double difference)
 {
     const auto bearing = ball_bearing(friction);
-    auto arrangement = tribology::PairArrangement::single;
-    if (is_pair(friction))
-        arrangement = friction.arrangement == "back_to_back" ? tribology::PairArrangement::back_to_back
-                                                             : tribology::PairArrangement::face_to_face;
+    const auto arrangement = is_pair(friction) ? friction.arrangement : PairArrangement::single;
     const double approach = tribology::preload_approach(bearing, friction.axial_preload) +
                             tribology::thermal_approach(bearing, {difference, 0, difference / 2},
                                                         *friction.ring_expansion, arrangement, friction.row_distance);
@@ -102,7 +94,7 @@ double warm_preload(const Friction& friction, double difference)
 }
 
 // What the rings' temperature difference adds, tabulated because each value is a mean over the turn.
-RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const Friction& friction,
+RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const PalmgrenFriction& friction, double scale,
                       const std::vector<RubbingJoint>& joints)
 {
     constexpr double step = 2.5;  // [K]
@@ -120,47 +112,54 @@ RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const Friction&
     for (int i = -steps; i <= steps; ++i) {
         const double difference = i * step;
         differences.push_back(difference);
-        added.push_back(friction.scale * (heat(difference) - cold));
+        added.push_back(scale * (heat(difference) - cold));
     }
     return [differences, added](double difference) { return interpolate_linear(differences, added, difference).value; };
 }
 
-tribology::PalmgrenBearing palmgren_bearing(const Friction& friction)
+tribology::PalmgrenBearing palmgren_bearing(const PalmgrenFriction& friction)
 {
-    auto bearing = tribology::palmgren_bearing(
-        bearing_type(friction.bearing), tribology::oil_supply(friction.oil_supply), friction.contact_angle.value_or(0),
-        *friction.mean_diameter, *friction.static_rating);
+    auto bearing =
+        tribology::palmgren_bearing(friction.bearing, friction.oil_supply, friction.contact_angle.value_or(0),
+                                    friction.mean_diameter, friction.static_rating);
     if (friction.lubrication_factor)
         bearing.lubrication_factor = *friction.lubrication_factor;
     return bearing;
 }
 
-/// Adds up the heat of the joints' bearings or bushes.
+/// Adds up the heat of the joints' bearings or bushes, by the law of their row.
 struct Sum {
+    const casefile::Case& input;
+    const Friction& row;
     std::vector<HeatLaw> laws;
     double load_part = 0;
 };
 
-void add_palmgren(Sum& sum, const casefile::Case& input, const Friction& friction, const RubbingJoint& joint)
+void add(Sum&, const casefile::CalibratedFriction&, const RubbingJoint&)
 {
-    const auto bearing = palmgren_bearing(friction);
+    throw InputError("its heat is calibrated, not computed from sizes");
+}
+
+void add(Sum& sum, const PalmgrenFriction& law, const RubbingJoint& joint)
+{
+    const auto bearing = palmgren_bearing(law);
     for (const auto& duty : joint.duties) {
         sum.laws.push_back(
-            tribology::palmgren_heat(bearing, duty, friction.axial_preload, viscosity_law(input, friction.lubricant)));
-        if (friction.balls > 0)
-            sum.laws.push_back(tribology::constant_heat(spin_heat(friction, duty, friction.axial_preload)));
-        sum.load_part += load_heat(bearing, friction, duty, friction.axial_preload);
+            tribology::palmgren_heat(bearing, duty, law.axial_preload, viscosity_law(sum.input, sum.row.lubricant)));
+        if (law.balls > 0)
+            sum.laws.push_back(tribology::constant_heat(spin_heat(law, duty, law.axial_preload)));
+        sum.load_part += load_heat(bearing, law, duty, law.axial_preload);
     }
 }
 
-void add_skf(Sum& sum, const casefile::Case& input, const Friction& friction, const RubbingJoint& joint)
+void add(Sum& sum, const casefile::SkfFriction& law, const RubbingJoint& joint)
 {
-    const auto bearing = friction.bearing == "cylindrical_roller"
-                             ? tribology::skf_cylindrical_roller(*friction.bore, *friction.outside_diameter)
-                             : tribology::skf_angular_contact(*friction.bore, *friction.outside_diameter);
+    const auto bearing = law.bearing == BearingType::cylindrical_roller
+                             ? tribology::skf_cylindrical_roller(law.bore, law.outside_diameter)
+                             : tribology::skf_angular_contact(law.bore, law.outside_diameter);
     for (const auto& duty : joint.duties)
         sum.laws.push_back(
-            tribology::skf_heat(bearing, duty, friction.axial_preload, viscosity_law(input, friction.lubricant)));
+            tribology::skf_heat(bearing, duty, law.axial_preload, viscosity_law(sum.input, sum.row.lubricant)));
 }
 
 // A size of a pin: by the row, else by the element, else by the interface.
@@ -179,7 +178,7 @@ double pin_size(const RubbingJoint& joint, const char* key, std::optional<double
                     key, joint.name, key));
 }
 
-void add_pins(Sum& sum, const casefile::Case& input, const Friction& friction, const RubbingJoint& joint)
+void add(Sum& sum, const casefile::PinFriction& law, const RubbingJoint& joint)
 {
     const auto& elements = joint.joint->elements;
     const auto& interfaces = joint.joint->interfaces;
@@ -187,30 +186,30 @@ void add_pins(Sum& sum, const casefile::Case& input, const Friction& friction, c
     for (std::size_t i = 0; i < joint.duties.size(); ++i) {
         const bool stated = i < elements.size();
         tribology::Pin pin;
-        pin.friction = *friction.coefficient;
-        pin.radius = pin_size(joint, "diameter", friction.diameter, stated ? elements[i].diameter : 0, touching) / 2;
+        pin.friction = law.coefficient;
+        pin.radius = pin_size(joint, "diameter", law.diameter, stated ? elements[i].diameter : 0, touching) / 2;
         sum.load_part += tribology::pin_load_heat(pin, joint.duties[i]);
-        if (!friction.clearance) {
+        if (!law.clearance) {
             sum.laws.push_back(tribology::pin_heat(pin, joint.duties[i]));
             continue;
         }
-        pin.clearance = *friction.clearance;
-        pin.length = pin_size(joint, "length", friction.length, stated ? elements[i].width : 0, 0);
-        sum.laws.push_back(tribology::pin_heat(pin, joint.duties[i], lubricant_of(input, friction)));
+        pin.clearance = *law.clearance;
+        pin.length = pin_size(joint, "length", law.length, stated ? elements[i].width : 0, 0);
+        sum.laws.push_back(tribology::pin_heat(pin, joint.duties[i], lubricant_of(sum.input, sum.row)));
     }
 }
 
-void add_guides(Sum& sum, const casefile::Case& input, const Friction& friction, const RubbingJoint& joint)
+void add(Sum& sum, const casefile::GuideFriction& law, const RubbingJoint& joint)
 {
     const auto count = static_cast<double>(joint.duties.size());
     tribology::Guide guide;
-    guide.friction = *friction.coefficient;
-    guide.thickness = friction.film_thickness.value_or(0);
-    guide.area = friction.film_area.value_or(0) / count;
+    guide.friction = law.coefficient;
+    guide.thickness = law.film_thickness.value_or(0);
+    guide.area = law.film_area.value_or(0) / count;
     for (const auto& duty : joint.duties) {
         sum.load_part += tribology::guide_load_heat(guide, duty);
-        sum.laws.push_back(friction.film_area ? tribology::guide_heat(guide, duty, lubricant_of(input, friction))
-                                              : tribology::guide_heat(guide, duty));
+        sum.laws.push_back(law.film_area ? tribology::guide_heat(guide, duty, lubricant_of(sum.input, sum.row))
+                                         : tribology::guide_heat(guide, duty));
     }
 }
 
@@ -219,25 +218,20 @@ void add_guides(Sum& sum, const casefile::Case& input, const Friction& friction,
 PhysicalHeat physical_heat(const casefile::Case& input, const Friction& friction,
                            const std::vector<RubbingJoint>& joints)
 {
-    Sum sum;
-    for (const auto& joint : joints) {
-        if (friction.law == "palmgren")
-            add_palmgren(sum, input, friction, joint);
-        else if (friction.law == "skf")
-            add_skf(sum, input, friction, joint);
-        else if (friction.law == "pin")
-            add_pins(sum, input, friction, joint);
-        else if (friction.law == "guide")
-            add_guides(sum, input, friction, joint);
-        else
-            throw InputError(fmt::format("law '{}' is not known", friction.law));
-    }
+    Sum sum{input, friction, {}};
+    std::visit(
+        [&](const auto& law) {
+            for (const auto& joint : joints)
+                add(sum, law, joint);
+        },
+        friction.law);
     PhysicalHeat result;
     result.heat = scaled(tribology::summed_heat(std::move(sum.laws)), friction.scale);
-    if (friction.law != "skf")
+    if (!std::holds_alternative<casefile::SkfFriction>(friction.law))
         result.load_part = friction.scale * sum.load_part;
-    if (friction.ring_expansion)
-        result.ring_heat = ring_heat(palmgren_bearing(friction), friction, joints);
+    const auto* rolling = std::get_if<PalmgrenFriction>(&friction.law);
+    if (rolling && rolling->ring_expansion)
+        result.ring_heat = ring_heat(palmgren_bearing(*rolling), *rolling, friction.scale, joints);
     return result;
 }
 

@@ -24,14 +24,15 @@ struct PhysicalHeat {
     RingHeatLaw ring_heat;            ///< added by a ring temperature difference; empty without `ring_expansion` [W]
 };
 
-/// Heat of a row with law "palmgren", "skf", "pin" or "guide".
+/// Heat of a row with a law other than the calibrated one.
 ///
 /// Rolling bearings: every duty is one bearing of the stated size; the preload is an axial force on each (in spin, of a
 /// pair, an approach of its rows). Pins: diameter and length by the row, else by the joint's element, else the diameter
 /// by the joint's interface. Guides: the film's area is that of one joint. The lubricant's density counts at 15 degC
 /// and falls by 7e-4 per kelvin.
 ///
-/// @throws InputError if a size is missing or outside its law, or a film's lubricant has no density
+/// @throws InputError if the law is calibrated, a size is missing or outside its law, or a film's lubricant has no
+/// density
 PhysicalHeat physical_heat(const casefile::Case& input, const casefile::Friction& friction,
                            const std::vector<RubbingJoint>& joints);
 

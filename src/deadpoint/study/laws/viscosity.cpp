@@ -11,9 +11,9 @@ namespace {
 tribology::ViscosityLaw law_of(const casefile::Lubricant& oil)
 {
     const auto& [temperature, value] = oil.viscosity;
-    if (oil.law == "vogel")
+    if (oil.law == casefile::Lubricant::Law::vogel)
         return tribology::vogel_viscosity({*oil.vogel_factor, *oil.vogel_b, oil.vogel_pole, {}});
-    if (oil.law == "walther")
+    if (oil.law == casefile::Lubricant::Law::walther)
         return tribology::walther_viscosity(
             tribology::walther_through({temperature[0], value[0]}, {temperature[1], value[1]}));
     return tribology::ViscosityCurve(temperature, value);

@@ -26,7 +26,7 @@ const casefile::Segment& segment_at(const casefile::Case& input, int segment)
 JointHeat joint_heat(const casefile::Case& input, const std::string& row, const casefile::Friction& friction,
                      const HeatLaw& law, const std::vector<double>& temperatures)
 {
-    JointHeat result{row, friction.law, friction.lubricant, {}, {}, {}};
+    JointHeat result{row, std::string(casefile::law_name(friction)), friction.lubricant, {}, {}, {}};
     for (const auto& [name, joint] : input.joints)
         if (joint.friction == row)
             result.joints.push_back(name);

@@ -190,7 +190,7 @@ CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads
 {
     CrankshaftLoads result;
     const auto& given = *input.crankshaft;
-    result.model = given.model;
+    result.model = casefile::name_of(given.model);
     result.shaft = describe_shaft(input, loads.linkage, crank);
     result.loads = describe_shaft_loads(input, loads.linkage, loads.history, loads.speed);
     result.belt_force = belt_force(input, loads.speed);
@@ -199,8 +199,8 @@ CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads
     result.shaft.sections = slender_pieces(result.shaft.sections);
     result.rigid = crankshaft::rigid_cycle(result.shaft, result.loads);
     timer.done("rigid crankshaft");
-    if (given.model == "flexible") {
-        if (loads.process_force == "rectangular" && loads.force > 0)
+    if (given.model == casefile::Crankshaft::Model::flexible) {
+        if (process_force_kind(input) == casefile::ProcessForce::Kind::rectangular && loads.force > 0)
             loads.warnings.push_back("a rectangular process force on a flexible crankshaft doubles the peak by its "
                                      "edges alone; take kind = \"elastic\" or \"half_sine\"");
         result.flexible = crankshaft::flexible_cycle(result.shaft, result.loads);
@@ -251,7 +251,7 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
     result.segment = segment;
     result.speed = operation.speed;
     result.force = operation.force;
-    result.process_force = process_force_kind(input);
+    result.process_force = casefile::name_of(process_force_kind(input));
 
     const Linkage own = describe_linkage(input);
     auto masses = describe_masses(input, own, machine);

@@ -84,15 +84,16 @@ void leave_unclaimed(const Machine& machine, const Claims& claims, MeshSurface& 
 
 void settle_claims(const casefile::Case& input, Machine& machine)
 {
+    using Select = casefile::Surface::Select;
     Claims by_place(input, machine), by_exposure(input, machine);
     for (const auto& surface : machine.surfaces) {
         const auto& description = input.surfaces.at(surface.name);
         if (has_condition(description))
-            (description.select == "exposed" ? by_exposure : by_place).add(surface);
+            (description.select == Select::exposed ? by_exposure : by_place).add(surface);
     }
     for (auto& surface : machine.surfaces) {
         const auto& description = input.surfaces.at(surface.name);
-        if (description.select == "exposed" && has_condition(description))
+        if (description.select == Select::exposed && has_condition(description))
             leave_unclaimed(machine, by_place, surface);
     }
 }

@@ -359,7 +359,7 @@ std::string shared_part(const casefile::Case& input)
     }
     if (shared.chain) {
         shared.chain->press_stiffness.reset();
-        shared.chain->bearing_play.clear();
+        shared.chain->bearing_play.reset();
     }
     shared.friction.clear();
     shared.oil.clear();

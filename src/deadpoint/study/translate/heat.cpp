@@ -153,6 +153,12 @@ private:
     std::set<std::string> warned_;
 };
 
+bool follows_rings(const casefile::Friction& friction)
+{
+    const auto* law = std::get_if<casefile::PalmgrenFriction>(&friction.law);
+    return law && law->ring_expansion;
+}
+
 // Inner rings turn with the journals, outer rings stand in the seats.
 void name_rings(const casefile::Case& input, const Machine& machine, HeatProblem& problem)
 {
@@ -161,7 +167,7 @@ void name_rings(const casefile::Case& input, const Machine& machine, HeatProblem
         for (const auto& interface : joint.interfaces) {
             const int index = contact++;
             const int row = index_of(input.friction, joint.friction);
-            if (row < 0 || !input.friction.at(joint.friction).ring_expansion)
+            if (row < 0 || !follows_rings(input.friction.at(joint.friction)))
                 continue;
             const auto on_ground = [&](std::uint32_t part) {
                 const auto& body = input.bodies.at(machine.parts[part].body);
@@ -178,7 +184,7 @@ void name_rings(const casefile::Case& input, const Machine& machine, HeatProblem
                 source.outer_rings.push_back({index, on_ground(touching.part_b)});
         }
     for (const auto& [name, row] : input.friction)
-        if (row.ring_expansion) {
+        if (follows_rings(row)) {
             const auto& source = problem.sources[static_cast<std::size_t>(index_of(input.friction, name))];
             if (source.inner_rings.empty() || source.outer_rings.empty())
                 throw InputError(
@@ -307,7 +313,8 @@ void warn_about(const casefile::Case& input, Observer& observer)
         return s.force != operation.front().force;
     });
     const bool some_ignore_it = std::any_of(input.friction.begin(), input.friction.end(), [](const auto& row) {
-        return row.second.law == "calibrated" && !row.second.reference_force;
+        const auto* law = std::get_if<casefile::CalibratedFriction>(&row.second.law);
+        return law && !law->reference_force;
     });
     if (forces_differ && some_ignore_it)
         observer.warn(

@@ -80,7 +80,8 @@ Linkage describe_linkage(const casefile::Case& input)
     for (const auto& [name, joint] : input.joints) {
         LinkageJoint result;
         result.name = name;
-        result.kind = joint.kind == "slide" ? LinkageJoint::Kind::slide : LinkageJoint::Kind::revolute;
+        result.kind =
+            joint.kind == casefile::Joint::Kind::slide ? LinkageJoint::Kind::slide : LinkageJoint::Kind::revolute;
         result.body_a = body_index(linkage, joint.bodies.at(0));
         result.body_b = body_index(linkage, joint.bodies.at(1));
         result.centre = joint.centre;
@@ -112,7 +113,7 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
     for (const auto& [name, joint] : input.joints) {
         drift::JointSurfaces surfaces{sides_on(machine, joint, first.at(name), joint.bodies.at(0)),
                                       sides_on(machine, joint, first.at(name), joint.bodies.at(1))};
-        if (joint.kind == "revolute") {
+        if (joint.kind == casefile::Joint::Kind::revolute) {
             require_sides(surfaces.in_a, name, joint.bodies[0]);
             require_sides(surfaces.in_b, name, joint.bodies[1]);
         }

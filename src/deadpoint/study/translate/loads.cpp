@@ -104,40 +104,43 @@ void require_pin_on_shaft(const casefile::Crankshaft& given)
 
 }  // namespace
 
-std::string process_force_kind(const casefile::Case& input)
+casefile::ProcessForce::Kind process_force_kind(const casefile::Case& input)
 {
-    const auto& kind = process_of(input).kind;
-    if (!kind.empty())
-        return kind;
-    return input.crankshaft && input.crankshaft->model == "rigid" ? "rectangular" : "elastic";
+    using Kind = casefile::ProcessForce::Kind;
+    const bool rigid = input.crankshaft && input.crankshaft->model == casefile::Crankshaft::Model::rigid;
+    return process_of(input).kind.value_or(rigid ? Kind::rectangular : Kind::elastic);
 }
 
 mechanism::ProcessForceLaw describe_process_force(const casefile::Case& input, double peak, double throw_at_bottom)
 {
+    using Kind = casefile::ProcessForce::Kind;
     const auto& process = process_of(input);
-    const auto kind = process_force_kind(input);
-    if (peak == 0 || kind == "none")
+    if (peak == 0)
         return mechanism::no_force();
     const mechanism::AngleWindow window = force_window(input, throw_at_bottom);
-    if (kind == "elastic")
+    switch (process_force_kind(input)) {
+    case Kind::elastic:
         return mechanism::elastic_contact_of_peak(process.stiffness, peak);
-    if (kind == "half_sine")
+    case Kind::half_sine:
         return mechanism::half_sine(peak, window);
-    if (kind == "rectangular")
+    case Kind::rectangular:
         return mechanism::rectangle(peak, window);
-    if (kind == "angle_table")
+    case Kind::angle_table:
         return mechanism::force_over_angle(shifted(process.over_angle.x, throw_at_bottom),
                                            scaled(process.over_angle.y, peak));
-    if (kind == "travel_table")
+    case Kind::travel_table:
         return mechanism::force_over_height(process.over_height.x, scaled(process.over_height.y, peak),
                                             process.both_ways ? mechanism::Strokes::both : mechanism::Strokes::down);
-    throw InputError(fmt::format("process_force.kind '{}' is not known", kind));
+    default:
+        return mechanism::no_force();
+    }
 }
 
 std::optional<std::string> misplaced_force(const casefile::Case& input, double throw_at_bottom)
 {
+    using Kind = casefile::ProcessForce::Kind;
     const auto kind = process_force_kind(input);
-    if (kind != "half_sine" && kind != "rectangular")
+    if (kind != Kind::half_sine && kind != Kind::rectangular)
         return std::nullopt;
     const auto window = force_window(input, throw_at_bottom);
     if ((window.start <= 0 && window.end >= 0) || window.end >= 2 * pi)

@@ -14,7 +14,7 @@
 namespace deadpoint::study {
 
 /// Kind of process force: as stated, else "elastic" with a flexible crankshaft or none, "rectangular" with a rigid one.
-std::string process_force_kind(const casefile::Case& input);
+casefile::ProcessForce::Kind process_force_kind(const casefile::Case& input);
 
 /// The process force of the case as a law for the mechanism.
 /// @param peak             of the operation [N]

@@ -10,22 +10,12 @@
 namespace deadpoint::study {
 namespace {
 
-Axis axis_named(const std::string& text, const std::string& surface)
-{
-    if (text == "x")
-        return Axis::x;
-    if (text == "y")
-        return Axis::y;
-    if (text == "z")
-        return Axis::z;
-    throw InputError(fmt::format("surfaces.{}: axis '{}' is not one of 'x', 'y', 'z'", surface, text));
-}
-
 template <typename T>
 T needed(const std::optional<T>& value, const char* key, const casefile::Surface& surface, const std::string& name)
 {
     if (!value)
-        throw InputError(fmt::format("surfaces.{}: select = \"{}\" needs '{}'", name, surface.select, key));
+        throw InputError(
+            fmt::format("surfaces.{}: select = \"{}\" needs '{}'", name, casefile::name_of(surface.select), key));
     return *value;
 }
 
@@ -88,7 +78,7 @@ void set_plane(SurfaceSelector& selector, const casefile::Surface& surface, cons
         selector.point = surface.point;
         return;
     }
-    selector.axis = axis_named(surface.axis, name);
+    selector.axis = needed(surface.axis, "axis", surface, name);
     selector.position = needed(surface.position, "position", surface, name);
 }
 
@@ -97,32 +87,35 @@ void set_plane(SurfaceSelector& selector, const casefile::Surface& surface, cons
 SurfaceSelector selector_of(const casefile::Surface& surface, const std::string& name)
 {
     using Kind = SurfaceSelector::Kind;
+    using Select = casefile::Surface::Select;
     SurfaceSelector selector;
     selector.parts = surface.parts;
     selector.within = surface.within;
-    if (surface.select == "exposed") {
+    switch (surface.select) {
+    case Select::exposed:
         selector.kind = Kind::exposed;
-    } else if (surface.select == "all") {
+        break;
+    case Select::all:
         selector.kind = Kind::all;
-    } else if (surface.select == "box") {
+        break;
+    case Select::box:
         selector.kind = Kind::all;
         selector.within = needed(surface.within, "within", surface, name);
-    } else if (surface.select == "plane") {
+        break;
+    case Select::plane:
         selector.kind = Kind::plane;
         set_plane(selector, surface, name);
-    } else if (surface.select == "cylinder") {
+        break;
+    case Select::cylinder:
         selector.kind = Kind::cylinder;
-        selector.axis = axis_named(surface.axis, name);
+        selector.axis = needed(surface.axis, "axis", surface, name);
         selector.centre = needed(surface.centre, "centre", surface, name);
         selector.diameter = needed(surface.diameter, "diameter", surface, name);
-    } else if (surface.select == "group") {
+        break;
+    case Select::group:
         selector.kind = Kind::group;
         selector.group = surface.group;
-    } else {
-        throw InputError(
-            fmt::format("surfaces.{}: select = \"{}\" is unknown; use 'exposed', 'all', 'plane', 'cylinder', 'box' "
-                        "or 'group'",
-                        name, surface.select));
+        break;
     }
     return selector;
 }

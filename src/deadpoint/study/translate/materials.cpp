@@ -21,7 +21,7 @@ Material translate(const casefile::Material& given, double initial)
     result.conductivity_table = curve_of(m.conductivity_table);
     result.specific_heat_table = curve_of(m.specific_heat_table);
     result.expansion_table = curve_of(m.expansion_table);
-    result.expansion_is_mean = m.expansion_kind == "mean";
+    result.expansion_is_mean = m.expansion_kind == casefile::Material::Expansion::mean;
     result.expansion_reference = m.expansion_reference.value_or(initial);
     return result;
 }

@@ -18,7 +18,7 @@ constexpr int positions = 720;
 
 bool travels(const casefile::Joint& joint)
 {
-    return joint.kind == "slide" && joint.swept && !joint.turns_fully && !joint.interfaces.empty();
+    return joint.kind == casefile::Joint::Kind::slide && joint.swept && !joint.turns_fully && !joint.interfaces.empty();
 }
 
 // The motion needs no masses and no process force.

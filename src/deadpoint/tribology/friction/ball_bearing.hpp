@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/exchange/friction.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/hertz.hpp"
 #include "deadpoint/tribology/friction/load_zone.hpp"
@@ -88,9 +89,7 @@ struct BearingWarmth {
     double balls = 0;
 };
 
-/// How the rows of a pair stand: back to back (O), the inner rings' growth in length relieves them; face to face (X),
-/// it loads them.
-enum class PairArrangement { single, back_to_back, face_to_face };
+using deadpoint::PairArrangement;
 
 /// Change of the approach along the contact when the parts warm [m]:
 ///     expansion { (t_i - t_o)/2 (pitch diameter cos(angle) -/+ distance sin(angle)) + D (t_b - (t_i + t_o)/2) }

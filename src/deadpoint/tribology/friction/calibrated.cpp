@@ -58,17 +58,6 @@ double ratio_of(double now, double reference, const char* what)
 
 }  // namespace
 
-FrictionKind friction_kind(const std::string& name)
-{
-    if (name == "rolling")
-        return FrictionKind::rolling;
-    if (name == "pin")
-        return FrictionKind::pin;
-    if (name == "guide")
-        return FrictionKind::guide;
-    throw InputError(fmt::format("'{}' is no kind of friction; use 'rolling', 'pin' or 'guide'", name));
-}
-
 DutyRatio speed_ratio(const CalibratedFriction& friction, double speed, double load_ratio)
 {
     check(friction, true);

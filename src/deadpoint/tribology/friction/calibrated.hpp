@@ -1,22 +1,13 @@
 #pragma once
 
+#include "deadpoint/exchange/friction.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/lubricant.hpp"
-
-#include <string>
 
 /// Friction heat by a calibrated law of the temperature, scaled from the state at which it was calibrated.
 namespace deadpoint::tribology {
 
-/// How the two parts of the heat scale with speed and load.
-enum class FrictionKind {
-    rolling,  ///< load part ~ n F^1.33, viscous part ~ n^(5/3) (Palmgren)
-    pin,      ///< load part ~ n F, viscous part ~ n^2 (Coulomb and Petroff)
-    guide     ///< load part ~ n F; viscous part ~ n^2, usually zero
-};
-
-/// @throws InputError if the name is not "rolling", "pin" or "guide"
-FrictionKind friction_kind(const std::string& name);
+using deadpoint::FrictionKind;
 
 /// A friction law H(T) = c0 s + c1 s^q (nu(T) / 1 mm2/s)^p with s = speed / reference speed, and q = 5/3 or 2 by kind.
 struct CalibratedFriction {

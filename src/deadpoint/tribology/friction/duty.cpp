@@ -36,15 +36,6 @@ std::vector<double> magnitudes(const std::vector<Vec2>& values)
 
 }  // namespace
 
-LoadMeasure load_measure(const std::string& name)
-{
-    if (name == "mean")
-        return LoadMeasure::mean;
-    if (name == "peak")
-        return LoadMeasure::peak;
-    throw InputError(fmt::format("'{}' is no load measure; use 'mean' or 'peak'", name));
-}
-
 std::vector<double> turn_weights(const std::vector<double>& time, double period)
 {
     require_positive("period of the turn [s]", period);

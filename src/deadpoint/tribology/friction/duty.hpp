@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/exchange/cycle.hpp"
+#include "deadpoint/exchange/friction.hpp"
 
 #include <optional>
 #include <string>
@@ -12,18 +13,15 @@
 /// |w|) is not mean(F) mean(|w|).
 namespace deadpoint::tribology {
 
+using deadpoint::LoadMeasure;
+using deadpoint::rolling_load_exponent;
+
 /// Load and speed at the samples of a turn, with the share of time that each stands for.
 struct Duty {
     std::vector<double> weight;  ///< share of the turn, adds up to 1
     std::vector<double> force;   ///< magnitude [N]
     std::vector<double> speed;   ///< magnitude [rad/s] or, of a slide, [m/s]
 };
-
-/// Which load a law is given: its own mean over the turn (physics), or the turn's largest load throughout.
-enum class LoadMeasure { mean, peak };
-
-/// @throws InputError if the name is not "mean" or "peak"
-LoadMeasure load_measure(const std::string& name);
 
 /// Share of the turn of each sample: trapezoidal rule over a closed turn, (t[i+1] - t[i-1]) / (2 period).
 ///
@@ -87,7 +85,6 @@ struct DutyFigures {
 
 DutyFigures duty_figures(const Duty& duty);
 
-constexpr double rolling_load_exponent = 1.33;       ///< of the load in Palmgren's load torque with f1 ~ P0^0.33
 constexpr double rolling_drag_exponent = 5.0 / 3.0;  ///< of the speed in the power of Palmgren's viscous torque
 
 /// @throws InputError unless there are samples, as many of each series, all finite, and the weights add up to 1

@@ -131,36 +131,6 @@ double mean_load_heat(const PalmgrenBearing& bearing, const Duty& duty, double a
 
 }  // namespace
 
-BearingType bearing_type(const std::string& name)
-{
-    static const std::vector<std::pair<std::string, BearingType>> types{
-        {"deep groove ball", BearingType::deep_groove_ball},
-        {"angular contact ball", BearingType::angular_contact_ball},
-        {"angular contact ball pair", BearingType::angular_contact_ball_pair},
-        {"cylindrical roller", BearingType::cylindrical_roller},
-        {"needle roller", BearingType::needle_roller},
-        {"tapered roller", BearingType::tapered_roller},
-        {"spherical roller", BearingType::spherical_roller}};
-    std::string known;
-    for (const auto& [text, type] : types) {
-        if (text == name)
-            return type;
-        known += (known.empty() ? "'" : ", '") + text + "'";
-    }
-    throw InputError(fmt::format("'{}' is no type of rolling bearing; use one of {}", name, known));
-}
-
-OilSupply oil_supply(const std::string& name)
-{
-    if (name == "mist")
-        return OilSupply::mist;
-    if (name == "bath")
-        return OilSupply::bath;
-    if (name == "jet")
-        return OilSupply::jet;
-    throw InputError(fmt::format("'{}' is no oil supply; use 'mist', 'bath' or 'jet'", name));
-}
-
 StaticFactors static_factors(BearingType type, double contact_angle, StaticTable table)
 {
     const auto single = [&] {

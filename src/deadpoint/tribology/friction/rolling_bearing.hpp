@@ -1,34 +1,19 @@
 #pragma once
 
+#include "deadpoint/exchange/friction.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/lubricant.hpp"
-
-#include <string>
 
 /// Friction of rolling bearings after Palmgren (Harris, Rolling Bearing Analysis): load torque M1 and viscous torque
 /// M0. The spin of balls is in ball_bearing.hpp, the model of SKF in skf.hpp.
 namespace deadpoint::tribology {
 
-enum class BearingType {
-    deep_groove_ball,
-    angular_contact_ball,
-    angular_contact_ball_pair,
-    cylindrical_roller,
-    needle_roller,
-    tapered_roller,
-    spherical_roller
-};
-
-/// How a bearing gets its oil: mist halves, a jet (or a vertical shaft) doubles the viscous torque of an oil bath.
-enum class OilSupply { mist, bath, jet };
+using deadpoint::BearingType;
+using deadpoint::OilSupply;
 
 /// Which table of static load factors an angular contact bearing takes: ISO 76, or Zheng et al. 2018, Table 4, which
 /// has 0.47 in place of 0.46 at 15 degrees and ends at 15 and 40 degrees.
 enum class StaticTable { iso_76, zheng_2018 };
-
-/// @throws InputError if the name is none of those listed in the message
-BearingType bearing_type(const std::string& name);
-OilSupply oil_supply(const std::string& name);
 
 /// P0 = radial Fr + axial Fa, and not less than Fr.
 struct StaticFactors {
