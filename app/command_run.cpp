@@ -3,6 +3,7 @@
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/page.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
+#include "deadpoint/report/text/run_text.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 #include "interrupt.hpp"
@@ -134,7 +135,8 @@ int run_case(RunOptions options, const OnRanks& ranks)
         const bool has_page = add_page(*folder, console);
         commit(*folder, console);
         const auto where = folder->target().string();
-        print_out("{}\nresults{} are in {}\n", report::run_text(run.press.input(), result),
+        const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
+        print_out("{}\nresults{} are in {}\n", report::run_text(run.press.input(), result, detail),
                   result.thermal.interrupted ? " up to the interruption" : "", where);
         say_or_remove(checkpoint_of(options.folder), result.thermal.interrupted);
         if (has_page)

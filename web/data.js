@@ -79,13 +79,22 @@ function csvCells(line) {
     return cells;
 }
 
-/** A table of numbers as a list of { name, unit, values }; null where there is none. */
-function parseCsv(text) {
+/** What stands in the braces of a heading of the schema, in a heading like it: "pin" of "pin heat". */
+function nameIn(pattern, heading) {
+    const [before, behind] = pattern.split(/\{.*\}/);
+    return behind === undefined ? "" : heading.replace(/^'(?=[=+@-])/, "").slice(before.length, behind.length ? -behind.length : undefined);
+}
+
+/** A table of numbers as a list of { kind, name, unit, values }; null where there is none. `of` is the name in the heading. */
+function parseCsv(text, file) {
     if (!text) return null;
-    const lines = text.split("\n").filter((line) => line && !line.startsWith("#"));
-    const columns = csvCells(lines[0]).map((cell) => {
+    const all = text.split("\n").filter((line) => line);
+    const lines = all.filter((line) => !line.startsWith("#"));
+    const kinds = all.findLast((line) => line.startsWith("# columns: ")).slice("# columns: ".length).split(", ");
+    const columns = csvCells(lines[0]).map((cell, i) => {
         const [, name, unit] = cell.match(/^(.*?)(?: \[([^\]]*)\])?$/);
-        return { name, unit: unit ?? "", values: new Float64Array(lines.length - 1) };
+        return { kind: kinds[i], of: nameIn(data.schema.columns[file][kinds[i]], name), name, unit: unit ?? "",
+            values: new Float64Array(lines.length - 1) };
     });
     lines.slice(1).forEach((line, row) => csvCells(line).forEach((cell, i) => {
         if (columns[i]) columns[i].values[row] = cell === "" ? NaN : Number(cell);
@@ -93,13 +102,16 @@ function parseCsv(text) {
     return columns;
 }
 
-const column = (table, name) => table?.find((entry) => entry.name === name)?.values;
+/** The values of a column by its kind in the schema, and the name in its heading where it has one. */
+const column = (table, kind, of = "") => table?.find((entry) => entry.kind === kind && entry.of === of)?.values;
+const gapName = Object.keys(data.schema.dimensions)[0];
+const columnsOf = (table, ...kinds) => (table ?? []).filter((entry) => kinds.includes(entry.kind));
 
 /** 16-bit numbers, little-endian, from base64. */
 function unpacked(text) {
     const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-    const view = new DataView(bytes.buffer);
-    return Uint16Array.from({ length: bytes.length / 2 }, (_, i) => view.getUint16(2 * i, true));
+    const numbers = new DataView(bytes.buffer);
+    return Uint16Array.from({ length: bytes.length / 2 }, (_, i) => numbers.getUint16(2 * i, true));
 }
 
 /** The values of a quantised array: low + step times number. */
@@ -127,9 +139,9 @@ function niceTicks(low, high, wanted) {
 /** One result folder, its tables read. */
 function readRun(raw) {
     const facts = raw.summary ?? raw.loads;
-    const run = { ...raw, facts, history: parseCsv(raw.history), contributions: parseCsv(raw.contributions),
-        gaps: parseCsv(raw.gaps),
-        joints: parseCsv(raw.joints), bearings: parseCsv(raw.bearings) };
+    const run = { ...raw, facts, history: parseCsv(raw.history, "history.csv"),
+        contributions: parseCsv(raw.contributions, "contributions.csv"), gaps: parseCsv(raw.gaps, "gaps.csv"),
+        joints: parseCsv(raw.joints, "joints.csv"), bearings: parseCsv(raw.bearings, "bearings.csv") };
     run.hours = column(run.history, "time")?.map((second) => second / 3600);
     return run;
 }

@@ -11,8 +11,8 @@ function integral(time, values) {
 function energies(run) {
     const { energy_J: energy } = run.summary;
     const time = column(run.history, "time");
-    const joints = run.history.filter((entry) => entry.unit === "W" && / heat$/.test(entry.name))
-        .map((entry) => ({ name: words(entry.name.replace(/ heat$/, "")), value: integral(time, entry.values) }))
+    const joints = columnsOf(run.history, "joint_heat", "source_heat", "enclosed_air_power")
+        .map((entry) => ({ name: words(entry.of), value: integral(time, entry.values) }))
         .filter((entry) => entry.value > 0).sort((a, b) => b.value - a.value);
     // The history is sampled; the balance is exact. What the samples miss is spread evenly.
     const sampled = joints.reduce((sum, entry) => sum + entry.value, 0);

@@ -2,11 +2,10 @@
 
 const gapHours = (run) => column(run.gaps, "time").map((second) => second / 3600);
 
-/** Columns of gaps.csv whose name begins so, as lines. */
-function gapLines(run, prefix) {
+/** Columns of gaps.csv of a kind, as lines. */
+function gapLines(run, kind) {
     const x = gapHours(run);
-    return run.gaps.filter((entry) => entry.name.startsWith(prefix)).map((entry) => ({ key: entry.name,
-        name: words(entry.name.slice(prefix.length)), x, y: entry.values }));
+    return columnsOf(run.gaps, kind).map((entry) => ({ name: words(entry.of), x, y: entry.values }));
 }
 
 /** The corners as they lie, seen from above with the front below. */
@@ -20,10 +19,11 @@ function parallelSection(run) {
     const parallel = run.summary?.gaps?.parallelism;
     if (!parallel || !run.gaps) return null;
     const half = run.summary.model?.half_model;
-    const corners = gapLines(run, "gap ").filter((line) => !half || line.name.endsWith("left"))
+    const corners = gapLines(run, "corner_gap").filter((line) => !half || line.name.endsWith("left"))
         .map((line) => (half ? { ...line, name: line.name.replace(" left", ", both sides") } : line));
-    const gap = column(run.history, "E_SW");
-    const slopes = gapLines(run, "slope ").filter((line) => !half || !line.name.startsWith("left"));
+    const gap = column(run.history, "dimension", gapName);
+    const slopes = [["slope_left_to_right", "left to right"], ["slope_front_to_back", "front to back"]].slice(half ? 1 : 0)
+        .map(([kind, name]) => ({ name, x: gapHours(run), y: column(run.gaps, kind) }));
     const [across, along] = [parallel.left_to_right, parallel.front_to_back];
     const steepest = Math.abs(across.largest_um_per_m) > Math.abs(along.largest_um_per_m)
         ? ["to the right", "to the left", across] : ["at the back", "in front", along];
@@ -54,7 +54,7 @@ function clearanceSection(run) {
         ...(stated ? [shown(entry.initial_um), "initial_um" in entry ? fixed(entry.least_um, 1) : "–",
             !("initial_um" in entry) ? "–" : entry.used_up_s === null ? "open"
                 : `used up after ${duration(entry.used_up_s)}`] : [])]);
-    const lines = strongest(gapLines(run, "clearance "), 8);
+    const lines = strongest(gapLines(run, "clearance"), 8);
     return make("section", { id: "clearances" }, make("h2", {}, "Clearances"),
         make("p", {}, "Changes since the start; below zero the clearance closes. Bearings and pins on the diameter, with the "
             + "growth of their rings; guides across both faces together. "
@@ -74,5 +74,5 @@ function forceChart(run) {
     return lineChart({ id: "force-change", title: "Force at a fixed die height", text: "Change of the force if the die height is "
         + `never set anew: the gap's change times ${shown(force.press_stiffness_N_per_m / 1e9)} kN/µm of press and tool.`,
     x: ["time", "h"], y: ["change of the force", "kN"], series: [{ name: "force", x: gapHours(run),
-        y: column(run.gaps, "force change") }] });
+        y: column(run.gaps, "force_change") }] });
 }

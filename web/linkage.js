@@ -74,8 +74,8 @@ function linkageFigure(motion, joints) {
         return [drawing, legend];
     };
 
-    const height = column(joints, "slide height"), force = column(joints, "process force");
-    const degrees = column(joints, "past bottom dead point");
+    const height = column(joints, "slide_height"), force = column(joints, "process_force");
+    const degrees = column(joints, "crank_angle");
     let entry = null;
     const show = (index) => {
         now = index;

@@ -41,14 +41,14 @@ function sideBySide() {
     row("mean drive power [kW]", (run) => fixed(run.loads.drive.mean_power_W / 1000, 2));
     row("warnings", (run) => String(run.facts.warnings?.length ?? 0));
     row("case hash", (run) => run.facts.case?.hash);
-    const overlay = (id, title, name, y, change) => lineChart({ id, title, x: ["time", "h"], y,
+    const overlay = (id, title, kind, of, y) => lineChart({ id, title, x: ["time", "h"], y,
         zero: y[1] !== "°C", series: runs.map((run, i) => ({ name: run.name, x: run.hours, style: i, bold: false,
-            y: column(run.history, name)?.map(change ?? ((value) => value)) })) });
+            y: column(run.history, kind, of) })) });
     // What most results have comes first.
     const counts = new Map();
     for (const entry of runs.flatMap((run) => run.history ?? []))
-        if (!["time", "E_SW"].includes(entry.name)) {
-            const key = `${entry.name}\n${entry.unit}`;
+        if (entry.kind !== "time" && entry.of !== gapName) {
+            const key = [entry.name, entry.unit, entry.kind, entry.of].join("\n");
             counts.set(key, (counts.get(key) ?? 0) + 1);
         }
     const others = [...counts].sort((a, b) => b[1] - a[1]).map(([key]) => key);
@@ -56,14 +56,14 @@ function sideBySide() {
     const choose = make("select", { "aria-label": "quantity to compare", "data-control": "compare", change: () => show() },
         others.map((entry) => make("option", { value: entry }, words(entry.split("\n")[0]))));
     const show = () => {
-        const [name, unit] = choose.value.split("\n");
-        place.replaceChildren(overlay("compared", words(name), name, ["value", unit.replace("degC", "°C").replace("um", "µm")])
+        const [name, unit, kind, of] = choose.value.split("\n");
+        place.replaceChildren(overlay("compared", words(name), kind, of, ["value", unit.replace("degC", "°C").replace("um", "µm")])
             ?? "");
         redrawFigures();
     };
     const section = make("section", { id: "side-by-side" }, make("h2", {}, "Side by side"),
         table(["", ...runs.map((run) => run.name)], rows),
-        overlay("compared-gap", "Change of the gap E_SW", "E_SW", ["change", "µm"]));
+        overlay("compared-gap", "Change of the gap E_SW", "dimension", gapName, ["change", "µm"]));
     if (others.length) {
         section.append(make("div", { class: "controls" }, make("label", {}, "Compare", choose)), place);
         show();
@@ -77,17 +77,17 @@ const contents = make("nav", { "aria-label": "Sections" });
 
 function showRun(run) {
     current?.dispose();
-    const view = viewSection(run);
-    const sections = [view?.section, driftSection(run), parallelSection(run),
+    const stage = viewSection(run);
+    const sections = [stage?.section, driftSection(run), parallelSection(run),
         clearanceSection(run), temperatureSection(run), heatSection(run), loadsSection(run),
         comparisonSection(run), trustSection(run), aboutSection(run)].filter(Boolean);
     detail.replaceChildren(make("div", {}, lead(run), facts(run)), ...sections);
     const listed = [document.getElementById("side-by-side"), ...sections].filter(Boolean);
     contents.replaceChildren(make("ul", {}, listed.map((section) => make("li", {}, make("a", { href: `#${section.id}` },
         section.querySelector("h2").textContent)))));
-    view?.start?.();
+    stage?.start?.();
     redrawFigures();
-    current = view;
+    current = stage;
 }
 
 function start() {

@@ -40,23 +40,19 @@ function lead(run) {
         + (strongest.length ? `; ${strongest.join(" and ")} ${strongest.length > 1 ? "move" : "moves"} it most.` : "."));
 }
 
-/** Columns of the history as lines over hours. */
-const historyLines = (run, wanted, change = (value) => value) => run.history.filter(wanted).map((entry) => ({
-    key: entry.name, name: words(entry.name.replace(/ (temperature|heat)$/, "")), x: run.hours,
-    y: entry.values.map(change) }));
-const isProbe = (entry) => entry.unit === "degC" && !/ temperature$/.test(entry.name);
-const isAir = (entry) => /^air \S+ temperature$/.test(entry.name);
-const isJoint = (entry) => entry.unit === "degC" && / temperature$/.test(entry.name) && !isAir(entry);
+/** Columns of the history of some kinds as lines over hours. */
+const historyLines = (run, ...kinds) => columnsOf(run.history, ...kinds).map((entry) => ({
+    key: entry.of, name: words(entry.of), x: run.hours, y: entry.values }));
 
 function temperatureSection(run) {
     if (!run.history) return null;
     const reference = run.summary?.reference;
-    const probes = historyLines(run, isProbe).map((line) => ({ ...line, y: line.y.map((value) => value - line.y[0]) }));
+    const probes = historyLines(run, "probe_temperature").map((line) => ({ ...line, y: line.y.map((value) => value - line.y[0]) }));
     if (reference?.rises_K) for (const line of probes) {
         const row = reference.rises_K[line.key];
         if (row) line.marks = [{ x: run.hours[run.hours.length - 1], y: row.reference }];
     }
-    const joints = strongest(historyLines(run, isJoint), 10);
+    const joints = strongest(historyLines(run, "joint_temperature"), 10);
     return make("section", { id: "temperatures" }, make("h2", {}, "Temperatures"),
         lineChart({ id: "probes", title: "Rise of the probes", text: kelvinNote, x: ["time", "h"], y: ["rise", "K"],
             series: probes, markNote: reference?.source }),
@@ -66,7 +62,7 @@ function temperatureSection(run) {
 }
 
 function airChart(run) {
-    const series = historyLines(run, isAir).map((line) => ({ ...line, name: line.name.replace(/^air /, "") }));
+    const series = historyLines(run, "enclosed_air");
     return series.length ? lineChart({ id: "enclosures", title: "Temperature of the enclosed air", text: "", x: ["time", "h"],
         y: ["temperature", "°C"], zero: false, series }) : "";
 }
@@ -80,12 +76,11 @@ function strongest(lines, count) {
 
 function heatSection(run) {
     if (!run.history || !run.summary?.energy_J) return null;
-    const joints = historyLines(run, (entry) => entry.unit === "W" && (/^(?!oil ).* heat$/.test(entry.name)
-        || /^air \S+ power$/.test(entry.name)))
+    const joints = historyLines(run, "joint_heat", "source_heat", "enclosed_air_power")
         .sort((a, b) => Math.max(...b.y) - Math.max(...a.y));
     if (joints.length === 0 && !run.summary.energy_J.generated) return null;
     const generated = run.hours.map((_, i) => joints.reduce((sum, line) => sum + line.y[i], 0));
-    const air = column(run.history, "heat to air"), oil = column(run.history, "heat to oil");
+    const air = column(run.history, "heat_to_air"), oil = column(run.history, "heat_to_oil");
     const balance = [{ name: "friction heat", y: generated, bold: true }, { name: "to the air", y: air },
         { name: "to the oil", y: oil }].filter((line) => line.y);
     if (!run.summary.energy_J.from_surfaces) balance.push({ name: "into the machine",
@@ -99,14 +94,11 @@ function heatSection(run) {
             ? `The eight strongest of ${joints.length}.` : "", x: ["time", "h"], y: ["heat", "W"], series: shownJoints }));
 }
 
-const dimensionNames = { E_SW: "gap between slide and table", E_BG: "bearing seats above ground", E_WG: "table above ground",
-    E_CS: "slide's face below the crankshaft", E_BC: "crank off its seats' centre" };
-
 /** What each part has done to the gap at a time, largest first. */
 function steps(run, hour) {
-    const columns = run.contributions.filter((entry) => entry.unit === "um" && entry.name !== "E_SW");
+    const columns = columnsOf(run.contributions, "part_share");
     const hours = column(run.contributions, "time").map((second) => second / 3600);
-    return mainSteps(columns.map((entry) => ({ name: words(entry.name), value: between(hours, entry.values, hour) })),
+    return mainSteps(columns.map((entry) => ({ name: words(entry.of), value: between(hours, entry.values, hour) })),
         "parts");
 }
 
@@ -142,8 +134,8 @@ function causeFigure(entry, end) {
 function driftSection(run) {
     const drift = run.summary?.drift_um;
     if (!drift || !run.history) return null;
-    const lines = historyLines(run, (entry) => entry.unit === "um").map((line) => ({ ...line, name: line.key,
-        bold: line.key === "E_SW" }));
+    const lines = historyLines(run, "dimension").map((line) => ({ ...line, name: line.key,
+        bold: line.key === gapName }));
     const end = run.hours[run.hours.length - 1];
     const at = drift.time_of_largest_s / 3600;
     const falls = [];
@@ -162,29 +154,29 @@ function driftSection(run) {
             drift.final_E_SW));
     }
     for (const entry of drift.by_cause ?? []) falls.push(causeFigure(entry, 3600 * end));
-    const known = lines.filter((line) => dimensionNames[line.key]);
+    const known = lines.filter((line) => data.schema.dimensions[line.key]);
     return make("section", { id: "gap" }, make("h2", {}, "The gap between slide and table"),
         make("p", {}, "All at bottom dead point, with the press unloaded, as changes since the start. Above zero the gap opens. "
             + "E_SW = E_BG − E_WG − E_CS − E_BC."),
         lineChart({ id: "drift", title: "The dimension chain over time", x: ["time", "h"], y: ["change", "µm"],
             series: lines }),
         table(["", `after ${duration(3600 * at)} [µm]`, `after ${duration(3600 * end)} [µm]`], known.map((line) =>
-            [`${line.key}, ${dimensionNames[line.key]}`, fixed(between(run.hours, line.y, at), 1, true),
+            [`${line.key}, ${data.schema.dimensions[line.key]}`, fixed(between(run.hours, line.y, at), 1, true),
                 fixed(line.y[line.y.length - 1], 1, true)])), falls, forceChart(run));
 }
 
 function loadsSection(run) {
     const { loads, joints, bearings } = run;
     if (!loads) return null;
-    const angle = column(joints, "past bottom dead point");
+    const angle = column(joints, "crank_angle");
     const x = ["crank past bottom dead point", "°"];
     const xTicks = [0, 60, 120, 180, 240, 300, 360];
-    const force = (table, name) => {
-        const [a, b] = [column(table, `${name} x`), column(table, `${name} y`)];
+    const force = (table, kind, name) => {
+        const [a, b] = ["x", "y"].map((axis) => column(table, `${kind}_${axis}`, name));
         return a && b && a.map((value, i) => Math.hypot(value, b[i]) / 1000);
     };
     const pins = Object.keys(loads.joints ?? {}).filter((name) => !loads.joints[name].image).map((name) =>
-        ({ name: words(name), x: angle, y: force(joints, name) })).filter((line) => line.y)
+        ({ name: words(name), x: angle, y: force(joints, "joint_force", name) })).filter((line) => line.y)
         .sort((a, b) => Math.max(...b.y) - Math.max(...a.y)).slice(0, 7);
     const parts = [make("h2", {}, "Loads over one turn"),
         make("p", {}, `At ${shown(loads.operation.speed_rpm)} rpm with ${shown(loads.operation.process_force_peak_N / 1000)} kN. `
@@ -192,7 +184,7 @@ function loadsSection(run) {
     if (run.motion) parts.push(linkageFigure(run.motion, joints));
     if (angle) parts.push(
         lineChart({ id: "slide", title: "Height of the slide", x, y: ["height", "mm"], xTicks,
-            series: [{ name: "slide", x: angle, y: column(joints, "slide height").map((value) => 1000 * value) }] }),
+            series: [{ name: "slide", x: angle, y: column(joints, "slide_height").map((value) => 1000 * value) }] }),
         lineChart({ id: "joint-forces", title: "Forces in the joints", text: "Largest first; magnitude of the net force.", x,
             y: ["force", "kN"], xTicks, series: pins }));
     if (bearings) parts.push(...bearingFigures(loads, bearings, x, xTicks, force));
@@ -200,12 +192,11 @@ function loadsSection(run) {
 }
 
 function bearingFigures(loads, bearings, x, xTicks, force) {
-    const angle = column(bearings, "past bottom dead point");
-    const names = [...new Set(bearings.filter((entry) => /^(rigid|flexible) .* x$/.test(entry.name))
-        .map((entry) => entry.name.replace(/^(rigid|flexible) (.*) x$/, "$2")))];
-    const models = ["flexible", "rigid"].filter((model) => column(bearings, `${model} ${names[0]} x`));
+    const angle = column(bearings, "crank_angle");
+    const names = columnsOf(bearings, "rigid_bearing_force_x").map((entry) => entry.of);
+    const models = ["flexible", "rigid"].filter((model) => columnsOf(bearings, `${model}_bearing_force_x`).length);
     const lines = names.flatMap((name) => models.map((model) => ({ name: `${words(name)}, ${model}`, x: angle,
-        y: force(bearings, `${model} ${name}`), model })));
+        y: force(bearings, `${model}_bearing_force`, name), model })));
     const strong = [...lines].filter((line) => line.model === models[0]).sort((a, b) => Math.max(...b.y) - Math.max(...a.y))
         .slice(0, 3);
     const shownLines = lines.filter((line) => strong.some((other) => other.name.split(",")[0] === line.name.split(",")[0]));

@@ -202,8 +202,8 @@ TEST_CASE("commands in mesh and STEP files are not run, whatever the file is cal
     scripts.push_back({"tail.msh", cube + commands, "cut short"});
     expect_refused("mesh", scripts);
     expect_refused("step",
-                   {{"a.step", commands, "is no STEP file"},
-                    {"a.geo", commands, "is no STEP file"},
+                   {{"a.step", commands, "is not a STEP file"},
+                    {"a.geo", commands, "is not a STEP file"},
                     {"b.step", "ISO-10303-21;\n" + commands + "END-ISO-10303-21;\n", "breaks off or is out of order"}});
 }
 
@@ -268,10 +268,10 @@ TEST_CASE("mesh files that are cut, miscounted or made of nonsense are refused i
          {"huge-cells.msh", replaced(cube, "$Elements\n1", "$Elements\n999999999999999999"), "line 20: by its count"},
          {"huge-names.msh", replaced(cube, "$PhysicalNames\n1", "$PhysicalNames\n2000000000"),
           "line 5: by its count section $PhysicalNames"},
-         {"nan.msh", replaced(cube, "8 0 100 100", "8 nan 100 100"), "no finite number"},
-         {"inf.msh", replaced(cube, "8 0 100 100", "8 0 1e999 100"), "no finite number"},
+         {"nan.msh", replaced(cube, "8 0 100 100", "8 nan 100 100"), "a non-finite coordinate"},
+         {"inf.msh", replaced(cube, "8 0 100 100", "8 0 1e999 100"), "a non-finite coordinate"},
          {"word.msh", replaced(cube, "8 0 100 100", "8 0 left 100"), "breaks off or is out of order"},
-         {"huge-place.msh", replaced(cube, "8 0 100 100", "8 0 1e300 100"), "no finite number"},
+         {"huge-place.msh", replaced(cube, "8 0 100 100", "8 0 1e300 100"), "a non-finite coordinate"},
          {"no-node.msh", replaced(cube, " 6 7 8\n", " 6 7 9\n"), "the reader crashed"},
          {"zero-node.msh", replaced(cube, " 6 7 8\n", " 6 7 0\n"), "Wrong node index 0"},
          {"twice-a-node.msh", replaced(cube, "8 0 100 100", "7 0 100 100"), "Wrong node index 8"},
@@ -319,12 +319,12 @@ TEST_CASE("STEP files that are cut or made of nonsense are refused in words")
     const auto instead = [&](const std::string& from, const std::string& to) { return replaced(plate, from, to); };
     expect_refused(
         "step",
-        {{"empty.step", "", "is no STEP file"},
-         {"one.step", "I", "is no STEP file"},
-         {"zip.step", "PK\x03\x04" + noise(1000), "is no STEP file"},
-         {"utf-16.step", utf_16(plate), "is no STEP file"},
-         {"mesh.step", cube, "is no STEP file"},
-         {"iges.step", std::string(72, ' ') + "S      1\n", "is no STEP file"},
+        {{"empty.step", "", "is not a STEP file"},
+         {"one.step", "I", "is not a STEP file"},
+         {"zip.step", "PK\x03\x04" + noise(1000), "is not a STEP file"},
+         {"utf-16.step", utf_16(plate), "is not a STEP file"},
+         {"mesh.step", cube, "is not a STEP file"},
+         {"iges.step", std::string(72, ' ') + "S      1\n", "is not a STEP file"},
          {"cut.step", plate.substr(0, plate.size() / 2), "cut short"},
          {"cut-with-end.step", plate.substr(0, plate.size() / 2) + "\n" + end, "breaks off or is out of order"},
          {"no-data.step", start + end, "holds no solid"},

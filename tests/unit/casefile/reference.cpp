@@ -165,7 +165,7 @@ TEST_CASE("what is wrong with the CSV file of a curve is said with both places")
 {
     const auto nan = error_of(rise_curve, "time [s],top [K]\n0,1\n1,nan\n");
     CHECK(has(nan, "r.toml:5:8: error[curve]: curves.0.file"));
-    CHECK(has(nan, "m.csv:3: 'nan' in column 'top' is no finite number"));
+    CHECK(has(nan, "m.csv:3: 'nan' in column 'top' is not a finite number"));
     CHECK(has(nan, "help: correct the cell"));
     CHECK(has(error_of(rise_curve, "time [s],top [K]\n0,1\n5,1\n5,2\n"), "m.csv:4: the times do not increase"));
     CHECK(has(error_of(rise_curve, "time [s],tpo [K]\n0,1\n"), "there is no column 'top'"));

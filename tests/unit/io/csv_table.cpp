@@ -53,7 +53,7 @@ TEST_CASE("a CSV file is read with comments, units, quotes and either line end")
 
 TEST_CASE("what is wrong with a CSV file is said with its line")
 {
-    CHECK(has(error_of("time,a\n0,1\n1,nan\n", "a"), ":3: 'nan' in column 'a' is no finite number"));
+    CHECK(has(error_of("time,a\n0,1\n1,nan\n", "a"), ":3: 'nan' in column 'a' is not a finite number"));
     CHECK(has(error_of("time,a\n0,1\n1,\n", "a"), ":3: '' in column 'a'"));
     CHECK(has(error_of("time,a\n0,1 K\n", "a"), "'1 K'"));
     CHECK(has(error_of("time,a\n0,1,2\n", "a"), ":2: 3 cells below 2 headings"));

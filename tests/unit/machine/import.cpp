@@ -223,7 +223,7 @@ TEST_CASE("unusable files are refused by part")
                               "$EndNodes\n$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n");
     CHECK(contains(complaint(imported(MeshSource{shell.path(), 1})), "no solid cells"));
     const TemporaryFile noise("noise.step", "this is no STEP file\n");
-    CHECK(contains(complaint(imported(StepSource{noise.path(), 1})), "is no STEP file"));
+    CHECK(contains(complaint(imported(StepSource{noise.path(), 1})), "is not a STEP file"));
 }
 
 TEST_CASE("a cell size that cannot be meant is refused or warned of before the work")

@@ -26,7 +26,8 @@ struct Folder : ScratchFolder {
             "initial_temperature_degC": 20.0, "probe_rises_K": {"top": {"end": 2}},
             "reference": {"rises_K": {"top": {"computed": 2, "reference": 3}}, "time_s": 3600,
                           "calibrated_on": ["oil.pins"]}})");
-        put("history.csv", "# deadpoint\ntime [s],top [degC],pin temperature [degC],pin heat [W],E_SW [um],E_BG [um]\n"
+        put("history.csv", "# columns: time, probe_temperature, joint_temperature, joint_heat, dimension, dimension\n"
+                           "time [s],top [degC],pin temperature [degC],pin heat [W],E_SW [um],E_BG [um]\n"
                            "0,20,20,5,0,0\n3600,22,30,4,-7.5,2\n");
         put("loads.json", R"({"slide": {"stroke_mm": 80}, "seats": {"B": {"mean_N": [1, -2]}}, "text": "x"})");
     }
@@ -69,7 +70,7 @@ TEST_CASE("a folder that no run has written, or an older version, is refused in 
 {
     const Folder folder;
     CHECK_THROWS_WITH_AS((void)read_result(folder.path / "none"), doctest::Contains("there is no folder"), IoError);
-    folder.put("history.csv", "time [s],tpo [degC]\n0,20\n");
+    folder.put("history.csv", "# columns: time, probe_temperature\ntime [s],tpo [degC]\n0,20\n");
     CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("there is no column 'top'"), InputError);
     folder.put("summary.json", R"({"case": {"name": "press", "hash": "0123"}, "interrupted": false})");
     CHECK_THROWS_WITH_AS((void)read_result(folder.path), doctest::Contains("another version"), InputError);
@@ -83,7 +84,7 @@ TEST_CASE("a folder that no run has written, or an older version, is refused in 
 
 TEST_CASE("a history that was cut, emptied or edited is refused, and so is one that runs backwards or holds no number")
 {
-    const std::string head = "# deadpoint\ntime [s],top [degC]\n";
+    const std::string head = "# columns: time, probe_temperature\ntime [s],top [degC]\n";
     for (const std::string& text : {std::string(), head, head + "0,20\n", head + "0,20\n3600,23\n"}) {
         CAPTURE(text);
         const Folder folder;
@@ -97,7 +98,7 @@ TEST_CASE("a history that was cut, emptied or edited is refused, and so is one t
     };
     refused("0,20\n3600,22\n1800,21\n", "history.csv:5: the time does not increase");
     refused("0,20\n0,22\n", "history.csv:4: the time does not increase");
-    refused("0,20\n3600,nan\n", "is no finite number");
+    refused("0,20\n3600,nan\n", "is not a finite number");
     refused("", "there are no rows");
 }
 

@@ -48,6 +48,7 @@ TEST_CASE("causes of the drift in JSON and CSV, in micrometres")
     report::write_drift_causes(folder.path / "causes.csv", comments, {before, at_end()});
     CHECK(content(folder.path / "causes.csv") ==
           "# a comment\n"
+          "# columns: cause, name, share, share\n"
           "cause,name,share of E_SW after 3600 s [um],share of E_SW after 7200 s [um]\n"
           "friction,crank_pin,-10,-20.04\n"
           "friction,guide,3,3\n"

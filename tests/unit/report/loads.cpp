@@ -128,7 +128,7 @@ TEST_CASE("loads.json and the tables hold what was computed")
     CHECK(found);
     const auto joints = content(folder / "joints.csv");
     CHECK(count(joints, "# warning: a warning") == 1);
-    CHECK(count(joints, "\n") == 720 + 5);  // version, case, segment, warning, header
+    CHECK(count(joints, "\n") == 720 + 6);  // version, case, segment, warning, kinds, header
     CHECK(count(content(folder / "campbell.csv"), "forward") > 10);
     fs::remove_all(folder);
 }

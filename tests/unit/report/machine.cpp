@@ -150,7 +150,8 @@ TEST_CASE("mesh files hold all cells and faces, and a list of names")
     for (const char* name : {"part", "body", "surface", "interface", "symmetry", "exposed"}) {
         CHECK(faces.find("Name=\"" + std::string(name) + "\"") != std::string::npos);
     }
-    CHECK(content("names.csv") == "# deadpoint test\nkind,number,name\npart,0,beam\npart,1,column\npart,2,rod\n"
-                                  "body,0,frame\nbody,1,link\nsurface,0,air\nsurface,1,top\ninterface,0,pin.bush\n");
+    CHECK(content("names.csv") ==
+          "# deadpoint test\n# columns: kind, number, name\nkind,number,name\npart,0,beam\npart,1,column\npart,2,rod\n"
+          "body,0,frame\nbody,1,link\nsurface,0,air\nsurface,1,top\ninterface,0,pin.bush\n");
     fs::remove_all(folder);
 }

@@ -52,11 +52,12 @@ void put_study(const fs::path& folder, const std::string& name)
         "overrides": []}, "warnings": ["<b>hot</b>"], "limits": {"largest_um": null, "end_um": null}, "sets": [{"name": "s",
         "axes": [], "window": {"text": "speed 1 rpm to 2 rpm", "points": 1}}],
         "points": [{"name": "one", "state": "done", "case_hash": "77"}, {"name": "../elsewhere", "state": "failed"}]})");
-    put(folder / "sweep.csv", "# by hand\npoint,largest E_SW [um],reason\none,-12.345678,\n\"../elsewhere\",,<i>\n");
+    put(folder / "sweep.csv", "# columns: point, largest_gap, reason\npoint,largest E_SW "
+                              "[um],reason\none,-12.345678,\n\"../elsewhere\",,<i>\n");
     put(folder / "points/one/summary.json", R"({"version": "1", "case": {"name": "press", "hash": "77"},
         "initial_temperature_degC": 20, "probe_rises_K": {"P": {"end": 4}}, "gaps": {"force": {"final_kN": 3}},
         "left_out": ["play"]})");
-    std::string history = "time [s],P [degC],E_SW [um]\n";
+    std::string history = "# columns: time, probe_temperature, dimension\ntime [s],P [degC],E_SW [um]\n";
     for (int i = 0; i <= 1000; ++i)
         history +=
             std::to_string(36 * i) + "," + std::to_string(20 + 0.004 * i) + "," + std::to_string(-0.01 * i) + "\n";
@@ -183,8 +184,8 @@ TEST_CASE("numbers too small or too large for five digits do not stop the page o
 {
     const ScratchFolder folder;
     put_study(folder.path, "study");
-    put(folder.path / "points/one/history.csv",
-        "time [s],P [degC],E_SW [um]\n0,20,4e-320\n3600,1.7976931348623157e308,1\n");
+    put(folder.path / "points/one/history.csv", "# columns: time, probe_temperature, dimension\ntime [s],P [degC],E_SW "
+                                                "[um]\n0,20,4e-320\n3600,1.7976931348623157e308,1\n");
     write_sweep_report(folder.path / "page.html", folder.path);
     const auto data = data_of(content(folder.path / "page.html"));
     CHECK(data["points"]["one"]["course"]["E_SW"][0].get<double>() < 1e-300);
@@ -251,7 +252,8 @@ TEST_CASE("a page is not made from files of two runs, nor a study's from a point
     put_study(folder.path, "study");
     const auto page = folder.path / "page.html";
     const std::vector<fs::path> point{folder.path / "points/one"};
-    std::ofstream(folder.path / "points/one/history.csv") << "time [s],P [degC]\n0,20\n";
+    std::ofstream(folder.path / "points/one/history.csv")
+        << "# columns: time, probe_temperature\ntime [s],P [degC]\n0,20\n";
     CHECK_THROWS_WITH_AS(write_report(page, report_sources(point)), doctest::Contains("history.csv' was changed"),
                          InputError);
     CHECK_THROWS_WITH_AS(write_sweep_report(page, folder.path), doctest::Contains("history.csv' was changed"),
@@ -269,7 +271,7 @@ TEST_CASE("a study that cannot be read is refused with the remedy")
     const ScratchFolder folder;
     CHECK_THROWS_WITH_AS(write_sweep_report(folder.path / "page.html", folder.path),
                          doctest::Contains("give a folder that 'deadpoint sweep' wrote"), InputError);
-    put(folder.path / "sweep.csv", "point\n");
+    put(folder.path / "sweep.csv", "# columns: point\npoint\n");
     put(folder.path / "sweep.json", R"({"points": 3})");
     CHECK_THROWS_WITH_AS(write_sweep_report(folder.path / "page.html", folder.path),
                          doctest::Contains("run the study again"), InputError);

@@ -86,8 +86,8 @@ TEST_CASE("a list that is missing, broken, changed or of another format is refus
     changed.replace(changed.find("\"bytes\": 13"), 11, "\"bytes\": 11");
     refused(changed, "deadpoint.json' was changed");
     auto next = list;
-    next.replace(next.find("\"format\": 1"), 11, "\"format\": 2");
-    refused(next, "is of format 2");
+    next.replace(next.find("\"format\": 2"), 11, "\"format\": 3");
+    refused(next, "is of format 3");
     refused(list.substr(0, list.size() / 2), "not the JSON");
     refused("{}", "was changed");
     refused("3", "was changed");

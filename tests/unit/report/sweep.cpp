@@ -362,7 +362,8 @@ TEST_CASE("what a run says of its gap and its joints is read back")
     put("summary.json", R"({"case": {"name": "press", "hash": "0123"}, "interrupted": false,
         "initial_temperature_degC": 20.0, "probe_rises_K": {"top": {"end": 2}}, "drift_summary": {"E_SW": {
         "first_hour": {"change_um": -3.5}, "range_um": 7.5, "steady_from_s": 1200}}})");
-    put("history.csv", "time [s],top [degC],pin temperature [degC],pin heat [W],motor heat [W],E_SW [um]\n"
+    put("history.csv", "# columns: time, probe_temperature, joint_temperature, joint_heat, source_heat, dimension\n"
+                       "time [s],top [degC],pin temperature [degC],pin heat [W],source motor heat [W],E_SW [um]\n"
                        "0,20,20,5,9,0\n3600,22,30,4,9,-7.5\n");
     write_manifest(folder.path);
     const auto run = read_result(folder.path);

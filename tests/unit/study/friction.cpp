@@ -447,7 +447,7 @@ TEST_CASE("every speed and force is summed up once, and what their loads warn ab
     CHECK(summaries[2].force == 3e4);
     const auto warnings = laws.warnings(summaries);
     const auto said =
-        std::ranges::count_if(warnings, [](const auto& text) { return has(text, "the process force acts from"); });
+        std::ranges::count_if(warnings, [](const auto& text) { return has(text, "the process force acts at"); });
     CHECK(said == 1);
-    CHECK(any_has(warnings, "at 300 rpm and 20 kN: the process force acts from"));
+    CHECK(any_has(warnings, "at 300 rpm and 20 kN: the process force acts at"));
 }

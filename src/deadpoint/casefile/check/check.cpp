@@ -45,7 +45,7 @@ public:
             if (c_.joints.contains(name)) {
                 report("ambiguous-name", "heat_sources." + name,
                        fmt::format("'{}' is a joint as well as a source of heat", name),
-                       fmt::format("rename one of the two: both are the column '{} heat' of history.csv", name));
+                       std::string("rename one of the two: the list of causes names both"));
             }
         }
         for (const auto& [name, enclosure] : c_.enclosures) {

@@ -163,7 +163,7 @@ PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool h
         for (Vec3& node : raw.nodes) {
             node = node + part.translation;
             if (!std::isfinite(norm(node))) {
-                throw InputError(fmt::format("part '{}': '{}' holds a node whose place is no finite number; mesh it "
+                throw InputError(fmt::format("part '{}': '{}' holds a node with a non-finite coordinate; mesh it "
                                              "again",
                                              part.name, source.path));
             }

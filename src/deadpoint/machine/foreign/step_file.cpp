@@ -65,7 +65,7 @@ StepText check_step_file(const std::string& part, const std::string& path)
     const std::string text = read_file(path, largest).value_or("");
     if (text.substr(0, 200).find("ISO-10303-21") == std::string::npos) {
         throw InputError(
-            fmt::format("part '{}': '{}' is no STEP file (ISO 10303-21); export the part as STEP", part, path));
+            fmt::format("part '{}': '{}' is not a STEP file (ISO 10303-21); export the part as STEP", part, path));
     }
     if (text.find("END-ISO-10303-21") == std::string::npos) {
         throw InputError(

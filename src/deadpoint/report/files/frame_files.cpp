@@ -1,5 +1,6 @@
 #include "deadpoint/report/files/frame_files.hpp"
 
+#include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/table.hpp"
 
 #include <algorithm>
@@ -106,9 +107,11 @@ std::string stress_text(const FrameResult& frame)
 void add_frame_columns(std::vector<CsvColumn>& columns, const FrameResult& frame, const SeriesSampler& sample)
 {
     for (const auto& rod : frame.rods)
-        columns.push_back({rod.part + " force", "kN", sample(rod.change, kilonewton, kilonewton * rod.start)});
+        columns.push_back(
+            csv_column(schema::history::rod_force, sample(rod.change, kilonewton, kilonewton * rod.start), rod.part));
     for (const auto& bond : frame.bonds)
-        columns.push_back({bond.name + " force", "kN", sample(bond.change, kilonewton, kilonewton * bond.start)});
+        columns.push_back(csv_column(schema::history::bond_force,
+                                     sample(bond.change, kilonewton, kilonewton * bond.start), bond.name));
 }
 
 void write_stress(const std::filesystem::path& path, const FrameResult& frame, const std::vector<std::string>& comments)
@@ -127,18 +130,13 @@ void write_stress(const std::filesystem::path& path, const FrameResult& frame, c
         numbers[column++].push_back(megapascal * peak.highest_principal);
         numbers[column++].push_back(megapascal * peak.lowest_principal);
     }
-    write_csv(path, comments,
-              std::vector<CsvColumn>{{"time", "s", numbers[0]},
-                                     {"part", "", parts},
-                                     {"largest von Mises", "MPa", numbers[1]},
-                                     {"first principal there", "MPa", numbers[2]},
-                                     {"second principal there", "MPa", numbers[3]},
-                                     {"third principal there", "MPa", numbers[4]},
-                                     {"x", "mm", numbers[5]},
-                                     {"y", "mm", numbers[6]},
-                                     {"z", "mm", numbers[7]},
-                                     {"highest principal", "MPa", numbers[8]},
-                                     {"lowest principal", "MPa", numbers[9]}});
+    namespace stress = schema::stress;
+    std::vector<CsvColumn> columns{csv_column(schema::time, numbers[0]), csv_column(stress::part, parts)};
+    std::size_t next = 1;
+    for (const auto* column : {&stress::von_mises, &stress::first, &stress::second, &stress::third, &stress::x,
+                               &stress::y, &stress::z, &stress::highest, &stress::lowest})
+        columns.push_back(csv_column(*column, numbers[next++]));
+    write_table(path, comments, columns);
 }
 
 ordered_json frame_json(const FrameResult& frame, const std::vector<double>& times)

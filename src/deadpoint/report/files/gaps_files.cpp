@@ -1,5 +1,6 @@
 #include "deadpoint/report/files/gaps_files.hpp"
 
+#include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/table.hpp"
 
 #include <algorithm>
@@ -82,14 +83,14 @@ std::vector<CsvColumn> gap_columns(const GapSeries& gaps, const SeriesSampler& s
     std::vector<CsvColumn> columns;
     if (gaps.parallelism) {
         for (const auto& corner : gaps.parallelism->corners)
-            columns.push_back({"gap " + corner.name, "um", sample(corner.gap, micrometre, 0)});
-        columns.push_back({"slope left to right", "um/m", sample(gaps.parallelism->left_right, micrometre, 0)});
-        columns.push_back({"slope front to back", "um/m", sample(gaps.parallelism->front_back, micrometre, 0)});
+            columns.push_back(csv_column(schema::gaps::corner, sample(corner.gap, micrometre, 0), corner.name));
+        columns.push_back(csv_column(schema::gaps::left_right, sample(gaps.parallelism->left_right, micrometre, 0)));
+        columns.push_back(csv_column(schema::gaps::front_back, sample(gaps.parallelism->front_back, micrometre, 0)));
     }
     for (const auto& clearance : gaps.clearances)
-        columns.push_back({"clearance " + clearance.name, "um", sample(clearance.change, micrometre, 0)});
+        columns.push_back(csv_column(schema::gaps::clearance, sample(clearance.change, micrometre, 0), clearance.name));
     if (gaps.force)
-        columns.push_back({"force change", "kN", sample(*gaps.force, kilonewton, 0)});
+        columns.push_back(csv_column(schema::gaps::force, sample(*gaps.force, kilonewton, 0)));
     return columns;
 }
 

@@ -4,6 +4,7 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
+#include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
 
 #include <fmt/format.h>
@@ -107,10 +108,10 @@ void write_joint_heat(const std::filesystem::path& path, const HeatTables& table
     Numbers celsius;
     for (const double temperature : tables.temperatures)
         celsius.push_back(temperature - zero_celsius);
-    std::vector<CsvColumn> columns{{"temperature", "degC", celsius}};
+    std::vector<CsvColumn> columns{csv_column(schema::joint_heat::temperature, celsius)};
     for (const auto& joint : tables.joints)
-        columns.push_back({joint.row, "W", joint.heat});
-    write_csv(path, comments, columns);
+        columns.push_back(csv_column(schema::joint_heat::heat, joint.heat, joint.row));
+    write_table(path, comments, columns);
 }
 
 void write_conductances(const std::filesystem::path& path, const HeatTables& tables, const Texts& comments)
@@ -130,18 +131,19 @@ void write_conductances(const std::filesystem::path& path, const HeatTables& tab
         range.push_back(yes_no(c.in_range));
         notes.push_back(joined(c.notes, "; "));
     }
-    const std::vector<CsvColumn> columns{{"joint", "", joint},
-                                         {"interface", "", name},
-                                         {"law", "", law},
-                                         {"area", "m2", area},
-                                         {"pressure", "Pa", pressure},
-                                         {"pressure from", "", source},
-                                         {"resistance", "m2 K/W", resistance},
-                                         {"side a", "W/m2/K", a},
-                                         {"side b", "W/m2/K", b},
-                                         {"in range", "", range},
-                                         {"notes", "", notes}};
-    write_csv(path, comments, columns);
+    namespace table = schema::conductances;
+    const std::vector<CsvColumn> columns{csv_column(table::joint, joint),
+                                         csv_column(table::interface, name),
+                                         csv_column(table::law, law),
+                                         csv_column(table::area, area),
+                                         csv_column(table::pressure, pressure),
+                                         csv_column(table::pressure_from, source),
+                                         csv_column(table::resistance, resistance),
+                                         csv_column(table::side_a, a),
+                                         csv_column(table::side_b, b),
+                                         csv_column(table::in_range, range),
+                                         csv_column(table::notes, notes)};
+    write_table(path, comments, columns);
 }
 
 void write_films(const std::filesystem::path& path, const HeatTables& tables, const Texts& comments)
@@ -163,18 +165,15 @@ void write_films(const std::filesystem::path& path, const HeatTables& tables, co
                 total.push_back(value.convection + value.radiation);
                 range.push_back(yes_no(value.in_range));
             }
-    const std::vector<CsvColumn> columns{{"surface", "", surface},
-                                         {"law", "", law},
-                                         {"state", "", state},
-                                         {"length", "m", length},
-                                         {"ambient", "degC", ambient},
-                                         {"rise", "K", rise},
-                                         {"speed", "rad/s or m/s", speed},
-                                         {"convection", "W/m2/K", convection},
-                                         {"radiation", "W/m2/K", radiation},
-                                         {"total", "W/m2/K", total},
-                                         {"in range", "", range}};
-    write_csv(path, comments, columns);
+    namespace table = schema::films;
+    const std::vector<CsvColumn> columns{
+        csv_column(table::surface, surface),     csv_column(table::law, law),
+        csv_column(table::state, state),         csv_column(table::length, length),
+        csv_column(table::ambient, ambient),     csv_column(table::rise, rise),
+        csv_column(table::speed, speed),         csv_column(table::convection, convection),
+        csv_column(table::radiation, radiation), csv_column(table::total, total),
+        csv_column(table::in_range, range)};
+    write_table(path, comments, columns);
 }
 
 }  // namespace

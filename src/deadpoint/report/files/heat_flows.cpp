@@ -1,5 +1,7 @@
 #include "deadpoint/report/files/heat_flows.hpp"
 
+#include "deadpoint/report/schema/columns.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -13,22 +15,21 @@ constexpr double celsius = -273.15;
 void add_heat_flow_columns(std::vector<CsvColumn>& columns, const study::RunResult& result,
                            const SeriesSampler& sample_series, const Sampler& sample)
 {
-    for (const auto& [source, heat] : result.body_heat)
-        columns.push_back({source + " heat", "W", sample(heat, result.whole, 0)});
-    for (const auto& [oil, circuit] : result.oil) {
-        const std::string name = "oil " + oil + " ";
-        columns.push_back({name + "inlet", "degC", sample_series(circuit.inlet, 1, celsius)});
-        columns.push_back({name + "outlet", "degC", sample_series(circuit.outlet, 1, celsius)});
-        columns.push_back({name + "sump", "degC", sample_series(circuit.sump, 1, celsius)});
-        columns.push_back({name + "heat", "W", sample(circuit.heat, result.whole, 0)});
-        columns.push_back({name + "cooler", "W", sample(circuit.cooler, result.whole, 0)});
+    namespace history = schema::history;
+    for (const auto& [name, heat] : result.body_heat)
+        columns.push_back(csv_column(history::source, sample(heat, result.whole, 0), name));
+    for (const auto& [name, circuit] : result.oil) {
+        columns.push_back(csv_column(history::oil_inlet, sample_series(circuit.inlet, 1, celsius), name));
+        columns.push_back(csv_column(history::oil_outlet, sample_series(circuit.outlet, 1, celsius), name));
+        columns.push_back(csv_column(history::oil_sump, sample_series(circuit.sump, 1, celsius), name));
+        columns.push_back(csv_column(history::oil_heat, sample(circuit.heat, result.whole, 0), name));
+        columns.push_back(csv_column(history::oil_cooler, sample(circuit.cooler, result.whole, 0), name));
     }
-    for (const auto& [enclosure, air] : result.enclosures) {
-        const std::string name = "air " + enclosure + " ";
-        columns.push_back({name + "temperature", "degC", sample_series(air.temperature, 1, celsius)});
-        columns.push_back({name + "heat from surfaces", "W", sample(air.from_surfaces, result.whole, 0)});
-        columns.push_back({name + "power", "W", sample(air.power, result.whole, 0)});
-        columns.push_back({name + "heat to room", "W", sample(air.to_room, result.whole, 0)});
+    for (const auto& [name, air] : result.enclosures) {
+        columns.push_back(csv_column(history::air, sample_series(air.temperature, 1, celsius), name));
+        columns.push_back(csv_column(history::air_from_surfaces, sample(air.from_surfaces, result.whole, 0), name));
+        columns.push_back(csv_column(history::air_power, sample(air.power, result.whole, 0), name));
+        columns.push_back(csv_column(history::air_to_room, sample(air.to_room, result.whole, 0), name));
     }
 }
 

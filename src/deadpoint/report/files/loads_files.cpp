@@ -8,6 +8,7 @@
 #include "deadpoint/report/files/view_file.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
+#include "deadpoint/report/schema/columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -250,11 +251,6 @@ std::vector<std::string> head(const casefile::Case& input, const LoadsResult& lo
     return lines;
 }
 
-CsvColumn column(std::string name, std::string unit, std::vector<double> values)
-{
-    return {std::move(name), std::move(unit), std::move(values)};
-}
-
 std::vector<double> part(const std::vector<Vec2>& values, std::size_t index)
 {
     std::vector<double> result;
@@ -274,31 +270,33 @@ std::vector<double> past_bottom(const std::vector<double>& angle)
 void write_joints(const std::filesystem::path& path, const LoadsResult& loads, const std::vector<std::string>& comments)
 {
     const auto& h = loads.history;
-    std::vector<CsvColumn> columns{column("past bottom dead point", "deg", past_bottom(h.angle)),
-                                   column("time", "s", h.time),
-                                   column("crank speed", "rad/s", h.speed),
-                                   column("slide height", "m", h.height),
-                                   column("slide speed", "m/s", h.slide_speed),
-                                   column("slide acceleration", "m/s2", h.slide_acceleration),
-                                   column("process force", "N", h.process_force),
-                                   column("drive torque", "N m", h.drive_torque)};
+    namespace table = schema::joints;
+    std::vector<CsvColumn> columns{csv_column(schema::past_bottom, past_bottom(h.angle)),
+                                   csv_column(schema::turn_time, h.time),
+                                   csv_column(table::speed, h.speed),
+                                   csv_column(table::height, h.height),
+                                   csv_column(table::slide_speed, h.slide_speed),
+                                   csv_column(table::acceleration, h.slide_acceleration),
+                                   csv_column(table::process_force, h.process_force),
+                                   csv_column(table::torque, h.drive_torque)};
     for (std::size_t j = 0; j < loads.linkage.joints.size(); ++j) {
         const auto& joint = loads.linkage.joints[j];
         const bool slide = joint.kind == LinkageJoint::Kind::slide;
-        columns.push_back(column(joint.name + " x", "N", part(h.joints[j].force, 0)));
-        columns.push_back(column(joint.name + " y", "N", part(h.joints[j].force, 1)));
+        columns.push_back(csv_column(table::force_x, part(h.joints[j].force, 0), joint.name));
+        columns.push_back(csv_column(table::force_y, part(h.joints[j].force, 1), joint.name));
         if (slide)
-            columns.push_back(column(joint.name + " moment", "N m", h.joints[j].moment));
-        columns.push_back(column(joint.name + " sliding", slide ? "m/s" : "rad/s", h.joints[j].sliding));
+            columns.push_back(csv_column(table::moment, h.joints[j].moment, joint.name));
+        columns.push_back(csv_column(slide ? table::sliding : table::turning, h.joints[j].sliding, joint.name));
     }
-    write_csv(path, comments, columns);
+    write_table(path, comments, columns);
 }
 
-void add_bearings(std::vector<CsvColumn>& columns, const std::vector<BearingCycle>& bearings, const std::string& model)
+void add_bearings(std::vector<CsvColumn>& columns, const std::vector<BearingCycle>& bearings, const schema::Column& x,
+                  const schema::Column& y)
 {
     for (const auto& b : bearings) {
-        columns.push_back(column(fmt::format("{} {} x", model, b.name), "N", part(b.force, 0)));
-        columns.push_back(column(fmt::format("{} {} y", model, b.name), "N", part(b.force, 1)));
+        columns.push_back(csv_column(x, part(b.force, 0), b.name));
+        columns.push_back(csv_column(y, part(b.force, 1), b.name));
     }
 }
 
@@ -309,14 +307,15 @@ void write_bearings(const std::filesystem::path& path, const LoadsResult& loads,
     std::vector<double> angle;
     for (const double a : throw_angles(shaft))
         angle.push_back(degrees * (a - shaft.loads.throw_angle.front()));
-    std::vector<CsvColumn> columns{column("past bottom dead point", "deg", angle),
-                                   column("time", "s", shaft.cycle().time)};
-    add_bearings(columns, shaft.rigid.bearings, "rigid");
+    namespace table = schema::bearings;
+    std::vector<CsvColumn> columns{csv_column(schema::past_bottom, angle),
+                                   csv_column(schema::turn_time, shaft.cycle().time)};
+    add_bearings(columns, shaft.rigid.bearings, table::rigid_x, table::rigid_y);
     if (shaft.flexible)
-        add_bearings(columns, shaft.flexible->bearings, "flexible");
-    columns.push_back(column("pin deflection x", "m", part(shaft.cycle().pin_deflection, 0)));
-    columns.push_back(column("pin deflection y", "m", part(shaft.cycle().pin_deflection, 1)));
-    write_csv(path, comments, columns);
+        add_bearings(columns, shaft.flexible->bearings, table::flexible_x, table::flexible_y);
+    columns.push_back(csv_column(table::pin_x, part(shaft.cycle().pin_deflection, 0)));
+    columns.push_back(csv_column(table::pin_y, part(shaft.cycle().pin_deflection, 1)));
+    write_table(path, comments, columns);
 }
 
 void write_campbell(const std::filesystem::path& path, const study::CrankshaftLoads& shaft,
@@ -333,10 +332,11 @@ void write_campbell(const std::filesystem::path& path, const study::CrankshaftLo
             damping.push_back(mode.damping_ratio);
             whirl.emplace_back(whirl_name(mode.whirl));
         }
-    const std::vector<CsvColumn> columns{column("speed", "rpm", speed), column("mode", "", number),
-                                         column("frequency", "Hz", frequency), CsvColumn{"whirl", "", whirl},
-                                         column("damping ratio of bearings", "", damping)};
-    write_csv(path, comments, columns);
+    namespace table = schema::campbell;
+    const std::vector<CsvColumn> columns{csv_column(table::speed, speed), csv_column(table::mode, number),
+                                         csv_column(table::frequency, frequency), csv_column(table::whirl, whirl),
+                                         csv_column(table::damping, damping)};
+    write_table(path, comments, columns);
 }
 
 void write_svg(const std::filesystem::path& path, const std::string& svg, const std::vector<std::string>& comments)

@@ -2,6 +2,7 @@
 
 #include "deadpoint/io/vtu.hpp"
 #include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/schema/columns.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -125,8 +126,10 @@ void write_names(const std::filesystem::path& path, const Machine& machine, cons
     add("body", body_names(machine), [](const std::string& name) { return name; });
     add("surface", machine.surfaces, name_of);
     add("interface", machine.interfaces, name_of);
-    const std::vector<CsvColumn> columns{{"kind", "", kinds}, {"number", "", numbers}, {"name", "", names}};
-    write_csv(path, comments, columns);
+    const std::vector<CsvColumn> columns{csv_column(schema::names::kind, kinds),
+                                         csv_column(schema::names::number, numbers),
+                                         csv_column(schema::names::name, names)};
+    write_table(path, comments, columns);
 }
 
 }  // namespace

@@ -13,19 +13,21 @@
 #include "deadpoint/report/files/view_file.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
+#include "deadpoint/report/schema/columns.hpp"
+#include "deadpoint/report/schema/schema.hpp"
 #include "deadpoint/report/text/accuracy_text.hpp"
 #include "deadpoint/report/text/drift_causes_text.hpp"
 #include "deadpoint/report/text/drift_summary_text.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
-#include "deadpoint/report/text/table.hpp"
+#include "deadpoint/report/text/run_text.hpp"
 #include "deadpoint/study/pipeline/run_summary.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <numeric>
 
 namespace deadpoint::report {
 namespace {
@@ -91,11 +93,12 @@ std::vector<std::string> head(const casefile::Case& input, const RunResult& resu
 
 std::vector<std::pair<const char*, const Series*>> dimensions(const DriftSeries& drift)
 {
-    return {{"E_SW", &drift.gap},
-            {"E_BG", &drift.bearing_to_ground},
-            {"E_WG", &drift.table_to_ground},
-            {"E_CS", &drift.crank_to_slide},
-            {"E_BC", &drift.clearance}};
+    const std::array series{&drift.gap, &drift.bearing_to_ground, &drift.table_to_ground, &drift.crank_to_slide,
+                            &drift.clearance};
+    std::vector<std::pair<const char*, const Series*>> named;
+    for (std::size_t i = 0; i < series.size(); ++i)
+        named.emplace_back(schema::dimensions()[i].name, series[i]);
+    return named;
 }
 
 void write_history(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
@@ -103,15 +106,20 @@ void write_history(const std::filesystem::path& path, const casefile::Case& inpu
 {
     const auto& history = result.thermal;
     const auto times = history_times(input, result);
-    std::vector<CsvColumn> columns{{"time", "s", times}};
+    std::vector<CsvColumn> columns{csv_column(schema::time, times)};
     for (const auto& [name, course] : result.probes)
-        columns.push_back({name, "degC", sampled(history.time, course, times, 1, celsius)});
+        columns.push_back(
+            csv_column(schema::history::probe, sampled(history.time, course, times, 1, celsius), name));
     for (const auto& [name, joint] : result.joints)
-        columns.push_back({name + " temperature", "degC", sampled(history.time, joint.temperature, times, 1, celsius)});
+        columns.push_back(csv_column(schema::history::joint_temperature,
+                                     sampled(history.time, joint.temperature, times, 1, celsius), name));
     for (const auto& [name, joint] : result.joints)
-        columns.push_back({name + " heat", "W", sampled_linear(history.time, joint.heat, times, 1, 0)});
-    columns.push_back({"heat to air", "W", sampled_linear(history.time, history.to_air, times, result.whole, 0)});
-    columns.push_back({"heat to oil", "W", sampled_linear(history.time, history.to_oil, times, result.whole, 0)});
+        columns.push_back(
+            csv_column(schema::history::joint_heat, sampled_linear(history.time, joint.heat, times, 1, 0), name));
+    columns.push_back(
+        csv_column(schema::history::to_air, sampled_linear(history.time, history.to_air, times, result.whole, 0)));
+    columns.push_back(
+        csv_column(schema::history::to_oil, sampled_linear(history.time, history.to_oil, times, result.whole, 0)));
     add_heat_flow_columns(
         columns, result,
         [&](const Series& series, double factor, double offset) {
@@ -122,35 +130,26 @@ void write_history(const std::filesystem::path& path, const casefile::Case& inpu
         });
     if (result.drift)
         for (const auto& [name, series] : dimensions(*result.drift))
-            columns.push_back({name, "um", sampled(history.time, *series, times, micrometre, 0)});
+            columns.push_back(
+                csv_column(schema::history::dimension, sampled(history.time, *series, times, micrometre, 0), name));
     if (result.frame)
         add_frame_columns(columns, *result.frame, [&](const Series& series, double factor, double offset) {
             return sampled(history.time, series, times, factor, offset);
         });
-    write_csv(path, comments, columns);
-}
-
-// The parts that move the gap most, largest first.
-std::vector<std::size_t> strongest_parts(const DriftSeries& drift)
-{
-    std::vector<std::size_t> order(drift.by_part.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return std::abs(drift.by_part[a].back()) > std::abs(drift.by_part[b].back());
-    });
-    return order;
+    write_table(path, comments, columns);
 }
 
 void write_contributions(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
                          const std::vector<std::string>& comments)
 {
     const auto times = history_times(input, result);
-    std::vector<CsvColumn> columns{{"time", "s", times}};
-    columns.push_back({"E_SW", "um", sampled(result.drift->time, result.drift->gap, times, micrometre, 0)});
+    std::vector<CsvColumn> columns{csv_column(schema::time, times)};
+    columns.push_back(csv_column(schema::gap, sampled(result.drift->time, result.drift->gap, times, micrometre, 0)));
     for (const auto part : strongest_parts(*result.drift))
-        columns.push_back({result.parts[part].name, "um",
-                           sampled_linear(result.drift->time, result.drift->by_part[part], times, micrometre, 0)});
-    write_csv(path, comments, columns);
+        columns.push_back(csv_column(
+            schema::contributions::part,
+            sampled_linear(result.drift->time, result.drift->by_part[part], times, micrometre, 0), result.parts[part].name));
+    write_table(path, comments, columns);
 }
 
 void write_gaps(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
@@ -162,8 +161,8 @@ void write_gaps(const std::filesystem::path& path, const casefile::Case& input, 
     });
     if (columns.empty())
         return;
-    columns.insert(columns.begin(), {"time", "s", times});
-    write_csv(path, comments, columns);
+    columns.insert(columns.begin(), csv_column(schema::time, times));
+    write_table(path, comments, columns);
 }
 
 std::vector<double> in_hours(const std::vector<double>& seconds)
@@ -378,71 +377,6 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
         write_svg_chart(folder / "drift.svg", drift_chart(input, result), comments);
         write_svg_chart(folder / "contributions.svg", contribution_chart(input, result), comments);
     }
-}
-
-std::string run_text(const casefile::Case& input, const RunResult& result)
-{
-    const auto summary = study::summarise(input, result);
-    const double end = result.thermal.time.back();
-    std::string text = fmt::format("\n{}, after {}\n\n", input.machine.name, duration_text(end));
-    const bool compared = !summary.comparison.empty();
-    TextTable table(compared ? std::vector<std::string>{"probe", "rise [K]", "published [K]", "95 % after"}
-                             : std::vector<std::string>{"probe", "rise [K]", "95 % after"});
-    for (std::size_t i = 0; i < result.probes.size(); ++i) {
-        std::vector<std::string> row{result.probes[i].name,
-                                     fmt::format("{:.2f}", study::rise_at(input, result, i, end))};
-        if (compared) {
-            const auto found = input.reference->rises.find(result.probes[i].name);
-            row.push_back(found == input.reference->rises.end() ? "" : fmt::format("{:.2f}", found->second));
-        }
-        row.push_back(duration_text(summary.time_to_95[i]));
-        table.add_row(row);
-    }
-    if (result.loads)
-        text += "  " + loads_line(*result.loads) + "\n\n";
-    text += table.text();
-    if (compared)
-        text += fmt::format("  residual {:.2f} K rms; predicting no rise would give {:.2f} K ({})\n",
-                            summary.rms_residual, summary.rms_null, input.reference->source);
-    if (result.drift) {
-        text += fmt::format("\n  gap E_SW: largest {:+.1f} um after {}, {:+.1f} um at the end (+ opens)\n",
-                            micrometre * summary.largest_gap, duration_text(summary.largest_gap_time),
-                            micrometre * summary.final_gap);
-        text += drift_summary_line(*summary.gap_course);
-        text += "  by part at the end:";
-        const auto order = strongest_parts(*result.drift);
-        for (std::size_t i = 0; i < std::min<std::size_t>(4, order.size()); ++i)
-            text += fmt::format("{} {} {:+.1f}", i ? "," : "", result.parts[order[i]].name,
-                                micrometre * result.drift->by_part[order[i]].back());
-        text += " um\n" + drift_causes_line(result.causes);
-        text += gaps_text(result.gaps, result.thermal.time);
-        if (summary.warm_up_time)
-            text += fmt::format("  warm: the gap drifts by less than {} um/h from {} on\n",
-                                significant(input.chain->drift_rate_limit * 3600 * micrometre),
-                                duration_text(*summary.warm_up_time));
-        else if (input.chain->drift_rate_limit > 0)
-            text += fmt::format("  not warm yet: the gap still drifts by more than {} um/h\n",
-                                significant(input.chain->drift_rate_limit * 3600 * micrometre));
-    }
-    if (!result.friction.empty())
-        text += friction_text(result.friction) + "\n";
-    if (result.frame)
-        text += frame_text(*result.frame) + "\n";
-    text += heat_flows_text(result);
-    if (result.deformation_cells > 0 && result.deformation_cells != result.cells)
-        text += fmt::format("  mesh: {} cells for the heat, {} cells of their own for the deformation\n", result.cells,
-                            result.deformation_cells);
-    const auto& energy = result.thermal.energy;
-    text += fmt::format("  heat: {:.2f} MJ generated, {:.2f} to the air, {:.2f} to the oil, {:.2f} stored ({})\n",
-                        1e-6 * result.whole * (energy.generated + energy.from_surfaces),
-                        1e-6 * result.whole * energy.to_air, 1e-6 * result.whole * energy.to_oil,
-                        1e-6 * result.whole * energy.stored,
-                        nothing_happens(result.thermal, input.numerics.time_tolerance)
-                            ? "nothing happens"
-                            : fmt::format("balance closes to {:.0e}", energy.mismatch()));
-    if (result.accuracy)
-        text += "\n" + accuracy_text(*result.accuracy);
-    return text;
 }
 
 }  // namespace deadpoint::report

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// The results of a run as files and as a short text for the terminal. Heat is that of the whole press throughout.
+/// The results of a run as files. Heat is that of the whole press throughout.
 namespace deadpoint::report {
 
 /// Writes into an existing folder: case.toml (resolved), history.csv, contributions.csv, gaps.csv, summary.json,
@@ -18,8 +18,5 @@ namespace deadpoint::report {
 /// @throws IoError if a file cannot be written
 void write_run_files(const std::filesystem::path& folder, const casefile::Case& input, const Machine& machine,
                      const study::RunResult& result, const std::vector<std::string>& warnings);
-
-/// The short text that ends a run.
-std::string run_text(const casefile::Case& input, const study::RunResult& result);
 
 }  // namespace deadpoint::report

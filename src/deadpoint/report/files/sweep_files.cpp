@@ -5,6 +5,7 @@
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/schema/columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Figures = std::vector<std::optional<SweepFigures>>;
 using Windows = std::vector<std::optional<study::DriftWindow>>;
+namespace table = schema::sweep;
 
 constexpr double micrometre = 1e6;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
@@ -77,26 +79,27 @@ public:
 
     std::vector<CsvColumn> run()
     {
-        texts("set", [&](const Row& row) { return result_.study.sets[row.set].name; });
-        texts("point", [&](const Row& row) { return result_.points[row.point].name; });
-        texts("state", [&](const Row& row) { return state_name(result_.outcomes[row.point].state); });
+        texts(table::set, [&](const Row& row) { return result_.study.sets[row.set].name; });
+        texts(table::point, [&](const Row& row) { return result_.points[row.point].name; });
+        texts(table::state, [&](const Row& row) { return state_name(result_.outcomes[row.point].state); });
         axes();
         drift();
         rises();
-        figure("joint heat", "W", [](const SweepFigures& f) { return f.joint_heat.value_or(missing); });
+        figure(table::heat, [](const SweepFigures& f) { return f.joint_heat.value_or(missing); });
         bearing_forces();
         if (limited(result_.study.limits)) {
-            texts("keeps limits", [&](const Row& row) {
+            texts(table::keeps, [&](const Row& row) {
                 const auto& figures = figures_[row.point];
                 return !figures ? "" : keeps_limits(result_, *figures) ? "yes" : "no";
             });
-            texts("in window", [&](const Row& row) { return in_window(windows_[row.set], row.steps) ? "yes" : "no"; });
+            texts(table::window,
+                  [&](const Row& row) { return in_window(windows_[row.set], row.steps) ? "yes" : "no"; });
         }
-        numbers("wall time", "s", [&](const Row& row) {
+        numbers(table::wall_time, [&](const Row& row) {
             const auto& outcome = result_.outcomes[row.point];
             return outcome.state == study::PointOutcome::State::left ? missing : outcome.seconds;
         });
-        texts("reason", [&](const Row& row) {
+        texts(table::reason, [&](const Row& row) {
             std::string reason = result_.outcomes[row.point].reason;
             std::ranges::replace(reason, '\n', ' ');  // many programs read no line break inside a cell
             return reason;
@@ -106,27 +109,28 @@ public:
 
 private:
     template <class Of>
-    void texts(const std::string& name, Of&& of)
+    void texts(const schema::Column& column, Of&& of, const std::string& name = {})
     {
         std::vector<std::string> values;
         for (const auto& row : rows_) {
             values.emplace_back(of(row));
         }
-        columns_.push_back({name, "", std::move(values)});
+        columns_.push_back(csv_column(column, std::move(values), name));
     }
     template <class Of>
-    void numbers(const std::string& name, const std::string& unit, Of&& of)
+    void numbers(const schema::Column& column, Of&& of, const std::string& name = {}, const std::string& unit = {})
     {
         std::vector<double> values;
         for (const auto& row : rows_) {
             values.push_back(of(row));
         }
-        columns_.push_back({name, unit, std::move(values)});
+        columns_.push_back(csv_column(column, std::move(values), name, unit));
     }
     template <class Of>
-    void figure(const std::string& name, const std::string& unit, Of&& of)
+    void figure(const schema::Column& column, Of&& of, const std::string& name = {})
     {
-        numbers(name, unit, [&](const Row& row) { return figures_[row.point] ? of(*figures_[row.point]) : missing; });
+        numbers(
+            column, [&](const Row& row) { return figures_[row.point] ? of(*figures_[row.point]) : missing; }, name);
     }
 
     /// A set's axis of that name, and its place in the set.
@@ -156,11 +160,14 @@ private:
             }
         }
         for (const auto& name : names) {
-            texts(name, [&](const Row& row) {
-                std::size_t a = 0;
-                const auto* axis = axis_of(row, name, a);
-                return axis == nullptr ? std::string() : axis->labels[row.steps[a]];
-            });
+            texts(
+                table::axis,
+                [&](const Row& row) {
+                    std::size_t a = 0;
+                    const auto* axis = axis_of(row, name, a);
+                    return axis == nullptr ? std::string() : axis->labels[row.steps[a]];
+                },
+                name);
             for (const auto& unit : units) {
                 if (unit.first == name) {
                     axis_column(name, unit.second);
@@ -171,7 +178,7 @@ private:
 
     void axis_column(const std::string& name, const std::string& unit)
     {
-        numbers(name + " value", unit, [&](const Row& row) {
+        const auto value = [&](const Row& row) {
             std::size_t a = 0;
             const auto* axis = axis_of(row, name, a);
             if (axis == nullptr) {
@@ -179,21 +186,22 @@ private:
             }
             const auto& numbers = numbers_[row.set][a];
             return numbers.values.empty() || numbers.unit != unit ? missing : numbers.values[row.steps[a]];
-        });
+        };
+        numbers(table::axis_value, value, name, unit);
     }
 
     void drift()
     {
-        const auto column = [&](const std::string& name, const std::string& unit, auto&& of) {
-            figure(name, unit, [&](const SweepFigures& f) { return f.drift ? of(*f.drift) : missing; });
+        const auto column = [&](const schema::Column& named, auto&& of) {
+            figure(named, [&](const SweepFigures& f) { return f.drift ? of(*f.drift) : missing; });
         };
-        column("largest E_SW", "um", [](const SweepDrift& d) { return micrometre * d.largest; });
-        column("time of largest E_SW", "s", [](const SweepDrift& d) { return d.largest_time; });
-        column("E_SW at end", "um", [](const SweepDrift& d) { return micrometre * d.final; });
-        column("E_SW change in first hour", "um",
+        column(table::largest, [](const SweepDrift& d) { return micrometre * d.largest; });
+        column(table::largest_time, [](const SweepDrift& d) { return d.largest_time; });
+        column(table::end, [](const SweepDrift& d) { return micrometre * d.final; });
+        column(table::first_hour,
                [](const SweepDrift& d) { return d.gap ? micrometre * d.gap->first_hour_change : missing; });
-        column("E_SW range", "um", [](const SweepDrift& d) { return d.gap ? micrometre * d.gap->range : missing; });
-        column("steady from", "s",
+        column(table::range, [](const SweepDrift& d) { return d.gap ? micrometre * d.gap->range : missing; });
+        column(table::steady,
                [](const SweepDrift& d) { return d.gap ? d.gap->steady_from.value_or(missing) : missing; });
     }
 
@@ -208,8 +216,9 @@ private:
             }
         }
         for (const auto& probe : probes) {
-            figure(probe + " rise", "K",
-                   [&](const SweepFigures& f) { return f.rises.contains(probe) ? f.rises.at(probe) : missing; });
+            figure(
+                table::rise,
+                [&](const SweepFigures& f) { return f.rises.contains(probe) ? f.rises.at(probe) : missing; }, probe);
         }
     }
 
@@ -222,9 +231,10 @@ private:
             }
         }
         for (const auto& [name, value] : names) {
-            figure("peak force " + name, "N", [&, &key = name](const SweepFigures& f) {
+            const auto force = [&key = name](const SweepFigures& f) {
                 return f.bearing_forces.contains(key) ? f.bearing_forces.at(key) : missing;
-            });
+            };
+            figure(table::bearing_force, force, name);
         }
     }
 
@@ -371,7 +381,7 @@ void write_sweep_files(const std::filesystem::path& folder, const SweepResult& r
     const auto figures = sweep_figures(result);
     const auto windows = sweep_windows(result);
     const auto comments = head(result, warnings);
-    write_csv(folder / "sweep.csv", comments, TableWriter(result, figures, windows).run());
+    write_table(folder / "sweep.csv", comments, TableWriter(result, figures, windows).run());
     write_json(folder / "sweep.json", sweep_json(result, figures, windows, warnings));
     write_sweep_charts(folder, result, comments);
     write_manifest(folder);

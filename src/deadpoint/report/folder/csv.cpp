@@ -3,10 +3,12 @@
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/io/write_file.hpp"
+#include "deadpoint/report/schema/schema.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <stdexcept>
 
 namespace deadpoint::report {
 namespace {
@@ -49,7 +51,42 @@ std::string cell(const CsvColumn& column, std::size_t row)
     return quoted(std::get<std::vector<std::string>>(column.values)[row]);
 }
 
+/// "columns: time, joint_heat"
+std::string kinds_comment(const schema::File& file, std::span<const CsvColumn> columns)
+{
+    std::string text = "columns:";
+    for (const auto& column : columns) {
+        if (file.column(column.kind) == nullptr) {
+            throw std::logic_error(
+                fmt::format("the schema knows no column '{}' ({}) of '{}'", column.kind, column.name, file.name));
+        }
+        text += (&column == columns.data() ? " " : ", ") + column.kind;
+    }
+    return text;
+}
+
 }  // namespace
+
+CsvColumn csv_column(const schema::Column& column, std::vector<double> values, const std::string& name,
+                     const std::string& unit)
+{
+    return {schema::filled(column.heading, name), schema::filled(column.unit, unit), std::move(values),
+            std::string(column.kind)};
+}
+
+CsvColumn csv_column(const schema::Column& column, std::vector<std::string> values, const std::string& name)
+{
+    return {schema::filled(column.heading, name), std::string(column.unit), std::move(values),
+            std::string(column.kind)};
+}
+
+void write_table(const std::filesystem::path& path, std::span<const std::string> comments,
+                 std::span<const CsvColumn> columns)
+{
+    std::vector<std::string> lines(comments.begin(), comments.end());
+    lines.push_back(kinds_comment(schema::file(path.filename().string()), columns));
+    write_csv(path, lines, columns);
+}
 
 void write_csv(const std::filesystem::path& path, std::span<const std::string> comments,
                std::span<const CsvColumn> columns)

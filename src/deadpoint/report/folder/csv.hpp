@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/report/schema/column.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -16,7 +17,15 @@ struct CsvColumn {
     std::string name;
     std::string unit;  ///< shown in brackets behind the name; empty: none
     std::variant<std::vector<double>, std::vector<std::string>> values;
+    std::string kind = {};  ///< by the schema; empty in tables that are no results
 };
+
+/// A column of the schema.
+/// @param name  what stands in the braces of its heading
+/// @param unit  where the schema's is "{unit}"
+CsvColumn csv_column(const schema::Column& column, std::vector<double> values, const std::string& name = {},
+                     const std::string& unit = {});
+CsvColumn csv_column(const schema::Column& column, std::vector<std::string> values, const std::string& name = {});
 
 /// Brings a series of the steps to the rows of a table: factor * value + offset.
 using SeriesSampler = std::function<std::vector<double>(const Series& series, double factor, double offset)>;
@@ -31,5 +40,10 @@ using SeriesSampler = std::function<std::vector<double>(const Series& series, do
 /// @throws IoError    if the file cannot be written
 void write_csv(const std::filesystem::path& path, std::span<const std::string> comments,
                std::span<const CsvColumn> columns);
+
+/// The same of a file of the schema, which its name tells; the last comment states the kinds of the columns.
+/// @throws std::logic_error if the schema does not know the file or a column of it, and as write_csv()
+void write_table(const std::filesystem::path& path, std::span<const std::string> comments,
+                 std::span<const CsvColumn> columns);
 
 }  // namespace deadpoint::report

@@ -2,8 +2,9 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/plain_text.hpp"
-#include "deadpoint/io/csv_table.hpp"
 #include "deadpoint/report/folder/result_json.hpp"
+#include "deadpoint/report/folder/result_table.hpp"
+#include "deadpoint/report/schema/columns.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -89,36 +90,27 @@ void read_summary(const Json& json, study::RunRecord& run)
     }
 }
 
-void read_history(const CsvTable& table, study::RunRecord& run)
+std::vector<double> changed(std::vector<double> values, double factor, double offset)
 {
-    run.time = table.numbers(table.column("time"));
-    require_course(table, run.time);
-    for (const auto& probe : run.probes) {
-        auto rises = table.numbers(table.column(probe));
-        for (double& rise : rises) {
-            rise += zero_celsius - run.initial_temperature;
-        }
-        run.rises[probe] = std::move(rises);
+    for (double& value : values) {
+        value = factor * value + offset;
     }
-    // A joint is what has both a temperature and a heat.
-    const auto has = [&](const std::string& name) {
-        return std::ranges::any_of(table.columns, [&](const auto& column) { return column.name == name; });
-    };
-    constexpr std::string_view heat = " heat";
-    for (const auto& column : table.columns) {
-        const std::string joint =
-            column.name.ends_with(heat) ? column.name.substr(0, column.name.size() - heat.size()) : std::string();
-        if (!joint.empty() && column.unit == "W" && has(joint + " temperature")) {
-            run.joint_heat[joint] = table.numbers(table.column(column.name));
-        }
-        if (column.unit != "um") {
-            continue;
-        }
-        auto course = table.numbers(table.column(column.name));
-        for (double& value : course) {
-            value *= micrometre;
-        }
-        run.chain[column.name] = std::move(course);
+    return values;
+}
+
+void read_history(const ResultTable& table, study::RunRecord& run)
+{
+    namespace history = schema::history;
+    run.time = table.numbers(schema::time);
+    require_course(table.csv(), run.time);
+    for (const auto& probe : run.probes) {
+        run.rises[probe] = changed(table.numbers(history::probe, probe), 1, zero_celsius - run.initial_temperature);
+    }
+    for (const auto& joint : table.names(history::joint_heat)) {
+        run.joint_heat[joint] = table.numbers(history::joint_heat, joint);
+    }
+    for (const auto& dimension : table.names(history::dimension)) {
+        run.chain[dimension] = changed(table.numbers(history::dimension, dimension), micrometre, 0);
     }
 }
 
@@ -138,7 +130,7 @@ study::RunRecord read_result(const fs::path& folder)
                         summary.string(), reason.what()));
     }
     const fs::path history = folder / "history.csv";
-    read_history(parse_csv(needed(files.read("history.csv"), history), history.string()), run);
+    read_history(ResultTable(needed(files.read("history.csv"), history), history.string()), run);
     if (const auto loads = read_json(files, "loads.json")) {
         run.has_loads = true;
         flatten(*loads, "", run.loads);

@@ -15,7 +15,7 @@
 namespace deadpoint::report {
 
 inline constexpr const char* manifest_name = "deadpoint.json";
-inline constexpr int result_format = 1;  ///< changes when an older version could not read the folder
+inline constexpr int result_format = 2;  ///< changes when an older version could not read the folder
 
 /// How a file was written.
 struct ListedFile {

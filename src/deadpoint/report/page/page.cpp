@@ -6,6 +6,7 @@
 #include "deadpoint/report/page/page_parts.hpp"
 #include "deadpoint/report/page/page_shell.hpp"
 #include "deadpoint/report/page/page_tables.hpp"
+#include "deadpoint/report/schema/schema.hpp"
 
 #include <algorithm>
 #include <array>
@@ -114,7 +115,7 @@ std::vector<ReportSource> report_sources(std::span<const fs::path> folders)
 
 void write_report(const fs::path& file, std::span<const ReportSource> sources, IfThere if_there)
 {
-    Json data{{"version", version}, {"runs", Json::array()}};
+    Json data{{"version", version}, {"schema", Json::parse(schema::script_json())}, {"runs", Json::array()}};
     for (const auto& source : sources)
         data["runs"].push_back(source_json(source));
     std::string tables =

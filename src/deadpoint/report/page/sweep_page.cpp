@@ -2,11 +2,13 @@
 
 #include "deadpoint/core/error.hpp"
 #include "deadpoint/core/version.hpp"
-#include "deadpoint/io/csv_table.hpp"
 #include "deadpoint/report/folder/result_json.hpp"
+#include "deadpoint/report/folder/result_table.hpp"
 #include "deadpoint/report/page/page_parts.hpp"
 #include "deadpoint/report/page/page_shell.hpp"
 #include "deadpoint/report/page/page_tables.hpp"
+#include "deadpoint/report/schema/columns.hpp"
+#include "deadpoint/report/schema/schema.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,19 +44,17 @@ std::vector<double> changed(std::vector<double> values, double offset, double fa
     return values;
 }
 
-Json course_json(const CsvTable& table, const Json& summary, std::size_t rows)
+Json course_json(const ResultTable& table, const Json& summary, std::size_t rows)
 {
-    Json json{{"hours", thinned(changed(table.numbers(table.column("time")), 0, 1.0 / 3600), rows)}};
-    const auto has = [&](const std::string& name) {
-        return std::ranges::any_of(table.columns, [&](const auto& column) { return column.name == name; });
-    };
-    if (has("E_SW"))
-        json["E_SW"] = thinned(table.numbers(table.column("E_SW")), rows);
+    namespace history = schema::history;
+    Json json{{"hours", thinned(changed(table.numbers(schema::time), 0, 1.0 / 3600), rows)}};
+    const std::string gap = schema::dimensions().front().name;
+    if (std::ranges::count(table.names(history::dimension), gap) > 0)
+        json[gap] = thinned(table.numbers(history::dimension, gap), rows);
     json["rises"] = Json::object();
     const double start = summary.value("initial_temperature_degC", 0.0);
-    if (summary.contains("probe_rises_K") && summary.at("probe_rises_K").is_object())
-        for (const auto& [probe, rise] : summary.at("probe_rises_K").items())
-            json["rises"][probe] = thinned(changed(table.numbers(table.column(probe)), -start, 1), rows);
+    for (const auto& probe : table.names(history::probe))
+        json["rises"][probe] = thinned(changed(table.numbers(history::probe, probe), -start, 1), rows);
     return json;
 }
 
@@ -79,7 +79,7 @@ Json point_json(const ResultFiles& files, const Json& summary, std::size_t rows)
 {
     Json json = Json::object();
     if (const auto history = files.read("history.csv"))
-        json["course"] = course_json(parse_csv(*history, (files.folder() / "history.csv").string()), summary, rows);
+        json["course"] = course_json(ResultTable(*history, (files.folder() / "history.csv").string()), summary, rows);
     if (summary.contains("gaps"))
         json["gaps"] = summary.at("gaps");
     return json;
@@ -126,7 +126,10 @@ void write_sweep_report(const fs::path& file, const fs::path& folder, IfThere if
     PageContent content;
     auto& data = content.data;
     const auto& sweep = *found;
-    data = {{"version", version}, {"runs", Json::array()}, {"sweep", sweep}};
+    data = {{"version", version},
+            {"schema", Json::parse(schema::script_json())},
+            {"runs", Json::array()},
+            {"sweep", sweep}};
     try {
         const auto whole = fs::absolute(folder).lexically_normal();
         data["folder"] = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
@@ -143,7 +146,7 @@ void write_sweep_report(const fs::path& file, const fs::path& folder, IfThere if
         content.without_scripts = "<p>This page draws its charts and maps with scripts, which are switched off here; "
                                   "they are missing below. The "
                                   "charts stand as SVG files in the folder of the study.</p>\n" +
-                                  sweep_tables(sweep, parse_csv(*table, (folder / "sweep.csv").string()));
+                                  sweep_tables(sweep, ResultTable(*table, (folder / "sweep.csv").string()).csv());
     } catch (const Json::exception& reason) {
         throw InputError(fmt::format("{}: {}\n  help: it is from another version of the program; run the study again",
                                      source.string(), reason.what()));

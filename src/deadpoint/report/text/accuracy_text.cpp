@@ -4,6 +4,7 @@
 #include "deadpoint/core/quantity.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/table.hpp"
 
 #include <algorithm>
@@ -144,11 +145,15 @@ void write_accuracy_files(const std::filesystem::path& folder, const AccuracyRep
     }
     auto lines = std::vector<std::string>(comments.begin(), comments.end());
     lines.push_back(accuracy_line(accuracy));
-    const std::vector<CsvColumn> columns{
-        {"cells", "", cells},          {"finer parts", "", finer},        {figure_of(accuracy), unit.name, value},
-        {"change", unit.name, change}, {"estimate", unit.name, estimate}, {"worst part", "", worst},
-        {"time", "s", seconds}};
-    write_csv(folder / "accuracy.csv", lines, columns);
+    namespace table = schema::accuracy;
+    const std::vector<CsvColumn> columns{csv_column(table::cells, cells),
+                                         csv_column(table::finer, finer),
+                                         csv_column(table::figure, value, figure_of(accuracy), unit.name),
+                                         csv_column(table::change, change, {}, unit.name),
+                                         csv_column(table::estimate, estimate, {}, unit.name),
+                                         csv_column(table::worst, worst),
+                                         csv_column(table::seconds, seconds)};
+    write_table(folder / "accuracy.csv", lines, columns);
     std::string sizes;
     for (const auto& line : lines)
         sizes += "# " + one_line(line) + "\n";

@@ -1,6 +1,7 @@
 #include "deadpoint/report/text/drift_causes_text.hpp"
 
 #include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/schema/columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,14 +46,14 @@ void write_drift_causes(const std::filesystem::path& path, std::span<const std::
         kinds.push_back(row.kind);
         names.push_back(row.name);
     }
-    std::vector<CsvColumn> columns{{"cause", "", kinds}, {"name", "", names}};
+    std::vector<CsvColumn> columns{csv_column(schema::causes::cause, kinds), csv_column(schema::causes::name, names)};
     for (const auto& at : causes) {
         std::vector<double> values;
         for (const auto& row : rows_of(at))
             values.push_back(row.value);
-        columns.push_back({fmt::format("share of E_SW after {:.0f} s", at.time), "um", std::move(values)});
+        columns.push_back(csv_column(schema::causes::share, std::move(values), fmt::format("{:.0f}", at.time)));
     }
-    write_csv(path, comments, columns);
+    write_table(path, comments, columns);
 }
 
 nlohmann::ordered_json drift_causes_json(const std::vector<DriftCauses>& causes)

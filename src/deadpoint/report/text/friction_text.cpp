@@ -32,10 +32,11 @@ std::string watts(double value) { return fmt::format("{:.1f} W", std::abs(value)
 std::string power_lines(const study::PowerBalance& balance)
 {
     const double percent = 100 * balance.mismatch();
-    std::string text = fmt::format("  power without friction: drive {}, process {}; they agree to {} % of the {} that "
-                                   "come and go\n",
-                                   watts(balance.drive), watts(balance.process),
-                                   percent < 0.01 ? "0.01" : fmt::format("{:.2g}", percent), watts(balance.swing));
+    std::string text =
+        fmt::format("  mean power without friction: drive {}, process {} (difference {} % of the mean "
+                    "absolute power, {})\n",
+                    watts(balance.drive), watts(balance.process),
+                    percent < 0.01 ? "below 0.01" : fmt::format("{:.2g}", percent), watts(balance.swing));
     for (const auto& power : balance.at) {
         text += fmt::format("  with all joints at {:.0f} degC: friction {}, {} N m at the crank; motor {} with the "
                             "process",

@@ -147,8 +147,8 @@ std::optional<std::string> misplaced_force(const casefile::Case& input, double t
         return std::nullopt;
     constexpr double degrees = 180 / pi;
     return fmt::format(
-        "the process force acts from {:.1f} to {:.1f} deg past bottom dead point, which is at a crank angle "
-        "of {:.1f} deg and outside of that; set process_force.from and to about it",
+        "the process force acts at {:.1f} to {:.1f} deg after bottom dead point and so does not include it; choose "
+        "process_force.from and process_force.to around {:.1f} deg",
         degrees * window.start, degrees * window.end, degrees * throw_at_bottom + (throw_at_bottom < 0 ? 360 : 0));
 }
 

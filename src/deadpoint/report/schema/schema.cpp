@@ -1,0 +1,133 @@
+#include "deadpoint/report/schema/schema.hpp"
+
+#include "deadpoint/report/schema/columns.hpp"
+#include "deadpoint/report/schema/keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace deadpoint::report::schema {
+namespace {
+
+template <std::size_t N>
+File table(std::string name, std::string by, std::string meaning, const std::array<Column, N>& columns)
+{
+    return {std::move(name), std::move(by), std::move(meaning), {columns.begin(), columns.end()}, {}};
+}
+
+File document(std::string name, std::string by, std::string meaning, Keys keys)
+{
+    return {std::move(name), std::move(by), std::move(meaning), {}, std::move(keys)};
+}
+
+/// What others define: case files, charts, fields, pages.
+File other(std::string name, std::string by, std::string meaning)
+{
+    return {std::move(name), std::move(by), std::move(meaning), {}, {}};
+}
+
+std::vector<File> run_files()
+{
+    return {
+        document("deadpoint.json", "every command", "the list of the folder's files, with sizes and checksums",
+                 manifest_keys()),
+        other("case.toml", "run", "the case as it was understood: includes merged, defaults filled in"),
+        document("summary.json", "run", "the figures of a run", summary_keys()),
+        table("history.csv", "run", "temperatures, heat and the dimension chain over time", history::all),
+        table("contributions.csv", "run", "how much of the gap's change comes from each part, over time",
+              contributions::all),
+        table("causes.csv", "run", "how much of the gap's change each heat has made", causes::all),
+        table("gaps.csv", "run", "corners and slopes of the slide, clearances and force over time", gaps::all),
+        table("stress.csv", "run", "largest stress of each part asked for, at the times of the fields", stress::all),
+        table("accuracy.csv", "run --accuracy", "what each mesh gave", accuracy::all),
+        other("sizes.toml", "run --accuracy", "cell sizes of the last mesh, for a case file"),
+        other("temperatures.svg", "run", "chart of the probes"),
+        other("drift.svg", "run", "chart of the dimension chain"),
+        other("contributions.svg", "run", "chart of the parts' shares"),
+        document("view.json", "run", "surface, temperature and deformation for the page", view_keys()),
+        other("report.html", "run, report", "all of it on one page"),
+        other("fields.pvd", "run", "list of the field files, for ParaView"),
+        other("fields_{number}.vtu", "run", "temperature [degC], displacement [mm] and stress [MPa] at one time"),
+        other("state.bin", "run", "temperatures at the end, for --from"),
+    };
+}
+
+std::vector<File> loads_files()
+{
+    const std::string by = "loads, run";
+    return {
+        document("loads.json", by, "motion, forces and crankshaft over one turn: figures", loads_keys()),
+        table("joints.csv", by, "slide and joints over one turn", joints::all),
+        table("bearings.csv", by, "bearings of the crankshaft over one turn", bearings::all),
+        table("campbell.csv", by, "natural frequencies of the crankshaft over its speed", campbell::all),
+        document("motion.json", by, "the linkage over one turn, for the page", motion_keys()),
+        other("linkage.svg", by, "the linkage at five crank angles"),
+        other("slide.svg", by, "chart of the slide"),
+        other("joints.svg", by, "chart of the joint forces"),
+        other("bearings.svg", by, "chart of the bearing loads"),
+        other("campbell.svg", by, "chart of the natural frequencies"),
+    };
+}
+
+std::vector<File> other_files()
+{
+    return {
+        document("heat.json", "heat", "friction, conductances and convection that the laws give", heat_keys()),
+        table("joint_heat.csv", "heat", "friction heat over temperature", joint_heat::all),
+        table("conductances.csv", "heat", "contact conductance of every interface", conductances::all),
+        table("films.csv", "heat", "convection and radiation of every surface", films::all),
+        other("mesh.vtu", "mesh", "cells with part and body"),
+        other("surfaces.vtu", "mesh", "faces with surface, interface and exposed share"),
+        table("names.csv", "mesh", "which number is what in these two", names::all),
+        other("mesh.inp", "mesh --calculix", "the mesh for CalculiX or Abaqus"),
+        document("sweep.json", "sweep", "sets, points and figures of a study", sweep_keys()),
+        table("sweep.csv", "sweep", "a row for each place of each set", sweep::all),
+        other("{name}.svg", "sweep", "charts and maps of each set"),
+        document("compare.json", "compare", "a result against a reference", compare_keys()),
+        other("compare.md", "compare", "the same to read"),
+    };
+}
+
+std::vector<File> all_files()
+{
+    auto all = run_files();
+    for (const auto& more : {loads_files(), other_files()}) {
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+}
+
+constexpr Dimension chain[] = {{"E_SW", "gap between slide and table"},
+                               {"E_BG", "bearing seats above ground"},
+                               {"E_WG", "table above ground"},
+                               {"E_CS", "slide's face below the crankshaft"},
+                               {"E_BC", "crank off its seats' centre"}};
+
+}  // namespace
+
+const Column* File::column(std::string_view kind) const
+{
+    const auto found = std::ranges::find(columns, kind, &Column::kind);
+    return found == columns.end() ? nullptr : &*found;
+}
+
+const std::vector<File>& files()
+{
+    static const std::vector<File> all = all_files();
+    return all;
+}
+
+const File& file(std::string_view name)
+{
+    const auto found = std::ranges::find(files(), name, &File::name);
+    if (found == files().end()) {
+        throw std::logic_error(fmt::format("the schema knows no file '{}'", name));
+    }
+    return *found;
+}
+
+std::span<const Dimension> dimensions() { return chain; }
+
+}  // namespace deadpoint::report::schema

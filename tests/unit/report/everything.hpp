@@ -1,0 +1,225 @@
+#pragma once
+
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/report/files/sweep_files.hpp"
+#include "deadpoint/study/compare/compare.hpp"
+#include "deadpoint/study/pipeline/heat_tables.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+
+#include <filesystem>
+
+/// Results in which everything happens that a case can ask for, made up.
+namespace everything {
+
+using namespace deadpoint;
+using namespace deadpoint::report;
+
+inline Series series(double last) { return {{0, last / 2, last}, {0, 0, 0}}; }
+inline std::vector<double> values(double last) { return {0, last / 2, last}; }
+
+inline DriftSeries drift()
+{
+    DriftSeries drift;
+    drift.time = {0, 1800, 20000};
+    for (auto* each : {&drift.bearing_to_ground, &drift.table_to_ground, &drift.crank_to_slide, &drift.clearance,
+                       &drift.gap, &drift.play}) {
+        *each = series(1e-5);
+    }
+    drift.by_part = {values(1e-5)};
+    return drift;
+}
+
+inline DriftCauses causes()
+{
+    DriftCauses causes;
+    causes.time = 20000;
+    causes.joints = {{"pin", 1e-6}};
+    causes.heat_sources = {{"motor", 1e-6}};
+    causes.surfaces = {{"base", 1e-6}};
+    return causes;
+}
+
+inline GapSeries gaps()
+{
+    GapSeries gaps;
+    gaps.parallelism = Parallelism{{{"front left", -0.1, -0.1, series(1e-6)}}, series(1e-6), series(1e-6)};
+    gaps.clearances.push_back({"pin", ClearanceSeries::Kind::bearing, series(1e-6), 8e-5, {}});
+    gaps.left_out = {"guide: it has no faces"};
+    gaps.force = series(1e3);
+    return gaps;
+}
+
+inline study::FrictionSummary friction()
+{
+    study::FrictionSummary summary;
+    study::FrictionHeat row;
+    row.row = "pins";
+    row.law = "calibrated";
+    row.joints = {"pin"};
+    row.heat = [](double) { return LawValue{100, 0, true}; };
+    row.load_part = 40;
+    row.load_ratio = 1;
+    summary.rows = {row};
+    summary.bearings = {{"left", 1, 1}};
+    study::PowerBalance balance;
+    balance.rated = 1000;
+    balance.at = {{293.15, 150, 1250, 7, 1.25}};
+    summary.balance = balance;
+    return summary;
+}
+
+inline study::FrameResult frame()
+{
+    study::FrameResult frame;
+    frame.support_force = 1e3;
+    frame.rods = {{"rod", "rods", 1e5, series(1e3), 0}};
+    frame.bonds = {{"rod|bed", "rods", 0.1, -1e5, series(1e3), {{0, 1e6, {}, 0.1}}}};
+    study::StressPeak peak;
+    peak.part = "bed";
+    frame.stress = {peak};
+    return frame;
+}
+
+inline study::AccuracyReport accuracy()
+{
+    study::AccuracyReport report;
+    report.why_not = "accuracy_rounds";
+    report.rounds = {{100, 1e-5, {}, 1e-6, 0, "bed", 1}, {200, 1e-5, 1e-6, 1e-6, 1, "bed", 1}};
+    report.parts = {{"bed", 0.1, 0.05, 200, 1e-6, false}};
+    return report;
+}
+
+inline study::ViewData view()
+{
+    study::ViewData view;
+    view.surface.vertices = {{}, {}, {}};
+    view.surface.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    view.surface.triangles = {{0, 1, 2}};
+    view.surface.parts = {{0, 3, 0, 1, 0, 0, 0}};
+    view.time = {0};
+    view.temperature = {{293, 293, 293}, {{1, 1, 1}}};
+    view.displacement = {{{}, {}, {}}, {{{}, {}, {}}}};
+    view.coefficients = {{1}};
+    return view;
+}
+
+inline ThermalHistory thermal()
+{
+    ThermalHistory history;
+    history.time = {0, 1800, 20000};
+    history.probes = {series(300)};
+    history.to_air = history.to_oil = values(1);
+    history.body_heat = {values(5)};
+    history.oil = {{series(300), series(310), series(305), values(1), values(1)}};
+    history.enclosures = {{series(300), values(1), values(1), values(1)}};
+    history.energy.generated = 1;
+    return history;
+}
+
+/// A run in which everything happens.
+inline study::RunResult run_of_all(const casefile::Case& input)
+{
+    study::RunResult result;
+    result.thermal = thermal();
+    result.probes = {"top"};
+    result.parts = {"bed"};
+    result.body_heat = {"motor"};
+    result.oil = {"main"};
+    result.enclosures = {"crank_case"};
+    result.joints = {{"pin", series(300), values(100)}};
+    result.friction = {friction()};
+    result.loads = study::compute_loads(input, nullptr, 0);
+    result.drift = drift();
+    result.causes = {causes()};
+    result.gaps = gaps();
+    result.adjoint_check = study::AdjointCheck{};
+    result.frame = frame();
+    result.view = view();
+    result.accuracy = accuracy();
+    result.timings = {{"mesh", 1}};
+    return result;
+}
+
+inline casefile::Case case_of_all()
+{
+    auto input = casefile::read_case(std::filesystem::path(DEADPOINT_TEST_DATA) / "study/balanced-crank.toml",
+                                     {"crankshaft.model=flexible", "joints.guide.guide_length=100 mm"})
+                     .value;
+    input.chain.emplace();
+    input.probes["top"].part = "bed";
+    input.reference = casefile::Reference{"a book", 3600, {{"top", 3}}, {"oil.pins"}};
+    return input;
+}
+
+inline Machine machine_of_all()
+{
+    Machine machine;
+    machine.parts.resize(1);
+    machine.parts[0].name = "bed";
+    machine.parts[0].body = "frame";
+    return machine;
+}
+
+inline study::HeatTables heat_of_all()
+{
+    study::HeatTables tables;
+    tables.segment = 0;
+    tables.temperatures = {293.15};
+    tables.joints = {{"pins", "pin", "oil", {"pin"}, {100}, {true}}};
+    tables.friction = {friction()};
+    tables.conductances = {{"pin", "0", "given", 1e6, true, 0.1, 100, 100, true, {"a note"}}};
+    tables.films = {{"wall", "vertical", 1, 1, 293.15, {{0, 5, 5, 5, true}}, {{1, 5, 5, 5, true}}}};
+    return tables;
+}
+
+inline study::RunRecord record()
+{
+    study::RunRecord run;
+    run.machine = "press";
+    run.hash = "0123";
+    run.time = {0, 3600};
+    run.probes = {"top"};
+    run.rises["top"] = {0, 3};
+    run.chain["E_SW"] = {0, 1e-5};
+    run.joint_heat["pin"] = {100, 80};
+    run.gap = study::GapFigures{1e-5, 1e-5, 1800};
+    run.loads = {{"crankshaft.rigid.seats.B.peak_N", 1000}};
+    return run;
+}
+
+inline SweepResult sweep_of_all()
+{
+    SweepResult result;
+    study::SweepAxis speed;
+    speed.name = "speed";
+    speed.keys = {"operation.0.speed"};
+    speed.values = {{"100 rpm"}, {"200 rpm"}};
+    speed.labels = {"100 rpm", "200 rpm"};
+    speed.numbers = {10, 20};
+    speed.dimension = Dimension::angular_velocity;
+    result.study.name = "all";
+    result.study.limits = {1e-3, 1e-3};
+    result.study.sets = {{"speed", {speed}}};
+    result.points = {{"slow", {"operation.0.speed=100 rpm"}, {{0, {0}}}}, {"fast", {}, {{0, {1}}}}};
+    result.outcomes = {{study::PointOutcome::State::done, "", 1}, {study::PointOutcome::State::failed, "why", 1}};
+    result.records = {record(), std::nullopt};
+    return result;
+}
+
+inline study::Comparison comparison_of_all()
+{
+    study::Comparison all;
+    all.values.push_back(
+        {"rises", "rises", "top at 1 h", Dimension::temperature_difference, 1, 2, 3.0, true, "a note"});
+    all.groups.push_back({"rises", "rises", Dimension::temperature_difference, true, {}, "top"});
+    study::ComparedCurve curve;
+    curve.name = "top";
+    curve.time = curve.reference = curve.computed = curve.baseline = {0};
+    curve.note = "a note";
+    all.curves = {curve};
+    all.verdicts.push_back({"it opens", "opens", study::Verdict::Outcome::holds, "it does", "a note"});
+    all.baseline = "other";
+    return all;
+}
+
+}  // namespace everything

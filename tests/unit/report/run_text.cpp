@@ -1,0 +1,63 @@
+/// Requirement: a run ends with what its user wants first; the rest comes with --verbose.
+#include "deadpoint/report/text/run_text.hpp"
+
+#include "everything.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace everything;
+
+namespace {
+
+bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("the short text of a run: gap, causes, warm-up and temperatures, and nothing else")
+{
+    auto input = case_of_all();
+    input.machine.initial_temperature = 293.15;
+    input.chain->drift_rate_limit = 1e-6 / 3600;
+    auto result = run_of_all(input);
+    result.accuracy.reset();
+    CHECK(has(run_text(input, result, Detail::short_text),
+              "  warm after 0 s: from then on the gap drifts by less than 1.00 um/h\n"));  // its rates are zero
+    result.drift->gap.rate.assign(3, 1e-9);
+    CHECK(run_text(input, result, Detail::short_text) ==
+          "\nslider-crank, after 5 h 33 min\n\n"
+          "  gap E_SW at the end: +10.0 um (+ opens); largest: +10.0 um after 5 h 33 min\n"
+          "  by cause at the end: pin +1.0, motor +1.0, base +1.0 um\n"
+          "  not warm at the end: the gap still drifts by more than 1.00 um/h\n"
+          "\n"
+          "  probe  rise [K]  published [K]  95 % after\n"
+          "  ─────  ────────  ─────────────  ──────────\n"
+          "  top        6.85           3.00  5 h 25 min\n"
+          "  off by 142.04 K rms; predicting no rise would be off by 3.00 K (a book)\n");
+    result.accuracy = accuracy();
+    CHECK(has(run_text(input, result, Detail::short_text), "accuracy of "));  // what was asked for
+}
+
+TEST_CASE("the whole text of a run: parts, loads, friction, preload, oil, enclosed air and energy too")
+{
+    const auto input = case_of_all();
+    const auto result = run_of_all(input);
+    const auto text = run_text(input, result, Detail::all);
+    CHECK(text.starts_with("\nslider-crank, after 5 h 33 min\n\n  gap E_SW at the end"));
+    for (const char* piece :
+         {"  by part at the end: bed +10.0 um\n", "slide against table", "loads: stroke", "friction heat [W]",
+          "held closed", "oil main: ", "air in crank_case: ", "MJ generated", "accuracy of "}) {
+        CHECK_MESSAGE(has(text, piece), piece);
+    }
+}
+
+TEST_CASE("a run without a dimension chain tells of its temperatures alone")
+{
+    const auto input = case_of_all();
+    study::RunResult result;
+    result.thermal = thermal();
+    result.probes = {"top"};
+    const auto text = run_text(input, result, Detail::short_text);
+    CHECK_FALSE(has(text, "E_SW"));
+    CHECK(has(text, "  probe  rise [K]"));
+    CHECK(has(run_text(input, result, Detail::all), "MJ generated"));
+}
