@@ -139,7 +139,7 @@ double thickness_ratio(const Shaft& shaft, std::size_t i)
     return neighbours > 0 ? shaft.sections[i].diameter / neighbours : 0;
 }
 
-void warn_of_disks(const Shaft& shaft, std::vector<std::string>& warnings)
+void warn_of_disks(const Shaft& shaft, std::vector<Warning>& warnings)
 {
     for (std::size_t d = 0; d < shaft.disks.size(); ++d) {
         const Disk& disk = shaft.disks[d];
@@ -152,9 +152,10 @@ void warn_of_disks(const Shaft& shaft, std::vector<std::string>& warnings)
             const double mass = section_mass(shaft.sections[i]);
             if (inside && mass > 0 && (mass > heavy_share * disk.mass || thickness_ratio(shaft, i) > thick))
                 warnings.push_back(
-                    fmt::format("crankshaft: disk {} ({:.4g} kg) is at section {}, which weighs {:.4g} kg itself: if "
-                                "they are the same body its mass counts twice; give the section the density 0",
-                                d + 1, disk.mass, i + 1, mass));
+                    {fmt::format("mass of disk {} and section {}", d + 1, i + 1),
+                     fmt::format("crankshaft: disk {} ({:.4g} kg) is at section {}, which weighs {:.4g} kg itself: if "
+                                 "they are the same body its mass counts twice; give the section the density 0",
+                                 d + 1, disk.mass, i + 1, mass)});
         }
     }
 }
@@ -183,27 +184,28 @@ void check_shaft(const Shaft& shaft)
     check_bearings(shaft);
 }
 
-std::vector<std::string> shaft_warnings(const Shaft& shaft)
+std::vector<Warning> shaft_warnings(const Shaft& shaft)
 {
     check_shaft(shaft);
-    std::vector<std::string> warnings;
+    std::vector<Warning> warnings;
     for (std::size_t i = 0; i < shaft.sections.size(); ++i)
         if (thickness_ratio(shaft, i) > thick)
             warnings.push_back(
-                fmt::format("crankshaft: section {} is {:.3g} times as thick as its thicker neighbour and "
-                            "does not bend like a beam; a pulley or gear is better given as a disk",
-                            i + 1, thickness_ratio(shaft, i)));
+                {fmt::format("thickness of section {}", i + 1),
+                 fmt::format("crankshaft: section {} is {:.3g} times as thick as its thicker neighbour and "
+                             "does not bend like a beam; a pulley or gear is better given as a disk",
+                             i + 1, thickness_ratio(shaft, i))});
     warn_of_disks(shaft, warnings);
     if (shaft.modal_damping > 0)
         return warnings;
     const bool damped = std::any_of(shaft.bearings.begin(), shaft.bearings.end(), [](const Bearing& bearing) {
         return has_value(bearing.damping) || (bearing.support_stiffness && has_value(bearing.support_damping));
     });
-    warnings.emplace_back(damped
+    warnings.push_back({"damping of the crankshaft", damped
                               ? "crankshaft: only its bearings damp, which leaves its higher modes almost undamped; "
                                 "give a modal damping ratio (2 % is common)"
                               : "crankshaft: nothing damps it, so its response to the loads of a turn is unbounded at "
-                                "resonance; give a modal damping ratio (2 % is common)");
+                                "resonance; give a modal damping ratio (2 % is common)"});
     return warnings;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/crankshaft/shaft.hpp"
+#include "deadpoint/exchange/warning.hpp"
 
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ void check_shaft(const Shaft& shaft);
 /// does not bend like a beam); a disk at a section that itself weighs more than half the disk or is as thick as that
 /// (the mass would count twice); no damping, or none but the bearings'.
 /// @throws InputError as check_shaft
-std::vector<std::string> shaft_warnings(const Shaft& shaft);
+std::vector<Warning> shaft_warnings(const Shaft& shaft);
 
 /// Ends of the shaft along s [m].
 double shaft_end(const Shaft& shaft);

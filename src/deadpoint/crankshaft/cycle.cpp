@@ -185,7 +185,7 @@ struct Settled {
     PeriodicLoad load;
     std::vector<double> factors;
     std::vector<double> displacement;  ///< under the mean load
-    std::vector<std::string> warnings;
+    std::vector<Warning> warnings;
 };
 
 /// Tangent stiffness factors for forces; dF/dd = n K^(1/n) F^((n-1)/n) of F = K d^n.
@@ -207,10 +207,12 @@ void warn_of_small_loads(Settled& state, const Shaft& shaft)
     for (std::size_t b = 0; b < shaft.bearings.size(); ++b) {
         const Bearing& bearing = shaft.bearings[b];
         if (bearing.hertz_exponent != 1 && norm(forces[b]) < smallest_load * bearing.reference_load)
-            state.warnings.push_back(fmt::format(
-                "crankshaft: bearing '{}' carries {:.3g} N on average, less than 1 % of the load at which its "
-                "stiffness was given; the stiffness at 1 % is used",
-                bearing.name, norm(forces[b])));
+            state.warnings.push_back(
+                {"stiffness of bearing " + bearing.name,
+                 fmt::format(
+                     "crankshaft: bearing '{}' carries {:.3g} N on average, less than 1 % of the load at which its "
+                     "stiffness was given; the stiffness at 1 % is used",
+                     bearing.name, norm(forces[b]))});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace deadpoint {
@@ -32,7 +33,7 @@ public:
     template <std::invocable<double> Law>
     LawTable(const Law& law, const LawTableRange& range = {})
     {
-        if constexpr (std::constructible_from<bool, const Law&>) {
+        if constexpr (std::is_class_v<Law> && std::constructible_from<bool, const Law&>) {
             if (!static_cast<bool>(law))
                 return;
         }

@@ -84,9 +84,10 @@ std::vector<double> CsvTable::numbers(std::size_t column) const
         const char* begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
         const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
         if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-            throw InputError(fmt::format("{}:{}: '{}' in column '{}' is not a finite number\n  help: correct the cell, or "
-                                         "remove the row",
-                                         file, lines[i], cell, columns.at(column).name));
+            throw InputError(
+                fmt::format("{}:{}: '{}' in column '{}' is not a finite number\n  help: correct the cell, or "
+                            "remove the row",
+                            file, lines[i], cell, columns.at(column).name));
         }
         values.push_back(value);
     }

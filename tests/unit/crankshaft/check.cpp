@@ -30,8 +30,8 @@ bool mentions(const std::string& text, const std::string& part) { return text.fi
 
 bool warns(const Shaft& shaft, const std::string& part)
 {
-    const std::vector<std::string> warnings = shaft_warnings(shaft);
-    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& text) { return mentions(text, part); });
+    const auto warnings = shaft_warnings(shaft);
+    return std::any_of(warnings.begin(), warnings.end(), [&](const auto& warning) { return mentions(warning.text, part); });
 }
 
 }  // namespace

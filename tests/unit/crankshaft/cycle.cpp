@@ -332,7 +332,7 @@ TEST_CASE("flexible shaft: stiffness that depends on load settles at the mean lo
     light.gravity = {0, -0.01};
     const ShaftCycle floating = flexible_cycle(shaft, light);
     REQUIRE(floating.warnings.size() == 2);
-    CHECK(floating.warnings[0].find("'left'") != std::string::npos);
+    CHECK(floating.warnings[0].text.find("'left'") != std::string::npos);
     CHECK(floating.stiffness_factor[0] == doctest::Approx(std::cbrt(0.01)));
 }
 

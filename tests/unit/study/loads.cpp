@@ -303,7 +303,7 @@ TEST_CASE("a guide that symmetry relieves is warned about, a preload settles it"
     auto input = read(cases / "jl75g-60/no-load.toml");
     const auto warned = [](const study::LoadsResult& loads) {
         return std::ranges::any_of(loads.warnings,
-                                   [](const auto& w) { return has(w, "guide 'guide_10' carries no force"); });
+                                   [](const auto& w) { return has(w.text, "guide 'guide_10' carries no force"); });
     };
     CHECK(warned(loads_of(input)));
     input.joints.at("guide_10").preload = 1000;
@@ -329,7 +329,7 @@ TEST_CASE("belt pull by power, and a rectangular pulse on a flexible shaft")
     input.crankshaft->model = casefile::Crankshaft::Model::flexible;
     input.process_force.emplace().kind = casefile::ProcessForce::Kind::rectangular;
     const auto loads = loads_of(input);
-    CHECK(std::ranges::any_of(loads.warnings, [](const auto& w) { return has(w, "doubles the peak by its edges"); }));
+    CHECK(std::ranges::any_of(loads.warnings, [](const auto& w) { return has(w.text, "doubles the peak by its edges"); }));
 }
 
 TEST_CASE("natural frequencies do not hang on how many sections a shaft is written in")

@@ -108,8 +108,7 @@ void write_history(const std::filesystem::path& path, const casefile::Case& inpu
     const auto times = history_times(input, result);
     std::vector<CsvColumn> columns{csv_column(schema::time, times)};
     for (const auto& [name, course] : result.probes)
-        columns.push_back(
-            csv_column(schema::history::probe, sampled(history.time, course, times, 1, celsius), name));
+        columns.push_back(csv_column(schema::history::probe, sampled(history.time, course, times, 1, celsius), name));
     for (const auto& [name, joint] : result.joints)
         columns.push_back(csv_column(schema::history::joint_temperature,
                                      sampled(history.time, joint.temperature, times, 1, celsius), name));
@@ -146,9 +145,10 @@ void write_contributions(const std::filesystem::path& path, const casefile::Case
     std::vector<CsvColumn> columns{csv_column(schema::time, times)};
     columns.push_back(csv_column(schema::gap, sampled(result.drift->time, result.drift->gap, times, micrometre, 0)));
     for (const auto part : strongest_parts(*result.drift))
-        columns.push_back(csv_column(
-            schema::contributions::part,
-            sampled_linear(result.drift->time, result.drift->by_part[part], times, micrometre, 0), result.parts[part].name));
+        columns.push_back(
+            csv_column(schema::contributions::part,
+                       sampled_linear(result.drift->time, result.drift->by_part[part], times, micrometre, 0),
+                       result.parts[part].name));
     write_table(path, comments, columns);
 }
 

@@ -7,11 +7,9 @@
 #include "deadpoint/tribology/friction/heat_law.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
-#include <sstream>
 
 namespace deadpoint::study {
 namespace {
@@ -19,7 +17,6 @@ namespace {
 using tribology::Duty;
 
 constexpr double reporting_temperature = 313.15;  // 40 degC
-constexpr const char* reference_key = "reference";
 constexpr double negligible = 1e-6;  // share of the largest joint force below which a joint is unloaded
 
 std::string original_name(const LoadsResult& loads, std::size_t joint)
@@ -99,19 +96,6 @@ PowerBalance power_balance(const casefile::Case& input, const FrictionSummary& s
     return balance;
 }
 
-// A warning without its numbers, which differ from one operating point to the next; names with digits stay.
-std::string without_numbers(const std::string& text)
-{
-    std::string result;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        const auto first = std::ranges::find_if(word, [](unsigned char c) { return std::isalnum(c) != 0; });
-        if (first == word.end() || std::isdigit(static_cast<unsigned char>(*first)) == 0)
-            result += word + " ";
-    }
-    return result;
-}
-
 std::string operating_point(double speed, double force)
 {
     return fmt::format("at {:.4g} rpm and {:.4g} kN", speed * 30 / std::numbers::pi, force / 1e3);
@@ -161,24 +145,22 @@ FrictionLaws::FrictionLaws(const casefile::Case& input, const Machine* machine, 
 {
     if (known_)
         for (const auto& warning : known_->warnings)
-            heard_.push_back(without_numbers(warning));
+            heard_.insert(warning.about);
 }
 
 void FrictionLaws::keep_warnings(const LoadsResult& loads, bool at_reference)
 {
     const bool first = !known_ && computed_.size() == 1;
     for (const auto& warning : loads.warnings) {
-        const auto bare = without_numbers(warning);
-        if (std::ranges::find(heard_, bare) != heard_.end())
+        if (!heard_.insert(warning.about).second)
             continue;
-        heard_.push_back(bare);
-        warnings_.push_back(first ? warning
+        warnings_.push_back(first ? warning.text
                                   : fmt::format("{}{}: {}", operating_point(loads.speed, loads.force),
-                                                at_reference ? ", a reference of friction" : "", warning));
+                                                at_reference ? ", a reference of friction" : "", warning.text));
     }
 }
 
-const LoadsResult& FrictionLaws::compute(const std::string& key, const casefile::Case& input)
+const LoadsResult& FrictionLaws::compute(const LoadsKey& key, const casefile::Case& input)
 {
     auto& slot = computed_[key];
     if (!slot) {
@@ -188,7 +170,7 @@ const LoadsResult& FrictionLaws::compute(const std::string& key, const casefile:
                 "the driver's joint with `driver = true` and the body that carries the tool with "
                 "`mechanism.slide_body`");
         slot = std::make_unique<LoadsResult>(compute_loads(input, machine_, 0));
-        keep_warnings(*slot, key.starts_with(reference_key));
+        keep_warnings(*slot, key.at_reference);
     }
     return *slot;
 }
@@ -199,7 +181,7 @@ const LoadsResult& FrictionLaws::loads(const casefile::Segment& segment)
         return *known_;
     auto input = input_;
     input.operation = {segment};
-    return compute(fmt::format("{} {}", segment.speed, segment.force), input);
+    return compute({{segment.speed, segment.force}, false, 0}, input);
 }
 
 const LoadsResult& FrictionLaws::reference(const casefile::CalibratedFriction& friction)
@@ -221,9 +203,7 @@ const LoadsResult& FrictionLaws::reference(const casefile::CalibratedFriction& f
         return loads(segment);
     }
     input.operation = {segment};
-    return compute(fmt::format("{} {} {} {}", reference_key, segment.speed, segment.force,
-                               friction.reference_stiffness.value_or(0)),
-                   input);
+    return compute({{segment.speed, segment.force}, true, friction.reference_stiffness.value_or(0)}, input);
 }
 
 std::vector<RubbingJoint> FrictionLaws::rubbing_joints(const std::string& row, const LoadsResult& loads) const

@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/laws.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/exchange/operating_point.hpp"
 #include "deadpoint/study/laws/friction_physics.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 
@@ -10,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,6 +74,14 @@ struct FrictionSummary {
     std::optional<PowerBalance> balance;
 };
 
+/// What loads are computed for.
+struct LoadsKey {
+    OperatingPoint at;
+    bool at_reference = false;  ///< of a calibrated row: with the flexible crankshaft
+    double stiffness = 0;       ///< of its bearings at the reference [N/m]; 0: as the case has them
+    auto operator<=>(const LoadsKey&) const = default;
+};
+
 /// The friction laws of a case. Loads are computed once for each operating point and reference that they ask for.
 ///
 /// The duty of a row is that of all its joints with their images: of the driver's joint, where there is a [crankshaft],
@@ -107,7 +117,7 @@ public:
 
 private:
     const LoadsResult& reference(const casefile::CalibratedFriction& friction);
-    const LoadsResult& compute(const std::string& key, const casefile::Case& input);
+    const LoadsResult& compute(const LoadsKey& key, const casefile::Case& input);
     void keep_warnings(const LoadsResult& loads, bool at_reference);
     [[nodiscard]] std::vector<RubbingJoint> rubbing_joints(const std::string& row, const LoadsResult& loads) const;
     FrictionHeat calibrated(const std::string& row, const casefile::Segment& segment);
@@ -117,8 +127,8 @@ private:
     const casefile::Case& input_;
     const Machine* machine_;
     const LoadsResult* known_;
-    std::map<std::string, std::unique_ptr<LoadsResult>> computed_;
-    std::vector<std::string> heard_;  ///< warnings of loads so far, without their numbers
+    std::map<LoadsKey, std::unique_ptr<LoadsResult>> computed_;
+    std::set<std::string> heard_;  ///< what the warnings of loads so far were about
     std::vector<std::string> warnings_;
 };
 

@@ -186,10 +186,12 @@ BodyMasses describe_masses(const casefile::Case& input, const Linkage& linkage, 
         }
         if (solid && machine->half_model && !body.mirror && !body.thermal_only &&
             !is_cut_or_dropped(input, *machine, name))
-            result.warnings.push_back(fmt::format(
-                "body '{}' lies on one side of the plane of symmetry, but is not marked as existing twice: its loads "
-                "are those of body and image together; add mirror = true",
-                name));
+            result.warnings.push_back(
+                {"symmetry of body " + name,
+                 fmt::format(
+                     "body '{}' lies on one side of the plane of symmetry, but is not marked as existing twice: its "
+                     "loads are those of body and image together; add mirror = true",
+                     name)});
         result.values.push_back(mass);
         result.origins.push_back(origin);
     }

@@ -4,6 +4,7 @@
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/exchange/warning.hpp"
 
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ struct BodyMasses {
     std::vector<BodyMass> values;  ///< as in Linkage::bodies
     std::vector<std::string>
         origins;  ///< "stated", "parts", "stated and parts", "slender rod" for the inertia; ground: ""
-    std::vector<std::string> warnings;
+    std::vector<Warning> warnings;
 };
 
 /// Masses of a case's own linkage (without images). What the case states holds; the rest follows from the parts, the

@@ -116,15 +116,18 @@ std::optional<std::string> missing_moment(const LoadsResult& result, const Guide
 void warn_of_guides(LoadsResult& result)
 {
     for (const auto& guide : result.guides) {
+        const auto& name = result.linkage.joints[static_cast<std::size_t>(guide.joint)].name;
         if (guide.balanced && guide.faces.preload == 0)
-            result.warnings.push_back(fmt::format(
-                "guide '{}' carries no force: the linkage is balanced about it, and friction that follows the load "
-                "would be zero there; state a preload of its gib, or an offset of the process force",
-                result.linkage.joints[static_cast<std::size_t>(guide.joint)].name));
+            result.warnings.push_back(
+                {"force on guide " + name,
+                 fmt::format(
+                     "guide '{}' carries no force: the linkage is balanced about it, and friction that follows the load "
+                     "would be zero there; state a preload of its gib, or an offset of the process force",
+                     name)});
         if (result.images[static_cast<std::size_t>(guide.joint)])
             continue;
         if (const auto missing = missing_moment(result, guide))
-            result.warnings.push_back(*missing);
+            result.warnings.push_back({"moment on guide " + name, *missing});
     }
 }
 
@@ -201,8 +204,9 @@ CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads
     timer.done("rigid crankshaft");
     if (given.model == casefile::Crankshaft::Model::flexible) {
         if (process_force_kind(input) == casefile::ProcessForce::Kind::rectangular && loads.force > 0)
-            loads.warnings.push_back("a rectangular process force on a flexible crankshaft doubles the peak by its "
-                                     "edges alone; take kind = \"elastic\" or \"half_sine\"");
+            loads.warnings.push_back({"edges of the process force",
+                                      "a rectangular process force on a flexible crankshaft doubles the peak by its "
+                                      "edges alone; take kind = \"elastic\" or \"half_sine\""});
         result.flexible = crankshaft::flexible_cycle(result.shaft, result.loads);
         timer.done("flexible crankshaft");
     }
@@ -282,7 +286,7 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
     result.stroke = mechanism::stroke_figures(result.linkage, result.request, result.history);
     result.drive = mechanism::drive_figures(result.history);
     if (const auto misplaced = misplaced_force(input, result.throw_at_bottom); misplaced && result.force > 0)
-        result.warnings.push_back(*misplaced);
+        result.warnings.push_back({"place of the process force", *misplaced});
     result.force_ratios = mechanism::force_ratios(result.linkage, result.history);
     result.guides = guide_loads(input, result);
     warn_of_guides(result);

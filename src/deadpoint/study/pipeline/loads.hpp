@@ -7,6 +7,7 @@
 #include "deadpoint/crankshaft/modes.hpp"
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/exchange/warning.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
@@ -77,7 +78,7 @@ struct LoadsResult {
     std::vector<GuideLoad> guides;
     double throw_at_bottom = 0;  ///< direction of the crank throw at bottom dead point, from the x axis [rad]
     std::optional<CrankshaftLoads> crankshaft;
-    std::vector<std::string> warnings;
+    std::vector<Warning> warnings;
     std::vector<std::pair<std::string, double>> timings;  ///< stage, wall time [s]
 };
 

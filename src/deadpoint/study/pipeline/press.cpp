@@ -87,7 +87,8 @@ LoadsResult Press::loads(int segment, Observer& observer)
     const Machine* parts = loads_need_machine(input_) ? &machine(observer) : machine_.get();
     observer.stage("loads");
     auto loads = compute_loads(input_, parts, segment);
-    pass_on(loads.warnings, observer);
+    for (const auto& warning : loads.warnings)
+        observer.warn(warning.text);
     return loads;
 }
 

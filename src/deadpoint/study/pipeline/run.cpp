@@ -84,7 +84,7 @@ HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch,
         watch.start("loads");
         result.loads = compute_loads(input, &machine, segment);
         for (const auto& warning : result.loads->warnings)
-            observer.warn(warning);
+            observer.warn(warning.text);
     }
     watch.start("laws");
     const auto* loads = result.loads ? &*result.loads : nullptr;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <compare>
+
+namespace deadpoint {
+
+/// How a press runs: the key under which loads and duties are shared.
+struct OperatingPoint {
+    double speed = 0;  ///< of the crank [rad/s]
+    double force = 0;  ///< of the process, at its peak [N]
+    auto operator<=>(const OperatingPoint&) const = default;
+};
+
+}  // namespace deadpoint
