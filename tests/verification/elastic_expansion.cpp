@@ -34,7 +34,8 @@ casefile::Case with_table(const std::string& kind)
     const double slope = kind == "mean" ? second : 2 * second;
     auto& steel = input.materials.at("steel");
     steel.expansion_table = {{reference - 50, reference + 150}, {first - 50 * slope, first + 150 * slope}};
-    steel.expansion_kind = kind;
+    using Kind = casefile::Material::Expansion;
+    steel.expansion_kind = kind == "mean" ? Kind::mean : Kind::instantaneous;
     if (kind == "mean")
         steel.expansion_reference = reference;
     return input;

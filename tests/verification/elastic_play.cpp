@@ -127,6 +127,7 @@ TEST_CASE("play that no case states: plain bearings follow it, rolling ones do n
     CHECK(runs.observer.about_play().find("none of it counts") != std::string::npos);
 
     auto element_case = plain_case;
-    element_case.joints.at("crank_bearing").elements = {{"front", "rolling", 0, 0, 0}};
+    element_case.joints.at("crank_bearing").elements = {
+        {"front", deadpoint::casefile::JointElement::Type::rolling, 0, 0, 0}};
     CHECK(runs.run(element_case).drift->clearance.value.back() == 0);
 }

@@ -117,8 +117,7 @@ TEST_CASE("order in time: enclosed air and films that follow the temperatures on
     auto input = read("warm-box", {"machine.initial_temperature=80 degC", "operation.0.duration=1 h",
                                    "enclosures.box.temperature=30 degC"});
     auto& film = *input.surfaces.at("block_faces").film;
-    film.law = casefile::PlateFilm{};
-    film.length = 0.04;
+    film.law = casefile::PlateFilm{.length = 0.04};
     deadpoint::Observer silent;
     const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
     const auto end_of = [&](double step) {

@@ -196,7 +196,7 @@ TEST_CASE("heat on a surface equals a flux of the same power, beside a film on t
     auto& top = input.surfaces["top"];
     top.parts = {"middle_block"};
     top.select = casefile::Surface::Select::plane;
-    top.axis = Axis::y;
+    top.axis = deadpoint::Axis::y;
     top.position = 0.05;
     const auto heated = solve(input);
     auto fluxed = input;

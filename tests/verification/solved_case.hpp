@@ -13,6 +13,7 @@
 /// A case file of tests/verification/cases taken through the pipeline as the command line does it.
 namespace verification {
 
+namespace casefile = deadpoint::casefile;
 using deadpoint::casefile::Case;
 using Change = std::function<void(Case&)>;
 

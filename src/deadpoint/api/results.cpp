@@ -190,7 +190,8 @@ LoadsResult public_loads(const study::LoadsResult& loads)
     result.speed = loads.speed;
     result.angle = turn.angle;
     result.stroke = loads.stroke.stroke;
-    result.warnings = loads.warnings;
+    for (const auto& warning : loads.warnings)
+        result.warnings.push_back(warning.text);
     return result;
 }
 

@@ -201,11 +201,11 @@ std::vector<Warning> shaft_warnings(const Shaft& shaft)
     const bool damped = std::any_of(shaft.bearings.begin(), shaft.bearings.end(), [](const Bearing& bearing) {
         return has_value(bearing.damping) || (bearing.support_stiffness && has_value(bearing.support_damping));
     });
-    warnings.push_back({"damping of the crankshaft", damped
-                              ? "crankshaft: only its bearings damp, which leaves its higher modes almost undamped; "
-                                "give a modal damping ratio (2 % is common)"
-                              : "crankshaft: nothing damps it, so its response to the loads of a turn is unbounded at "
-                                "resonance; give a modal damping ratio (2 % is common)"});
+    warnings.push_back({"damping of the crankshaft",
+                        damped ? "crankshaft: only its bearings damp, which leaves its higher modes almost undamped; "
+                                 "give a modal damping ratio (2 % is common)"
+                               : "crankshaft: nothing damps it, so its response to the loads of a turn is unbounded at "
+                                 "resonance; give a modal damping ratio (2 % is common)"});
     return warnings;
 }
 

@@ -21,7 +21,7 @@ struct ShaftCycle {
     std::vector<BearingCycle> bearings;
     std::vector<Vec2> pin_deflection;      ///< of the axis at the pin [m]; zero when rigid
     std::vector<double> stiffness_factor;  ///< per bearing: stiffness used over stiffness given (load dependence)
-    std::vector<Warning> warnings;  ///< of this analysis, beside shaft_warnings
+    std::vector<Warning> warnings;         ///< of this analysis, beside shaft_warnings
 };
 
 /// Statistics of one bearing's force. Means are over time: the samples are evenly spaced over a whole period.

@@ -31,7 +31,8 @@ bool mentions(const std::string& text, const std::string& part) { return text.fi
 bool warns(const Shaft& shaft, const std::string& part)
 {
     const auto warnings = shaft_warnings(shaft);
-    return std::any_of(warnings.begin(), warnings.end(), [&](const auto& warning) { return mentions(warning.text, part); });
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const auto& warning) { return mentions(warning.text, part); });
 }
 
 }  // namespace

@@ -121,12 +121,12 @@ inline study::RunResult run_of_all(const casefile::Case& input)
 {
     study::RunResult result;
     result.thermal = thermal();
-    result.probes = {"top"};
-    result.parts = {"bed"};
-    result.body_heat = {"motor"};
-    result.oil = {"main"};
-    result.enclosures = {"crank_case"};
-    result.joints = {{"pin", series(300), values(100)}};
+    result.probes = {{"top", result.thermal.probes[0]}};
+    result.parts = {{"bed", {result.thermal.part_means.empty() ? series(300) : result.thermal.part_means[0], 0, 0}}};
+    result.body_heat = {{"motor", result.thermal.body_heat[0]}};
+    result.oil = {{"main", result.thermal.oil[0]}};
+    result.enclosures = {{"crank_case", result.thermal.enclosures[0]}};
+    result.joints = {{"pin", {series(300), values(100)}}};
     result.friction = {friction()};
     result.loads = study::compute_loads(input, nullptr, 0);
     result.drift = drift();

@@ -55,7 +55,7 @@ TEST_CASE("a run without a dimension chain tells of its temperatures alone")
     const auto input = case_of_all();
     study::RunResult result;
     result.thermal = thermal();
-    result.probes = {"top"};
+    result.probes = {{"top", result.thermal.probes[0]}};
     const auto text = run_text(input, result, Detail::short_text);
     CHECK_FALSE(has(text, "E_SW"));
     CHECK(has(text, "  probe  rise [K]"));

@@ -146,7 +146,7 @@ TEST_CASE("walls of a press that lies need their height stated")
     REQUIRE(findings.size() == 1);
     CHECK(findings[0].warning);
     CHECK(findings[0].path == "surfaces.wall.film");
-    input.surfaces["wall"].film->length = 0.5;
+    std::get<casefile::PlateFilm>(input.surfaces["wall"].film->law).length = 0.5;
     CHECK(casefile::check_directions(input).empty());
 }
 

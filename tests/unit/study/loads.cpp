@@ -177,8 +177,8 @@ TEST_CASE("crank angles of the case count from the x axis")
     auto input = read(data / "balanced-crank.toml");
     auto& process = input.process_force.emplace();
     const double bottom = 1.5 * pi;
-    for (const char* kind : {"rectangular", "half_sine"}) {
-        CAPTURE(kind);
+    for (const auto kind : {casefile::ProcessForce::Kind::rectangular, casefile::ProcessForce::Kind::half_sine}) {
+        CAPTURE(casefile::name_of(kind));
         process.kind = kind;
         const auto law = study::describe_process_force(input, 100, bottom);
         CHECK(law(0, 0, 0) == Approx(100));  // 270 deg, the middle of 255..285
@@ -329,7 +329,8 @@ TEST_CASE("belt pull by power, and a rectangular pulse on a flexible shaft")
     input.crankshaft->model = casefile::Crankshaft::Model::flexible;
     input.process_force.emplace().kind = casefile::ProcessForce::Kind::rectangular;
     const auto loads = loads_of(input);
-    CHECK(std::ranges::any_of(loads.warnings, [](const auto& w) { return has(w.text, "doubles the peak by its edges"); }));
+    CHECK(std::ranges::any_of(loads.warnings,
+                              [](const auto& w) { return has(w.text, "doubles the peak by its edges"); }));
 }
 
 TEST_CASE("natural frequencies do not hang on how many sections a shaft is written in")
@@ -363,7 +364,7 @@ TEST_CASE("a force whose window misses bottom dead point is warned about; one th
     CHECK(law(0, 0, 0) == Approx(1000));
     CHECK(law(0.3, 0, 0) == 0);
     input.process_force.emplace();
-    input.process_force->kind = "rectangular";
+    input.process_force->kind = casefile::ProcessForce::Kind::rectangular;
     CHECK_FALSE(study::misplaced_force(input, 0.3));
     CHECK(study::describe_process_force(input, 1000, 0.3)(0, 0, 0) == Approx(1000));
     input.process_force->from = 255 * pi / 180;
@@ -371,7 +372,7 @@ TEST_CASE("a force whose window misses bottom dead point is warned about; one th
     CHECK_FALSE(study::misplaced_force(input, 1.5 * pi));
     const auto warning = study::misplaced_force(input, 0);
     REQUIRE(warning);
-    CHECK(has(*warning, "from -105.0 to -75.0 deg past bottom dead point"));
+    CHECK(has(*warning, "acts at -105.0 to -75.0 deg after bottom dead point"));
 }
 
 TEST_CASE("a crank pin that is not on the shaft is named by its keys")

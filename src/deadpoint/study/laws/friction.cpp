@@ -17,7 +17,7 @@ namespace {
 using tribology::Duty;
 
 constexpr double reporting_temperature = 313.15;  // 40 degC
-constexpr double negligible = 1e-6;  // share of the largest joint force below which a joint is unloaded
+constexpr double negligible = 1e-6;               // share of the largest joint force below which a joint is unloaded
 
 std::string original_name(const LoadsResult& loads, std::size_t joint)
 {

@@ -120,10 +120,10 @@ void warn_of_guides(LoadsResult& result)
         if (guide.balanced && guide.faces.preload == 0)
             result.warnings.push_back(
                 {"force on guide " + name,
-                 fmt::format(
-                     "guide '{}' carries no force: the linkage is balanced about it, and friction that follows the load "
-                     "would be zero there; state a preload of its gib, or an offset of the process force",
-                     name)});
+                 fmt::format("guide '{}' carries no force: the linkage is balanced about it, and friction that follows "
+                             "the load "
+                             "would be zero there; state a preload of its gib, or an offset of the process force",
+                             name)});
         if (result.images[static_cast<std::size_t>(guide.joint)])
             continue;
         if (const auto missing = missing_moment(result, guide))
