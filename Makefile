@@ -25,14 +25,14 @@ sanitize:
 # the comparison with CalculiX, which take an hour.
 validate: build
 	ctest --preset $(PRESET) -R '^verification_(heat|elastic)$$'
-	scripts/validate build/$(PRESET)/validation --write
-	scripts/paper-equations
-	scripts/paper-heat --write --program $(PROGRAM) --tests build/$(PRESET)/tests/paper/test_paper
-	scripts/paper-loads --write --program $(PROGRAM)
-	scripts/paper-results --write --program $(PROGRAM)
+	scripts/validate.py build/$(PRESET)/validation --write
+	scripts/paper-equations.py
+	scripts/paper-heat.py --write --program $(PROGRAM) --tests build/$(PRESET)/tests/paper/test_paper
+	scripts/paper-loads.py --write --program $(PROGRAM)
+	scripts/paper-results.py --write --program $(PROGRAM)
 	rm -rf build/independence
-	scripts/independence --write --program $(PROGRAM)
-	scripts/compare-calculix --write --program $(PROGRAM)
+	scripts/independence.py --write --program $(PROGRAM)
+	scripts/compare-calculix.py --write --program $(PROGRAM)
 
 build: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// A figure held against its figure. With DEADPOINT_RECORD=FILE in the environment each becomes a row of that file, of
-/// which scripts/validate makes docs/validation/verification.md.
+/// which scripts/validate.py makes docs/validation/verification.md.
 struct Figure {
     std::string requirement;
     std::string source;
@@ -40,7 +40,7 @@ struct ErrorAt {
 };
 
 /// Holds the order at which an error falls from the first to the last of its sizes against a figure. With
-/// DEADPOINT_RECORD the errors go to FILE.orders, which scripts/validate draws.
+/// DEADPOINT_RECORD the errors go to FILE.orders, which scripts/validate.py draws.
 /// @param unit  of the errors
 inline void record_order(const Figure& figure, const std::string& unit, const std::vector<ErrorAt>& errors)
 {

@@ -217,8 +217,8 @@ TEST_CASE("the scripts read no key that the schema does not know")
                                               {"comparison", {"compare.json", ""}},
                                               {"study", {"sweep.json", ""}}};
     std::size_t reads = 0;
-    for (const std::string name : {"scripts/independence", "scripts/paper-results", "scripts/paper-loads",
-                                   "scripts/paper-heat", "scripts/refit-oil", "benchmarks/scale"}) {
+    for (const std::string name : {"scripts/independence.py", "scripts/paper-results.py", "scripts/paper-loads.py",
+                                   "scripts/paper-heat.py", "scripts/refit-oil.py", "benchmarks/scale.py"}) {
         const auto text = source(name);
         REQUIRE_MESSAGE(!text.empty(), name);
         for (const auto& [variable, place] : places) {

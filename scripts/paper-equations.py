@@ -2,8 +2,8 @@
 """Makes docs/validation/paper-equations.md of tests/paper/equations.toml: every equation, table and figure of the paper, what
 became of it, where it is computed and which test shows it. Refuses a list that leaves one out or names what is not there.
 
-    scripts/paper-equations           write the page
-    scripts/paper-equations --check   fail if the page is not what would be written
+    scripts/paper-equations.py           write the page
+    scripts/paper-equations.py --check   fail if the page is not what would be written
 """
 import pathlib
 import re
@@ -82,7 +82,7 @@ def row(entry):
 def text(entries):
     count = {fate: sum(len(covered(e["id"])) for e in entries if e["fate"] == fate) for fate in fates}
     head = [
-        "<!-- Written by scripts/paper-equations from tests/paper/equations.toml. Do not edit. -->",
+        "<!-- Written by scripts/paper-equations.py from tests/paper/equations.toml. Do not edit. -->",
         "# The paper's equations, tables and figures",
         "",
         "What became of each equation (1-34, A.1-A.46), table and figure of Zheng et al. (2018), where the program computes it, and",
@@ -103,7 +103,7 @@ def main():
     wanted_text = text(entries)
     if "--check" in sys.argv:
         if not page.is_file() or page.read_text() != wanted_text:
-            sys.exit(f"error: {page.relative_to(root)} is not up to date\n  help: run scripts/paper-equations")
+            sys.exit(f"error: {page.relative_to(root)} is not up to date\n  help: run scripts/paper-equations.py")
         return
     page.write_text(wanted_text)
 

@@ -240,7 +240,7 @@ def page(program):
            for r in CASES}
     smooth, rigid_smooth = (program.peaks(model, 240, *elastic("1e9"), *bearings("5e8")) for model in ("flexible", "rigid"))
     edge, rigid_edge = (program.peaks(model, 240, *rectangle(15), *bearings("5e8")) for model in ("flexible", "rigid"))
-    return f"""<!-- Written by scripts/paper-loads from runs of the program. Do not edit. -->
+    return f"""<!-- Written by scripts/paper-loads.py from runs of the program. Do not edit. -->
 # The loads of the paper's press
 
 Sections 3.1 and 3.2 of Zheng et al. (2018) print eight peaks of the crankshaft's bearing loads: front seat B and back seat E,
@@ -294,7 +294,7 @@ A figure is met where a variant comes within {CLOSE:.0%}.
 Folders are those of `src/deadpoint`.
 
 {EQUATIONS}
-To renew this page, after `make build`: `scripts/paper-loads --write`.
+To renew this page, after `make build`: `scripts/paper-loads.py --write`.
 """
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Changes signs, factors and comparisons in the physics, one at a time, and lists the changes that no test notices.
 
-    scripts/mutate [COUNT [FOLDER...]]    COUNT changes (default 60), as many from each folder, drawn at random but always the same ones
+    scripts/mutate.py [COUNT [FOLDER...]]    COUNT changes (default 60), as many from each folder, drawn at random but always the same ones
 
 Folders: mechanism, crankshaft, tribology, surroundings, drift. Works on a copy in build/mutate; a change counts as caught when
 the folder's unit tests, or the tests of the folders that build on it, fail. Writes docs/validation/mutation.md; what is said
@@ -17,7 +17,6 @@ import resource
 import shutil
 import subprocess
 import sys
-import time
 
 root = pathlib.Path(__file__).resolve().parent.parent
 copy = root / "build/mutate/tree"
@@ -116,7 +115,7 @@ def report(done):
     caught = sum(1 for *_, what in done if what == "caught")
     survivors = [entry for entry in done if entry[-1] == "survived"]
     lines = [
-        "<!-- Written by scripts/mutate, but for what stands below \"Looked at\". -->",
+        "<!-- Written by scripts/mutate.py, but for what stands below \"Looked at\". -->",
         "# Changes that the tests must notice",
         "",
         f"{len(done)} changes of a sign, factor, constant or comparison in the physics folders, drawn at random from each, on",

@@ -248,10 +248,10 @@ def check_paths(rows):
     for _, _, where, _, test in rows:
         for path in re.findall(r"`([^`]+)`", where):
             if not (ROOT / "src" / "deadpoint" / path).is_file():
-                fail(f"src/deadpoint/{path} does not exist", "correct the table of equations in scripts/paper-heat")
+                fail(f"src/deadpoint/{path} does not exist", "correct the table of equations in scripts/paper-heat.py")
         for path in re.findall(r"`([^`]+)`", test):
             if not (ROOT / path).is_file():
-                fail(f"{path} does not exist", "correct the table of equations in scripts/paper-heat")
+                fail(f"{path} does not exist", "correct the table of equations in scripts/paper-heat.py")
 
 
 def equation_table():
@@ -264,7 +264,7 @@ def equation_table():
 def page(program, tables):
     heat, note, totals, physics = heat_table(program)
     assumptions = "\n".join(f"| {what} | {here} |" for what, here in ASSUMPTIONS)
-    return f"""<!-- Written by scripts/paper-heat from runs of the program and of its tests. Do not edit. -->
+    return f"""<!-- Written by scripts/paper-heat.py from runs of the program and of its tests. Do not edit. -->
 # The heat of the paper's press, table by table
 
 Tables 1 to 7 and A.1 of Zheng et al. (2018) row by row, and the equations of its Section 4. *Carried over* is what the case
@@ -350,7 +350,7 @@ for which the paper refers to a commercial program and prints no equation, are s
 |---|---|
 {assumptions}
 
-To renew this page, after `make build`: `scripts/paper-heat --write`.
+To renew this page, after `make build`: `scripts/paper-heat.py --write`.
 """
 
 

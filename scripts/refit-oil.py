@@ -16,16 +16,15 @@ import tempfile
 import tomllib
 from pathlib import Path
 
+from shared.fitting import fit
+from shared.judging import rms
+
 ROOT = Path(__file__).resolve().parent.parent
 CASES = ROOT / "cases" / "jl75g-60"
 ROLLING = {"crank_bearings", "links_8_11", "link_11_slider_12"}
 JOINT_9_10 = {"link_9_slider_10"}
 NAMES = ("rolling", "plain", "joint 9-10")
 
-DIFFERENCE = 0.1  # step of the finite differences in ln(coefficient)
-LONGEST_STEP = 1.5  # of ln(coefficient) in one iteration
-SMALLEST_STEP = 0.01  # below 1 % the fit has converged
-SMALLEST_GAIN = 1e-3  # nor does it go on for a thousandth of the sum of squares
 LEAST, MOST = 0.1, 1e5  # bounds of a coefficient [W/m2/K]
 
 
@@ -80,79 +79,10 @@ class Model:
         return {probe: rise["computed"] - rise["reference"] for probe, rise in sorted(rises.items())}
 
 
-def solve(matrix, right):
-    """Solution of a small linear system, by elimination with pivoting."""
-    rows = [list(row) + [value] for row, value in zip(matrix, right)]
-    n = len(rows)
-    for k in range(n):
-        pivot = max(range(k, n), key=lambda i: abs(rows[i][k]))
-        rows[k], rows[pivot] = rows[pivot], rows[k]
-        for i in range(k + 1, n):
-            factor = rows[i][k] / rows[k][k]
-            rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k])]
-    x = [0.0] * n
-    for k in reversed(range(n)):
-        x[k] = (rows[k][n] - sum(rows[k][j] * x[j] for j in range(k + 1, n))) / rows[k][k]
-    return x
-
-
-def sum_of_squares(differences):
-    return sum(value * value for value in differences.values())
-
-
-def jacobian(model, logs, differences):
-    """Columns d(differences)/d(ln coefficient), one per coefficient."""
-    columns = []
-    for k in range(len(logs)):
-        moved = [value + (DIFFERENCE if i == k else 0.0) for i, value in enumerate(logs)]
-        there = model.differences(moved)
-        columns.append([(there[probe] - differences[probe]) / DIFFERENCE for probe in differences])
-    return columns
-
-
-def damped_step(columns, differences, damping):
-    """Levenberg-Marquardt step with Marquardt's scaling, each entry cut at LONGEST_STEP."""
-    normal = [[sum(a * b for a, b in zip(u, v)) for v in columns] for u in columns]
-    for k in range(len(columns)):
-        normal[k][k] = normal[k][k] * (1.0 + damping) + 1e-9
-    gradient = [-sum(a * b for a, b in zip(u, differences.values())) for u in columns]
-    return [max(-LONGEST_STEP, min(LONGEST_STEP, value)) for value in solve(normal, gradient)]
-
-
-def report(label, model, logs, differences):
-    rms = math.sqrt(sum_of_squares(differences) / len(differences))
+def report(label, runs, logs, differences):
+    root = rms(differences.values())
     coefficients = "  ".join(f"{math.exp(value):10.4g}" for value in logs)
-    print(f"{label:>9}  {model.runs:4}  {coefficients}  {rms:7.3f}", flush=True)
-
-
-def fit(model, logs, iterations):
-    """The logarithms of the best coefficients found, and the differences there."""
-    print("iteration  runs     rolling       plain  joint 9-10  rms [K]   (coefficients in W/m2/K)")
-    differences = model.differences(logs)
-    report("start", model, logs, differences)
-    damping = 1e-3
-    for iteration in range(1, iterations + 1):
-        columns = jacobian(model, logs, differences)
-        while True:
-            step = damped_step(columns, differences, damping)
-            trial = [max(math.log(LEAST), min(math.log(MOST), a + b)) for a, b in zip(logs, step)]
-            moved = max(abs(a - b) for a, b in zip(trial, logs))
-            if moved < SMALLEST_STEP:
-                print("converged: the next step would change no coefficient by 1 %")
-                return logs, differences
-            there = model.differences(trial)
-            if sum_of_squares(there) < sum_of_squares(differences):
-                break
-            report("rejected", model, trial, there)
-            damping = max(10.0 * damping, 1e-2)
-        gain = 1.0 - sum_of_squares(there) / sum_of_squares(differences)
-        logs, differences, damping = trial, there, 0.1 * damping
-        report(str(iteration), model, logs, differences)
-        if gain < SMALLEST_GAIN:
-            print("converged: the sum of squares fell by less than a thousandth")
-            return logs, differences
-    print(f"note: not converged after {iterations} iterations")
-    return logs, differences
+    print(f"{label:>9}  {runs:4}  {coefficients}  {root:7.3f}", flush=True)
 
 
 def rounded(value):
@@ -190,7 +120,10 @@ def main():
         folder = Path(name)
         case = copy_heat_only(given.case.resolve(), folder)
         model = Model(given.program.resolve(), case, rows, given.size, folder)
-        logs, differences = fit(model, [math.log(value) for value in start], given.iterations)
+        print("iteration  runs     rolling       plain  joint 9-10  rms [K]   (coefficients in W/m2/K)")
+        logs, differences, note = fit(model.differences, [math.log(value) for value in start], given.iterations,
+                                      (math.log(LEAST), math.log(MOST)), lambda *state: report(state[0], model.runs, *state[1:]))
+        print(note)
     values = [rounded(math.exp(value)) for value in logs]
     print("computed minus published [K]: " + ", ".join(f"{probe} {value:+.2f}" for probe, value in differences.items()))
     print("result [W/m2/K]: " + ", ".join(f"{name} {value}" for name, value in zip(NAMES, values)))

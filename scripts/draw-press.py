@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws docs/images/press-temperature.png from the fields of a run of the shipped press.
 
-    xvfb-run -a scripts/draw-press results/jl75g-60 docs/images/press-temperature.png
+    xvfb-run -a scripts/draw-press.py results/jl75g-60 docs/images/press-temperature.png
 
 The half model is mirrored at x = 0. On the half at the left of the picture, parts that hide the linkage are left out. The shape is the
 deformed one, its displacement enlarged. Needs python3-vtk9 and, without a screen, xvfb (scripts/packages-checks).

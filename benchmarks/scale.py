@@ -3,7 +3,7 @@
 heat's steps against the memory traffic that their multigrid cannot do without.
 
 Prints a table in Markdown; nothing here is a test. Usage:
-  benchmarks/scale [--program build/release/app/deadpoint] [--case cases/jl75g-60/case.toml] [--size 1 --size 0.57 ...]
+  benchmarks/scale.py [--program build/release/app/deadpoint] [--case cases/jl75g-60/case.toml] [--size 1 --size 0.57 ...]
                    [--ranks 1 --ranks 2] [--heat-only] [-- --set ...]
 With --heat-only the case's dimension chain is taken out, and with it the deformation.
 

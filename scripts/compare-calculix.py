@@ -411,7 +411,7 @@ def page(versions, stack, frames):
         f"| {1e6 * f['rms']:.3f} | {1e6 * f['gaps'][0]:.3f} | {1e6 * f['gaps'][1]:.3f} |" for f in frames)
     return f"""# Beside CalculiX
 
-Written with `scripts/compare-calculix` on {datetime.date.today()}: deadpoint {versions[0]}, CalculiX {versions[1]} (Debian),
+Written with `scripts/compare-calculix.py` on {datetime.date.today()}: deadpoint {versions[0]}, CalculiX {versions[1]} (Debian),
 {processor()}, one thread each.
 
 ## A transient with contact conductances

@@ -17,13 +17,13 @@ import tomllib
 from collections import Counter
 from pathlib import Path
 
+from shared.judging import BETTER, DIFFERS, EVEN, NEAR, NO_BETTER, REPRODUCED, trend as one_trend
+from shared import judging
+
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "validation" / "paper-results.md"
 PRESS = ROOT / "cases" / "jl75g-60"
-NEAR = 0.2  # relative error up to which a figure counts as reproduced
 NEAR_SPEED = 0.35  # the wider aim for other speeds, shown beside it
-BETTER = 0.9  # of the error of the base case unchanged: above it a prediction is no better
-EVEN = 0.01  # relative spread below which a sweep makes no difference
 PROBES = "ABCDEF"
 BASE = "base"
 
@@ -147,16 +147,13 @@ def verdict(value):
     """Of one printed figure; loads and micrometres of drift are not judged by their error, see the text."""
     if value["kind"] in ("chain", "loads"):
         return "not reproducible"
-    if abs(value["relative_error"]) > NEAR:
-        return "differs"
-    if value["baseline"] is not None and abs(value["error"]) > BETTER * abs(value["baseline"] - value["reference"]):
-        return "no better than base"
-    return "reproduced"
+    baseline = None if value["baseline"] is None else value["baseline"] - value["reference"]
+    return judging.verdict(value["relative_error"], value["error"], baseline)
 
 
 def tally(values):
     counts = Counter(map(verdict, values))
-    return [len(values)] + [counts[v] for v in ("reproduced", "no better than base", "differs", "not reproducible")]
+    return [len(values)] + [counts[v] for v in (REPRODUCED, NO_BETTER, DIFFERS, "not reproducible")]
 
 
 def label(name, study):
@@ -400,19 +397,6 @@ def drift_why(points):
 
 # ---------------------------------------------------------------- claims over several points
 
-def one_trend(values):
-    pairs = list(zip(values, values[1:]))
-    if max(values) - min(values) < EVEN * max(map(abs, values)):
-        return "no change"
-    if all(b > a for a, b in pairs):
-        return "grows"
-    if all(b < a for a, b in pairs):
-        return "falls"
-    peak = values.index(max(values))
-    up_down = 0 < peak < len(values) - 1 and all((b > a) == (i < peak) for i, (a, b) in enumerate(pairs))
-    return "grows, then falls" if up_down else "no one trend"
-
-
 def rises_grow(study, reason):
     def judge(points):
         names = STUDIES[study]
@@ -612,7 +596,7 @@ def claim_rows(points):
         if first["kind"] == "unchecked":
             judge = by_beginning(JUDGES, first["text"])
             if judge is None:
-                fail(f"nothing here judges the claim '{first['text']}'", "add it to JUDGES in scripts/paper-results")
+                fail(f"nothing here judges the claim '{first['text']}'", "add it to JUDGES in scripts/paper-results.py")
             result, evidence, printed, reason = judge(points)
             remark = "; ".join(filter(None, [printed, first.get("note", "")]))
             rows.append((text, result, evidence, remark, reason if result != "reproduced" else ""))
@@ -620,7 +604,7 @@ def claim_rows(points):
             rows.append((text, *judged(points, claims, details)))
     unused = [start for start in JUDGES if not any(c["text"].startswith(start) for c in source)]
     if unused:
-        fail(f"no reference file has the claim '{unused[0]}'", "correct JUDGES in scripts/paper-results")
+        fail(f"no reference file has the claim '{unused[0]}'", "correct JUDGES in scripts/paper-results.py")
     return rows
 
 
@@ -660,7 +644,7 @@ def check_words(points):
     """Fails where the page's sentences without figures say what the runs do not show."""
     def says(sentence, *holds):
         if not all(holds):
-            fail(f"the page says that {sentence}, but these runs do not show it", "rewrite that sentence in scripts/paper-results")
+            fail(f"the page says that {sentence}, but these runs do not show it", "rewrite that sentence in scripts/paper-results.py")
 
     def peaks(study):
         return [points[n].drift["largest"] for n in STUDIES[study]]
@@ -712,9 +696,7 @@ def claim_counts(rows):
 def skill(points, study):
     """The rms of all rises of a study beside that of the base case unchanged, in words."""
     values = [v for n in STUDIES[study] if n != BASE for v in points[n].values("rises")]
-    own = math.sqrt(sum(v["error"] ** 2 for v in values) / len(values))
-    base = math.sqrt(sum((v["baseline"] - v["reference"]) ** 2 for v in values) / len(values))
-    word = "worse" if own > base / BETTER else "better" if own < BETTER * base else "no better"
+    own, base, word = judging.skill((v["error"] for v in values), (v["baseline"] - v["reference"] for v in values))
     return f"{study} {own:.1f} K against {base:.1f} K ({word})"
 
 
@@ -761,7 +743,7 @@ def page(points):
         f"A figure is *reproduced* if it is met within {NEAR:.0%} and, where predicted, with an error of less than {BETTER:.0%} of that "
         "of the base case unchanged. "
         "*Not reproducible* are figures for which the paper lacks the data, whatever the error; the reason stands with each group.")
-    return f"""<!-- Written by scripts/paper-results from runs of the program. Do not edit. -->
+    return f"""<!-- Written by scripts/paper-results.py from runs of the program. Do not edit. -->
 # The results of the paper's press, figure by figure and claim by claim
 
 {intro}
@@ -842,7 +824,7 @@ points or for some of its figures.
 
 {claim_table(rows)}
 
-To renew this page, after `make build`: `scripts/paper-results --write` (a few minutes; with `--results DIR` from a finished
+To renew this page, after `make build`: `scripts/paper-results.py --write` (a few minutes; with `--results DIR` from a finished
 sweep, at once).
 """
 

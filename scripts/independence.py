@@ -132,7 +132,7 @@ def tolerance_section(title, options):
 def document(options):
     return f"""# What the results depend on
 
-Written by `scripts/independence --write` on {datetime.date.today()}, version {run(options, options.size[0])["version"]}:
+Written by `scripts/independence.py --write` on {datetime.date.today()}, version {run(options, options.size[0])["version"]}:
 `{os.path.relpath(os.path.abspath(options.case), ROOT)}`, three hours of operation, all else as shipped.
 
 """ + "\n".join([mesh_section([run(options, size) for size in options.size], options),
