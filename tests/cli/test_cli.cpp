@@ -442,7 +442,7 @@ TEST_CASE("run computes the loads first and writes them beside its results")
 {
     const Folder folder;
     const auto target = folder / "results";
-    const auto result = deadpoint("run -q " DEADPOINT_SOURCE_DIR "/cases/slider-crank/case.toml -o " + target +
+    const auto result = deadpoint("run -v " DEADPOINT_SOURCE_DIR "/cases/slider-crank/case.toml -o " + target +
                                   " --size 3 --set 'operation.0.duration=5 min' --set output.fields=false");
     REQUIRE(result.code == 0);
     CHECK(has(result.out, "loads: stroke 60.00 mm, largest joint force 375 kN (wrist_pin)"));

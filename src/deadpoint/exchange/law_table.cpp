@@ -88,6 +88,18 @@ private:
     double smallest_;
 };
 
+// To rounding, at places that no period of a law meets all.
+bool is_straight(const std::function<LawValue(double)>& law, const Point& a, const Point& b)
+{
+    const double size = std::abs(a.law.value) + std::abs(b.law.value);
+    for (int i = 1; i < first_intervals; ++i) {
+        const double at = a.at + (b.at - a.at) * (i + 0.1 * i / first_intervals) / (first_intervals + 1);
+        if (!(std::abs(cubic(a, b, at).value - value_at(law, at).value) <= 1e-14 * size))
+            return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 void LawTable::tabulate(const Law& law, const LawTableRange& range)
@@ -100,13 +112,12 @@ void LawTable::tabulate(const Law& law, const LawTableRange& range)
     const double from = edge(middle, range.from, finite), to = edge(middle, range.to, finite);
     const Tabulation tabulation(law, range.tolerance, smallest_interval * (to - from));
     std::vector<Point> points{tabulation.point(from)};
-    if (const auto end = tabulation.point(to);
-        std::abs(cubic(points.front(), end, middle).value - value_at(law, middle).value) == 0) {
-        tabulation.refine(points.front(), end, points);
-    } else {
+    const auto end = tabulation.point(to);
+    if (is_straight(law, points.front(), end))
+        points.push_back(end);
+    else
         for (int i = 1; i <= first_intervals; ++i)
             tabulation.refine(points.back(), tabulation.point(from + (to - from) * i / first_intervals), points);
-    }
     for (const auto& point : points) {
         at_.push_back(point.at);
         value_.push_back(point.law.value);

@@ -43,7 +43,7 @@ inline DenseTerms terms_of(const Machine& machine, const HeatProblem& problem)
     for (const auto& [a, b, conductance] : machine.links)
         terms.solid += unit_block(n, a, a, conductance) + unit_block(n, b, b, conductance) -
                        unit_block(n, a, b, conductance) - unit_block(n, b, a, conductance);
-    terms.functionals = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(layout.count()), n);
+    terms.functionals = deadpoint::reduce::RowMatrix::Zero(static_cast<Eigen::Index>(layout.count()), n);
     const auto set = [&](std::size_t functional, int lump, double value) {
         terms.functionals(static_cast<Eigen::Index>(functional), lump) = value;
     };

@@ -20,6 +20,9 @@ struct DenseJoint {
     Eigen::MatrixXd turning;  ///< the same of means around the circumference, for joints that turn fully; or empty
 };
 
+/// Rows that lie together in memory.
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// A system by its terms. All matrices are square over the states.
 struct DenseTerms {
     heat::HeatGeometry geometry;
@@ -27,8 +30,8 @@ struct DenseTerms {
     Eigen::MatrixXd solid;               ///< K of the solids [W/K]
     std::vector<DenseJoint> joints;      ///< per interface
     std::vector<Eigen::MatrixXd> films;  ///< F_f per surface condition: integral of N N^T [m2]
-    Eigen::MatrixXd functionals;         ///< a row for each functional of the layout
-    Eigen::MatrixXd observed;            ///< a row for each further functional, of T - T_reference; or empty
+    RowMatrix functionals;               ///< a row for each functional of the layout
+    RowMatrix observed;                  ///< a row for each further functional, of T - T_reference; or empty
     Eigen::VectorXd uniform;             ///< states of a temperature of 1 K everywhere
 };
 
