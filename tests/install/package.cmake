@@ -12,7 +12,7 @@ foreach(path IN ITEMS bin/deadpoint lib/libdeadpoint.so. lib/libdeadpoint_reduce
         share/deadpoint/cases/starter/case.toml share/deadpoint/examples/link_deadpoint/drift.cpp)
     require_match("${output}" "/usr/${path}")
 endforeach()
-refuse_match("${output}" "/work/|/root/|/home/")
+refuse_match("${output}" "${SOURCE}|${BUILD}")
 run(dpkg-deb --field ${package} Depends)
 foreach(library IN ITEMS libc6 libstdc\\+\\+6 libgmsh libdeal.ii libpetsc libopenmpi libfmt libmuparser libudunits2)
     require_match("${output}" "${library}")
