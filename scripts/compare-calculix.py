@@ -416,16 +416,17 @@ Written with `scripts/compare-calculix.py` on {datetime.date.today()}: deadpoint
 
 ## A transient with contact conductances
 
-`benchmarks/calculix/stack.toml`: three blocks, two contacts of 2000 and 500 W/m2/K, a flux, a film. {stack['cells']} hexahedra of first
-order, {stack['nodes']} nodes, {stack['steps']} steps of {stack['step']:g} s. Both programs take the same cells and the same steps. In CalculiX a contact
-is a layer of elements, {1e3 * LAYER:g} mm thick, that conducts h t across and nothing along and stores nothing: the film, exactly.
+`benchmarks/calculix/stack.toml`: three blocks, two contacts of 2000 and 500 W/m2/K, a flux, and convection. The mesh has {stack['cells']} hexahedra
+of first order and {stack['nodes']} nodes; the run has {stack['steps']} steps of {stack['step']:g} s. Both programs use the same cells and the
+same steps. In CalculiX a contact is a layer of elements of thickness t = {1e3 * LAYER:g} mm. It has the conductivity h t
+across, none along, and no heat capacity, which is exactly deadpoint's contact conductance h.
 
 | time [s] | largest rise [K] | largest difference of any node [K] | of the largest rise [%] | root mean square [K] |
 |---|---|---|---|---|
 {table}
 
-What differs is the formula of the time step: CalculiX takes implicit Euler, of first order, deadpoint TR-BDF2, of second. The
-largest difference asked for is 0.1 % of the rise.
+The time integration differs: CalculiX uses implicit Euler (first order), deadpoint TR-BDF2 (second order). The aim is a largest
+difference of 0.1 % of the rise.
 
 | | wall time [s] | processor time [s] |
 |---|---|---|
@@ -433,22 +434,22 @@ largest difference asked for is 0.1 % of the rise.
 | deadpoint, the whole command | {stack['ours']['wall']:.1f} | {stack['ours']['cpu']:.1f} |
 | ratio | {stack['theirs']['wall'] / stack['ours']['wall']:.1f} | {stack['theirs']['cpu'] / stack['ours']['cpu']:.1f} |
 
-Five steps with each solver of CalculiX took: {trials}; the quickest did the
-run. deadpoint's time includes meshing and result files. The machine's load average was {stack['load']:.0f} meanwhile: where it is above
-the number of processors, wall times are longer than processor times for both.
+Five steps with each solver of CalculiX took: {trials}; the
+fastest solver did the run. deadpoint's time includes meshing and result files. The load average of the machine was
+{stack['load']:.0f}. If it exceeds the number of processors, wall times exceed processor times for both programs.
 
 ## The deformation of a bonded frame
 
-The frame of the starter press, ten parts of two materials whose meshes do not match, after three hours. Both programs get the
-temperatures that deadpoint found. Parts are joined by CalculiX's `*TIE`, the nodes of the finer side to the faces of the coarser
-one point by point; deadpoint ties them in the mean (mortar). The motions that nothing holds are taken out of both. The gap is the mean height of the front bearing's bore
-less that of the table.
+The case is the frame of the starter press after three hours: ten parts of two materials with meshes that do not match. Both
+programs use the temperatures that deadpoint computed. CalculiX joins the parts by `*TIE`: the nodes of the finer side follow
+the faces of the coarser side point by point. deadpoint joins them in the mean (mortar ties). The rigid motions that the feet
+leave free are subtracted from both results. The gap is the mean height of the front bearing's bore less that of the table.
 
 | `--size` | nodes | largest displacement [um] | largest difference [um] | [%] | root mean square [um] | gap, deadpoint [um] | gap, CalculiX [um] |
 |---|---|---|---|---|---|---|---|
 {shares}
 
-CalculiX takes one temperature per element of first order, the mean of its nodes, where deadpoint takes the field between them.
+In an element of first order CalculiX uses one temperature, the mean of its nodes; deadpoint uses the interpolated field.
 """
 
 
