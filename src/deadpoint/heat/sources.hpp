@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/core/error.hpp"
 #include "deadpoint/heat/enclosed_air.hpp"
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/heat/joints.hpp"
