@@ -84,3 +84,115 @@ TEST_CASE("causes at an earlier time leave later steps out")
                        causes.surfaces[1];
     CHECK(sum == doctest::Approx(history.probes[1].value[row] - reference).epsilon(1e-12));
 }
+
+namespace {
+
+/// Two lumps whose film gives heat to enclosed air, which has a start and a power of its own.
+HeatProblem in_a_cabin()
+{
+    HeatProblem problem;
+    problem.body_heat = {{"motor", {0}, -1}};
+    problem.surfaces = {lumps::film(12), lumps::film(5)};
+    problem.surfaces[0].enclosure = 0;
+    problem.enclosures = {{"cabin", 3000, 4, 305}};
+    problem.segments = {lumps::segment(problem, 3000, 295)};
+    problem.segments[0].body_heat[0] = steady(120);
+    problem.segments[0].enclosure_power = {steady(40)};
+    problem.fixed_step = 75;
+    return problem;
+}
+
+double sum_of(const HeatCauses& causes)
+{
+    double sum = causes.start;
+    for (const auto* list : {&causes.friction, &causes.oil, &causes.surfaces, &causes.body_heat})
+        sum = std::accumulate(list->begin(), list->end(), sum);
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("with enclosed air as booked the causes still make the functional")
+{
+    const auto problem = in_a_cabin();
+    lumps::Run run({{2e4, 5e4}, {{0, 1, 30}}, {}, {{1, 0.5}, {0, 0.2}}, {0, 1}}, problem, 291);
+    const auto& history = run.go();
+    heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
+    adjoint.weights() = Eigen::Vector2d(1, -2);
+    const auto causes = adjoint.causes(history.time.size() - 1);
+    const double value = history.probes[0].value.back() - 2 * history.probes[1].value.back() + reference;
+    CHECK(sum_of(causes) == doctest::Approx(value).epsilon(1e-11));
+    CHECK(causes.surfaces[0] < 0);  // air warmer than the reference warms lump 1, which counts with -2
+}
+
+TEST_CASE("with films that follow the temperature, each with its mean coefficient, the causes still sum up")
+{
+    auto problem = in_a_cabin();
+    problem.surfaces[0].enclosure = -1;
+    problem.enclosures.clear();
+    problem.segments[0].enclosure_power.clear();
+    problem.surfaces[0].emissivity = 0.8;
+    problem.surfaces[1].laws.emplace_back([](double air) -> FilmLaw {
+        return [air](double t) { return LawValue{3 + 0.05 * (t - air), 0.05, true}; };
+    });
+    lumps::Run run({{2e4, 5e4}, {{0, 1, 30}}, {}, {{1, 0.5}, {0, 0.2}}, {0, 1}}, problem, 320);
+    const auto& history = run.go();
+    heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
+    adjoint.weights() = Eigen::Vector2d(0, 1);
+    const auto causes = adjoint.causes(history.time.size() - 1);
+    // One lump a surface: the mean coefficient makes exactly the heat that was lost, to the solve's 1e-7 K.
+    CHECK(sum_of(causes) == doctest::Approx(history.probes[1].value.back() - reference).epsilon(1e-6));
+}
+
+TEST_CASE("heat into a part's volume, with a load zone that moves some of it, is that joint's friction")
+{
+    auto problem = all_causes(80, 200, 150, 300);
+    problem.interfaces[0].heat_part = 1;
+    problem.interfaces[0].load_zone = [](const Vec3&) { return 1.0; };
+    problem.segments[1].interfaces[0].heat_part = 1;
+    problem.segments[1].interfaces[0].load_zone = problem.interfaces[0].load_zone;
+    for (auto& segment : problem.segments)
+        segment.zoned_heat = {50};
+    auto terms = lumps::terms_of(three_lumps(), problem);
+    // One watt by the zone less one watt spread evenly: from lump 1 to lump 2.
+    const auto zone = static_cast<Eigen::Index>(terms.geometry.layout.zone(0, false));
+    terms.functionals.row(zone) << 0, -1, 1;
+    lumps::DenseSystem system(terms, problem);
+    heat::HeatRun<lumps::DenseSystem> run(system, problem);
+    run.temperature().setConstant(291);
+    run.set_media({}, {});
+    lumps::Quiet observer;
+    run.begin();
+    const auto& history = run.go({}, observer);
+    heat::HeatAdjoint<lumps::DenseSystem> adjoint(run, reference);
+    adjoint.weights() = weights;
+    const auto causes = adjoint.causes(history.time.size() - 1);
+    const double value = weights.dot(run.temperature() - Eigen::Vector3d::Constant(reference));
+    CHECK(sum_of(causes) == doctest::Approx(value).epsilon(1e-12));
+
+    for (auto& segment : problem.segments) {
+        segment.zoned_heat = {0};
+        segment.heat[0] = [](double) { return LawValue{0, 0, true}; };
+    }
+    lumps::DenseSystem still(terms, problem);
+    heat::HeatRun<lumps::DenseSystem> without(still, problem);
+    without.temperature().setConstant(291);
+    without.set_media({}, {});
+    without.begin();
+    without.go({}, observer);
+    const double rest = weights.dot(without.temperature() - Eigen::Vector3d::Constant(reference));
+    CHECK(causes.friction[0] == doctest::Approx(value - rest).epsilon(1e-10));
+}
+
+TEST_CASE("before the first step the start is the only cause")
+{
+    const auto problem = all_causes(80, 200, 150, 300);
+    lumps::Run run(three_lumps(), problem, 291);
+    run.go();
+    heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
+    adjoint.weights() = weights;
+    const auto causes = adjoint.causes(0);
+    CHECK(causes.start == doctest::Approx(weights.sum() * (291 - reference)).epsilon(1e-14));
+    CHECK(sum_of(causes) == causes.start);
+    CHECK(adjoint.iterations() == 0);
+}
