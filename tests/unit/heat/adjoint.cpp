@@ -184,6 +184,31 @@ TEST_CASE("heat into a part's volume, with a load zone that moves some of it, is
     CHECK(causes.friction[0] == doctest::Approx(value - rest).epsilon(1e-10));
 }
 
+TEST_CASE("two joints that share a source each have their part of its heat as a cause")
+{
+    auto problem = all_causes(80, 200, 150, 300);
+    problem.interfaces.push_back(problem.interfaces[0]);
+    problem.interfaces[1].heat_weight = 3;
+    for (auto& segment : problem.segments)
+        segment.interfaces.clear();
+    auto machine = three_lumps();
+    machine.interfaces.emplace_back(1, 2, 0.2);
+    lumps::Run run(machine, problem, 291);
+    const auto& history = run.go();
+    heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
+    adjoint.weights() = weights;
+    const auto causes = adjoint.causes(history.time.size() - 1);
+    const double value = weights.dot(run.run.temperature() - Eigen::Vector3d::Constant(reference));
+    CHECK(sum_of(causes) == doctest::Approx(value).epsilon(1e-12));
+    CHECK(causes.friction[0] != doctest::Approx(causes.friction[1]).epsilon(0.01));
+    for (auto& segment : problem.segments)
+        segment.heat[0] = [](double) { return LawValue{0, 0, true}; };
+    lumps::Run still(machine, problem, 291);
+    still.go();
+    const double rest = weights.dot(still.run.temperature() - Eigen::Vector3d::Constant(reference));
+    CHECK(causes.friction[0] + causes.friction[1] == doctest::Approx(value - rest).epsilon(1e-10));
+}
+
 TEST_CASE("before the first step the start is the only cause")
 {
     const auto problem = all_causes(80, 200, 150, 300);
