@@ -112,17 +112,17 @@ void compare(const CompareOptions& options)
 
 void add_compare(CLI::App& app, int& exit_code)
 {
-    auto* command = app.add_subcommand("compare", "hold a result against measured or published values");
+    auto* command = app.add_subcommand("compare", "compare a result with measured or published values");
     const auto options = std::make_shared<CompareOptions>();
     command->add_option("DIR", options->folder, "a folder that 'run' has written")->required();
     command->add_option("REFERENCE", options->reference, "the reference file")->required()->type_name("FILE");
     command
         ->add_option("--point", options->point,
-                     "take the values of this operating point of the reference; else those that belong to none")
+                     "use the values of this operating point of the reference; default: values without one")
         ->type_name("NAME");
     command
         ->add_option("--baseline", options->baseline,
-                     "show the errors of another result beside, such as that of the base case")
+                     "also show the errors of another result, such as that of the base case")
         ->type_name("DIR");
     command
         ->add_option("-o,--output", options->output,

@@ -30,8 +30,8 @@ void compute(const SegmentOptions& options)
 
 void add_heat(CLI::App& app, int& exit_code)
 {
-    auto* command =
-        app.add_subcommand("heat", "show friction heat, conductances and film coefficients without solving the field");
+    auto* command = app.add_subcommand(
+        "heat", "show friction heat, contact conductances and convection coefficients without solving the field");
     const auto options = std::make_shared<SegmentOptions>();
     add_segment_options(*command, *options);
     command->callback([options, &exit_code] {

@@ -127,7 +127,7 @@ void write_page_of(const std::vector<fs::path>& folders, const fs::path& file, I
     }
     if (folders.size() > 1) {
         throw InputError(
-            fmt::format("'{}' is a study, which has a page of its own\n  help: name it alone, or the folders of "
+            fmt::format("'{}' is a study, which has its own page\n  help: name it alone, or the folders of "
                         "its points, '{}'",
                         study->string(), (*study / "points" / "NAME").string()));
     }
@@ -191,7 +191,7 @@ void add_report(CLI::App& app, int& exit_code)
     command->add_option("folders", options->folders, "folders that 'run' or 'loads' wrote, or one that 'sweep' wrote")
         ->required()
         ->type_name("DIR...");
-    command->add_option("-o,--output", options->file, "the page; of a single folder it is DIR/report.html if not given")
+    command->add_option("-o,--output", options->file, "the page; default for a single folder: DIR/report.html")
         ->type_name("FILE");
     command
         ->add_option("--pictures", options->pictures,

@@ -91,7 +91,7 @@ void say_or_remove(const std::filesystem::path& checkpoint, bool interrupted)
         std::error_code ignored;
         std::filesystem::remove(checkpoint, ignored);
     } else if (std::filesystem::exists(checkpoint)) {
-        print_out("the same command with --resume goes on from there\n");
+        print_out("the same command with --resume continues from there\n");
     }
 }
 
@@ -152,7 +152,9 @@ void add_run(CLI::App& app, int& exit_code)
     auto* command = app.add_subcommand("run", "compute a case and write the results into a new folder");
     const auto options = std::make_shared<RunOptions>();
     add_result_options(*command, *options);
-    command->add_option("--from", options->from, "a result folder to go on from: its final temperatures are the start")
+    command
+        ->add_option("--from", options->from,
+                     "a result folder to continue from: the run starts with its final temperatures")
         ->type_name("DIR");
     command
         ->add_option("--accuracy", options->accuracy,

@@ -89,10 +89,9 @@ void make_or_reuse(const fs::path& folder)
         fs::create_directories(folder / "points");
         report::write_manifest(folder);
     } else if (!fs::is_directory(folder / "points") || !report::is_whole(folder)) {
-        throw IoError(
-            fmt::format("'{}' exists already and holds no study\n  help: name a new folder, or that of a study "
-                        "to go on with",
-                        folder.string()));
+        throw IoError(fmt::format(
+            "'{}' exists already and holds no study\n  help: name a new folder, or that of a study to continue",
+            folder.string()));
     }
 }
 
@@ -199,7 +198,7 @@ int sweep(const SweepOptions& options, const OnRanks& ranks)
     const auto page = fs::path(options.folder) / "report.html";
     report::write_sweep_report(page, options.folder);
     print_out("{}\nresults{} are in {}\nthe page is {}\n", report::sweep_text(result),
-              console.cancelled() ? " so far (the same command goes on)" : "", options.folder, page.string());
+              console.cancelled() ? " so far (the same command continues)" : "", options.folder, page.string());
     if (console.cancelled()) {
         return interrupted_exit_code;
     }
@@ -210,7 +209,7 @@ int sweep(const SweepOptions& options, const OnRanks& ranks)
 
 void add_sweep(CLI::App& app, int& exit_code)
 {
-    auto* command = app.add_subcommand("sweep", "compute a study of many cases; a study that was stopped goes on");
+    auto* command = app.add_subcommand("sweep", "compute a study of many cases, or continue one that was stopped");
     const auto options = std::make_shared<SweepOptions>();
     command->add_option("study", options->study, "the study file (TOML)")->required()->type_name("STUDY");
     command->add_option("-o,--output", options->folder, "the folder to write into, new or of the same study")
@@ -218,7 +217,9 @@ void add_sweep(CLI::App& app, int& exit_code)
         ->type_name("DIR");
     command->add_option("--size", options->size_scale, "scales all cell sizes; 2 is coarse and quick")
         ->check(CLI::PositiveNumber);
-    command->add_option("-j,--jobs", options->jobs, "points at a time; else as many as cores and memory hold")
+    command
+        ->add_option("-j,--jobs", options->jobs,
+                     "number of points at a time; default: as many as cores and memory allow")
         ->check(CLI::Range(1, 1024));
     command->add_flag("--fields", options->fields, "write the fields of every point");
     add_file_access(*command, options->files);

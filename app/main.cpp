@@ -50,7 +50,7 @@ int refuse_subcommand(const std::string& word)
 
 int run(int argc, char** argv)
 {
-    CLI::App app("deadpoint: how far a mechanical press drifts thermally at bottom dead point", "deadpoint");
+    CLI::App app("deadpoint: thermal drift of a mechanical press at bottom dead point", "deadpoint");
     app.set_version_flag("--version", fmt::format("deadpoint {}", deadpoint::version));
     app.footer(examples);
     app.require_subcommand(1);
@@ -93,11 +93,10 @@ int run_and_explain(int argc, char** argv)
     } catch (const std::bad_alloc&) {
         print_err("error: out of memory\n  help: make the mesh coarser, for example with --size 1.5\n");
     } catch (const std::filesystem::filesystem_error& error) {
-        print_err("error: {}\n  help: check the path: that it is not too long and that you may go there\n",
-                  error.what());
+        print_err("error: {}\n  help: check the length of the path and its permissions\n", error.what());
         return static_cast<int>(deadpoint::ErrorKind::io);
     } catch (const std::exception& error) {
-        print_err("error: {}\n  help: this is a fault of the program; please report it with the case file\n",
+        print_err("error: {}\n  help: this is a defect of the program; please report it with the case file\n",
                   error.what());
     }
     return other_error;

@@ -162,7 +162,7 @@ std::string fish_option(const CLI::Option& option, const std::string& condition)
 std::string man_page(const CLI::App& app, const std::string& version)
 {
     std::string text = fmt::format(".TH DEADPOINT 1 \"\" \"deadpoint {}\" \"User Commands\"\n", version);
-    text += ".SH NAME\ndeadpoint \\- how far a mechanical press drifts thermally at bottom dead point\n.SH SYNOPSIS\n";
+    text += ".SH NAME\ndeadpoint \\- thermal drift of a mechanical press at bottom dead point\n.SH SYNOPSIS\n";
     for (const auto* sub : subcommands_of(app)) {
         text += synopsis(*sub) + "\n.br\n";
     }

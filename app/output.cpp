@@ -53,8 +53,8 @@ void require_whole_output()
         return;
     }
     throw deadpoint::IoError(
-        fmt::format("cannot write to standard output: {}\n  help: text was lost, files of results are not touched by "
-                    "it; give standard output a file or disk with room, or a reader that reads to the end",
+        fmt::format("cannot write to standard output: {}\n  help: text was lost, but result files are not affected; "
+                    "redirect standard output to a disk with room, or to a program that reads to the end",
                     first_failure != 0 ? std::strerror(first_failure) : "it failed"));
 }
 

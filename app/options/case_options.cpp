@@ -10,7 +10,7 @@ using namespace deadpoint;
 void add_console_options(CLI::App& command, Console::Options& options)
 {
     command.add_flag("-q,--quiet", options.quiet, "show warnings and results only");
-    command.add_flag("-v,--verbose", options.verbose, "show more of what is done");
+    command.add_flag("-v,--verbose", options.verbose, "show more details");
 }
 
 void add_file_access(CLI::App& command, casefile::FileAccess& files)

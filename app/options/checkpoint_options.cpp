@@ -29,10 +29,9 @@ double interval_of(const std::string& text)
     }
     const double interval = parse_quantity(text, Dimension::time);
     if (interval < 0) {
-        throw InputError(
-            fmt::format("--checkpoint \"{}\" is less than no time\n  help: give a time such as \"10 min\", "
-                        "0 for none, or step for one after each time step",
-                        text));
+        throw InputError(fmt::format("--checkpoint \"{}\" is negative\n  help: give a time such as \"10 min\", "
+                                     "0 for none, or step for one after each time step",
+                                     text));
     }
     return interval > 0 ? interval : never;
 }
@@ -43,7 +42,7 @@ void add_checkpoint_options(CLI::App& command, CheckpointOptions& options)
 {
     command.add_flag(
         "--resume", options.resume,
-        "go on from the checkpoint DIR.checkpoint that a stopped run has left; without one, from the start");
+        "continue from the checkpoint DIR.checkpoint of a stopped run; without one, start at the beginning");
     command
         .add_option("--checkpoint", options.interval,
                     "wall time between two checkpoints; 0: none, step: one after each time step")
@@ -66,7 +65,7 @@ void plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, 
     const double interval = interval_of(options.interval);
     if (casefile::wanted_accuracy(input)) {
         if (options.resume) {
-            throw InputError("a run that refines its parts writes no checkpoints, so there is none to go on from\n"
+            throw InputError("a run that refines its parts writes no checkpoints, so there is none to continue from\n"
                              "  help: leave --resume out, or give the sizes that are known and no accuracy");
         }
         return;
@@ -74,8 +73,8 @@ void plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, 
     const auto file = checkpoint_of(folder).string();
     const bool there = fs::exists(file);
     if (there && !options.resume && !force) {
-        throw IoError(fmt::format("'{}' is the checkpoint of a run that was stopped\n  help: go on from it with "
-                                  "--resume, or lose it with --force",
+        throw IoError(fmt::format("'{}' is the checkpoint of a run that was stopped\n  help: continue from it with "
+                                  "--resume, or discard it with --force",
                                   file));
     }
     wanted.resume = there && options.resume;
@@ -83,7 +82,7 @@ void plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, 
         fem::CheckpointHead head;
         fem::open_checkpoint(file, casefile::case_hash(input), head);
         if (first) {
-            print_out("going on from {}, t = {:.2f} h\n", file, head.time / 3600);
+            print_out("continuing from {}, t = {:.2f} h\n", file, head.time / 3600);
         }
     } else if (options.resume && first) {
         print_out("there is no {}: starting at the beginning\n", file);

@@ -140,7 +140,7 @@ TEST_CASE("names of files that move the cursor are shown, not obeyed, and overlo
         const auto outcome = deadpoint(line);
         CAPTURE(outcome.err);
         CHECK(outcome.code == 5);
-        CHECK_FALSE(has(outcome.err, "fault of the program"));
+        CHECK_FALSE(has(outcome.err, "defect of the program"));
     }
 }
 
@@ -166,9 +166,9 @@ TEST_CASE("check prints the plan and warns of a mass that does not fit")
     CHECK(result.code == 0);
     CHECK(result.out.find("two blocks\n") == 0);
     CHECK(has(result.out, "15.60        16.00      -2.5 %"));
-    CHECK(has(result.out, "lower|upper       100.0"));   // bonded over 100 mm x 100 mm
-    CHECK(has(result.out, "0.1000  film 10.0 W/m2/K"));  // ten faces of 100 mm x 100 mm
-    CHECK(has(result.out, "16 hexahedra"));              // 2 x 2 x 2 cells of 50 mm in each block
+    CHECK(has(result.out, "lower|upper       100.0"));         // bonded over 100 mm x 100 mm
+    CHECK(has(result.out, "0.1000  convection 10.0 W/m2/K"));  // ten faces of 100 mm x 100 mm
+    CHECK(has(result.out, "16 hexahedra"));                    // 2 x 2 x 2 cells of 50 mm in each block
     CHECK(has(result.out, "no errors, 1 warning\n"));
     CHECK(has(result.err, "warning: body 'frame' has 15.60 kg by its parts, but 16.00 kg are stated (-2.5 %)"));
     CHECK(has(result.err, "mesh\n"));
@@ -584,7 +584,7 @@ TEST_CASE("sweep runs a study, records what fails, and goes on without repeating
     CHECK(has(content(target + "/report.html"), "the time step collapsed"));
     const auto mixed = deadpoint("report " + target + " " + warm + " -o " + (folder / "mixed.html"));
     CHECK(mixed.code == 2);
-    CHECK(has(mixed.err, "is a study, which has a page of its own"));
+    CHECK(has(mixed.err, "is a study, which has its own page"));
     CHECK(deadpoint("report " + target + " --pictures " + (folder / "pictures")).code == 2);
     // Another size is another study: nothing of it is there.
     CHECK(!has(deadpoint("sweep " + study + " -o " + target + " --size 1.5").out, "there already"));

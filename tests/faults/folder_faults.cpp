@@ -270,8 +270,8 @@ TEST_CASE("killed between the two renames of such a file system, a result gets i
     CHECK_FALSE(fs::exists(target));
     const auto next = run("", run_into(target));
     CHECK(next.code == 5);
-    CHECK(has(next.text, "note: '" + target.string() + "' has its results back"));
-    CHECK(has(next.text, "note: whole results of a run that was ended before they got their name are in '"));
+    CHECK(has(next.text, "note: '" + target.string() + "' was restored"));
+    CHECK(has(next.text, "note: complete results of a run that ended before it could rename them are in '"));
     CHECK(is_whole(target));
     CHECK(start_temperature(target) == "20");
     const auto names = names_in(folder.path);

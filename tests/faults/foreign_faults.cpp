@@ -190,7 +190,7 @@ void expect_read(const std::vector<Attack>& oddities)
 
 TEST_CASE("commands in mesh and STEP files are not run, whatever the file is called")
 {
-    const std::string no_mesh = "is no Gmsh mesh file (MSH 2 or 4): its first line is not '$MeshFormat'";
+    const std::string no_mesh = "is not a Gmsh mesh file (MSH 2 or 4): its first line is not '$MeshFormat'";
     std::vector<Attack> scripts;
     for (const auto* name : {"a.msh", "a.geo", "a.pos", "a.inp", "a.txt", "a.py", "a.brep", "a.opt", "a", "a.msh.gz"}) {
         scripts.push_back({name, commands, no_mesh});
@@ -198,13 +198,14 @@ TEST_CASE("commands in mesh and STEP files are not run, whatever the file is cal
     scripts.push_back({"view.msh", "$PostFormat\n1.2 0 8\n$EndPostFormat\n" + commands, no_mesh});
     scripts.push_back({"comment.msh", "$Comments\n" + commands + "$EndComments\n" + cube, no_mesh});
     scripts.push_back({"blank.msh", "\n" + cube, no_mesh});
-    scripts.push_back({"head.msh", "$MeshFormat\n" + commands + "$EndMeshFormat\n", "names no version"});
+    scripts.push_back(
+        {"head.msh", "$MeshFormat\n" + commands + "$EndMeshFormat\n", "does not name a supported version"});
     scripts.push_back({"tail.msh", cube + commands, "cut short"});
     expect_refused("mesh", scripts);
-    expect_refused("step",
-                   {{"a.step", commands, "is not a STEP file"},
-                    {"a.geo", commands, "is not a STEP file"},
-                    {"b.step", "ISO-10303-21;\n" + commands + "END-ISO-10303-21;\n", "breaks off or is out of order"}});
+    expect_refused(
+        "step", {{"a.step", commands, "is not a STEP file"},
+                 {"a.geo", commands, "is not a STEP file"},
+                 {"b.step", "ISO-10303-21;\n" + commands + "END-ISO-10303-21;\n", "are incomplete or out of order"}});
 }
 
 TEST_CASE("what stands around or between the sections of a mesh is not run, and a name decides nothing")
@@ -243,11 +244,11 @@ TEST_CASE("mesh files that are cut, miscounted or made of nonsense are refused i
          {"utf-16.msh", utf_16(cube), "first line"},
          {"mark.msh", "\xef\xbb\xbf" + cube, "first line"},
          {"version-1.msh", "$NOD\n1\n1 0 0 0\n$ENDNOD\n$ELM\n0\n$ENDELM\n", "first line"},
-         {"version-3.msh", replaced(cube, "2.2 0 8", "3 0 8"), "no version"},
-         {"version-9.msh", replaced(cube, "2.2 0 8", "9.9 0 8"), "no version"},
-         {"version-nan.msh", replaced(cube, "2.2 0 8", "nan 0 8"), "no version"},
-         {"size.msh", replaced(cube, "2.2 0 8", "2.2 0 4"), "no version"},
-         {"type.msh", replaced(cube, "2.2 0 8", "2.2 7 8"), "no version"},
+         {"version-3.msh", replaced(cube, "2.2 0 8", "3 0 8"), "not name a supported version"},
+         {"version-9.msh", replaced(cube, "2.2 0 8", "9.9 0 8"), "not name a supported version"},
+         {"version-nan.msh", replaced(cube, "2.2 0 8", "nan 0 8"), "not name a supported version"},
+         {"size.msh", replaced(cube, "2.2 0 8", "2.2 0 4"), "not name a supported version"},
+         {"type.msh", replaced(cube, "2.2 0 8", "2.2 7 8"), "not name a supported version"},
          {"only-head.msh", head, "holds no solid cells"},
          {"no-nodes.msh", head + cells, "Wrong node index 1"},
          {"no-cells.msh", head + nodes, "holds no solid cells"},
@@ -270,7 +271,7 @@ TEST_CASE("mesh files that are cut, miscounted or made of nonsense are refused i
           "line 5: by its count section $PhysicalNames"},
          {"nan.msh", replaced(cube, "8 0 100 100", "8 nan 100 100"), "a non-finite coordinate"},
          {"inf.msh", replaced(cube, "8 0 100 100", "8 0 1e999 100"), "a non-finite coordinate"},
-         {"word.msh", replaced(cube, "8 0 100 100", "8 0 left 100"), "breaks off or is out of order"},
+         {"word.msh", replaced(cube, "8 0 100 100", "8 0 left 100"), "are incomplete or out of order"},
          {"huge-place.msh", replaced(cube, "8 0 100 100", "8 0 1e300 100"), "a non-finite coordinate"},
          {"no-node.msh", replaced(cube, " 6 7 8\n", " 6 7 9\n"), "the reader crashed"},
          {"zero-node.msh", replaced(cube, " 6 7 8\n", " 6 7 0\n"), "Wrong node index 0"},
@@ -280,10 +281,10 @@ TEST_CASE("mesh files that are cut, miscounted or made of nonsense are refused i
          {"type-999.msh", replaced(cube, cell, "1 999 2 1 1 1 2 3 4 5 6 7 8\n"), "Unknown type of element 999"},
          {"type-negative.msh", replaced(cube, cell, "1 -5 2 1 1 1 2 3 4 5 6 7 8\n"), "Unknown type of element -5"},
          {"tags-huge.msh", replaced(cube, cell, "1 5 2000000000 1 1 1 2 3 4 5 6 7 8\n"),
-          "breaks off or is out of order"},
+          "are incomplete or out of order"},
          {"tags-negative.msh", replaced(cube, cell, "1 5 -2 1 1 1 2 3 4 5 6 7 8\n"), "inverted or flat cells"},
          {"views.msh", cube + "$NodeData\n2000000000\n\"x\"\n1\n0\n3\n0\n1\n2000000000\n1 1\n$EndNodeData\n",
-          "breaks off or is out of order"}});
+          "are incomplete or out of order"}});
 }
 
 TEST_CASE("mesh files of the newer format and binary ones that are miscounted or nonsense are refused in words")
@@ -300,13 +301,13 @@ TEST_CASE("mesh files of the newer format and binary ones that are miscounted or
          {"no-node-4.msh", replaced(cube_4, "1 1 2 3 4 5 6 7 8", "1 1 2 3 4 5 6 7 88"), "Unknown node 88"},
          {"binary-mark.msh", binary_cube(77, false, 8, 1), "Unknown type of element"},
          {"binary-more.msh", binary_cube(1, false, 9, 1), "holds no solid cells"},
-         {"binary-huge.msh", binary_cube(1, false, 2'000'000'000, 1), "breaks off or is out of order"},
-         {"binary-cells.msh", binary_cube(1, false, 8, 2'000'000'000), "breaks off or is out of order"},
+         {"binary-huge.msh", binary_cube(1, false, 2'000'000'000, 1), "are incomplete or out of order"},
+         {"binary-cells.msh", binary_cube(1, false, 8, 2'000'000'000), "are incomplete or out of order"},
          {"binary-negative.msh", binary_cube(1, false, 8, -1), "holds no solid cells"},
          {"binary-cut.msh", binary_cube(1, false, 8, 1).substr(0, 200) + "\n$EndNodes\n",
-          "breaks off or is out of order"},
+          "are incomplete or out of order"},
          {"binary-noise.msh", "$MeshFormat\n2.2 1 8\n" + noise(5000) + "\n$EndNodes\n", "holds no solid cells"},
-         {"text-as-binary.msh", replaced(cube, "2.2 0 8", "2.2 1 8"), "breaks off or is out of order"}});
+         {"text-as-binary.msh", replaced(cube, "2.2 0 8", "2.2 1 8"), "are incomplete or out of order"}});
 }
 
 TEST_CASE("STEP files that are cut or made of nonsense are refused in words")
@@ -326,9 +327,9 @@ TEST_CASE("STEP files that are cut or made of nonsense are refused in words")
          {"mesh.step", cube, "is not a STEP file"},
          {"iges.step", std::string(72, ' ') + "S      1\n", "is not a STEP file"},
          {"cut.step", plate.substr(0, plate.size() / 2), "cut short"},
-         {"cut-with-end.step", plate.substr(0, plate.size() / 2) + "\n" + end, "breaks off or is out of order"},
+         {"cut-with-end.step", plate.substr(0, plate.size() / 2) + "\n" + end, "are incomplete or out of order"},
          {"no-data.step", start + end, "holds no solid"},
-         {"only-words.step", "ISO-10303-21; END-ISO-10303-21;", "breaks off or is out of order"},
+         {"only-words.step", "ISO-10303-21; END-ISO-10303-21;", "are incomplete or out of order"},
          {"no-solid.step", instead("#15 = MANIFOLD_SOLID_BREP('',#16);", ""), "holds no solid"},
          {"no-shell.step", instead("MANIFOLD_SOLID_BREP('',#16)", "MANIFOLD_SOLID_BREP('',#99999)"), "holds no solid"},
          {"itself.step", instead("MANIFOLD_SOLID_BREP('',#16)", "MANIFOLD_SOLID_BREP('',#15)"), "holds no solid"},
@@ -336,14 +337,14 @@ TEST_CASE("STEP files that are cut or made of nonsense are refused in words")
          {"open-shell.step", instead("(#17,#137,#213,", "("), "holds no solid"},
          {"huge-number.step", instead("#15 = ", "#99999999999999999999 = "), "holds no solid"},
          {"nan.step", all_replaced(plate, "(-50.,-30.,0.)", "(nan,-30.,0.)"),
-          "line 35: a word stands where a value should"},
+          "line 35: a word is found where a value is expected"},
          {"infinite.step", all_replaced(plate, "(-50.,-30.,0.)", "(-50.,1.E999,0.)"), "holds no solid"},
          {"far.step", all_replaced(plate, "-50.", "-5.E300"), "holds no solid"},
          {"deep.step",
           instead("MANIFOLD_SOLID_BREP('',#16)",
                   "MANIFOLD_SOLID_BREP('',#16" + std::string(200'000, '(') + std::string(200'000, ')') + ")"),
           "holds no solid"},
-         {"noise.step", start + noise(20000) + end, "breaks off or is out of order"},
+         {"noise.step", start + noise(20000) + end, "are incomplete or out of order"},
          {"script.step", start + commands + end, "holds no solid"}});
 }
 

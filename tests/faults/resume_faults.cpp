@@ -53,7 +53,7 @@ void check_same(const fs::path& folder, const std::map<std::string, std::string>
 std::optional<double> start_of(const std::string& text)
 {
     const auto at = text.find(", t = ");
-    if (has(text, "going on from") && at != std::string::npos)
+    if (has(text, "continuing from") && at != std::string::npos)
         return std::stod(text.substr(at + 6));
     return has(text, "starting at the beginning") ? std::optional(0.0) : std::nullopt;
 }
@@ -188,10 +188,10 @@ TEST_CASE("stopped politely, a run leaves results so far and a checkpoint, from 
         run(fmt::format("{} {}.checkpoint", script.string(), target.string()), line + " --checkpoint step");
     REQUIRE(stopped.code == 130);
     CHECK(has(content(target / "summary.json"), "\"interrupted\": true"));
-    CHECK(has(stopped.text, "the same command with --resume goes on from there"));
+    CHECK(has(stopped.text, "the same command with --resume continues from there"));
     const auto resumed = run("", line + " --resume --checkpoint 0");
     CHECK(resumed.code == 0);
-    CHECK(has(resumed.text, "going on from"));
+    CHECK(has(resumed.text, "continuing from"));
     CHECK(has(content(target / "summary.json"), "\"interrupted\": false"));
     CHECK_FALSE(fs::exists(folder.path / "result.checkpoint"));
 }

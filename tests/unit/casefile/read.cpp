@@ -177,7 +177,7 @@ TEST_CASE("overrides")
 
     CHECK(has(error_of(path, {"operation.7.speed=400 rpm"}), "'7' is not one of the 2 items"));
     CHECK(has(error_of(path, {"numerics.size"}), "an override is written path=value"));
-    CHECK(has(error_of(path, {"numerics.size.x=1"}), "below a single value"));
+    CHECK(has(error_of(path, {"numerics.size.x=1"}), "inside a single value"));
     CHECK(has(error_of(path, {"numerics.sise=1 mm"}), "did you mean 'size'?"));
     CHECK(has(error_of(path, {"numerics.size=20 kg"}), "--set:1:15: error[unit-mismatch]: numerics.size"));
 }

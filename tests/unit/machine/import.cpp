@@ -231,16 +231,17 @@ TEST_CASE("a cell size that cannot be meant is refused or warned of before the w
     MachineDescription description = imported(StepSource{data + "/plate_with_hole.step", 1.0});
     description.size = 1e-5;
     // 106 cm3 of regular tetrahedra of 0.01 mm: 6 sqrt(2) times as many as cubes
-    CHECK(contains(complaint(description), "part 'import': cells of 0.01 mm would be 9.0e+11 of them"));
+    CHECK(contains(complaint(description), "part 'import': a cell size of 0.01 mm gives 9.0e+11 cells, but"));
 
     struct Impatient : Observer {
         void warn(std::string_view text) override { throw InputError(std::string(text)); }
     } impatient;
     description.parts = {part("cube", "b", {add(BoxShape{{0, 0, 0}, {0.002, 0.002, 0.002}})})};
-    CHECK_THROWS_WITH_AS(machine::build_machine(description, impatient),
-                         "part 'cube': cells of 0.01 mm will be about 8.0e+06 of them, which takes minutes to mesh and "
-                         "hours to compute; check its size",
-                         InputError);
+    CHECK_THROWS_WITH_AS(
+        machine::build_machine(description, impatient),
+        "part 'cube': a cell size of 0.01 mm gives about 8.0e+06 cells, which take minutes to mesh and "
+        "hours to compute; check its size",
+        InputError);
     // A cylinder across a box has no axis in common with it: tetrahedra.
     description.parts = {part("cross", "b",
                               {add(BoxShape{{0, 0, 0}, {0.001, 0.001, 0.001}}),
@@ -250,7 +251,8 @@ TEST_CASE("a cell size that cannot be meant is refused or warned of before the w
         machine::build_machine(description, impatient);
         FAIL("nothing was said");
     } catch (const InputError& error) {
-        CHECK(contains(error.what(), "part 'cross': cells of 0.01 mm will be about 1."));  // 1.8e6 cubes are no reason
-        CHECK(contains(error.what(), "e+07 of them"));
+        CHECK(contains(error.what(),
+                       "part 'cross': a cell size of 0.01 mm gives about 1."));  // 1.8e6 cubes are no reason
+        CHECK(contains(error.what(), "e+07 cells, which"));
     }
 }

@@ -95,19 +95,18 @@ TEST_CASE("a cell that a mesh file holds twice is refused with its place, on the
     CHECK(said_about(mesh).empty());
     Cells twice = mesh;
     twice.cells.push_back(mesh.cells.back());
-    CHECK(said_about(twice) ==
-          "part 'import': cells lie in each other at (500.0000, 500.0000, 500.0000) mm: two of them "
-          "are on the same side of one face; mesh it again, every place once");
+    CHECK(said_about(twice) == "part 'import': cells overlap at (500.0000, 500.0000, 500.0000) mm: two of them "
+                               "are on the same side of one face; mesh it again without overlaps");
     Cells corner = mesh;
     corner.cells.push_back(mesh.cells.front());
-    CHECK(contains(said_about(corner), "cells lie in each other at (250.0000, 250.0000, 250.0000) mm"));
+    CHECK(contains(said_about(corner), "cells overlap at (250.0000, 250.0000, 250.0000) mm"));
 
     Cells copied = mesh;
     for (const std::size_t node : mesh.cells.front()) {
         copied.nodes.push_back(mesh.nodes[node]);
     }
     copied.cells.push_back({8, 9, 10, 11});
-    CHECK(contains(said_about(copied), "part 'import': cells lie in each other at ("));
+    CHECK(contains(said_about(copied), "part 'import': cells overlap at ("));
 }
 
 TEST_CASE("blocks of a mesh file that lie in each other are refused with the place, however they lie")
@@ -117,7 +116,7 @@ TEST_CASE("blocks of a mesh file that lie in each other are refused with the pla
         Cells mesh;
         add_block(mesh, {0, 0, 0}, {2, 2, 2});
         add_block(mesh, at, {2, 2, 2});
-        CHECK(contains(said_about(mesh), "part 'import': cells lie in each other at ("));
+        CHECK(contains(said_about(mesh), "part 'import': cells overlap at ("));
     }
 }
 
@@ -129,8 +128,8 @@ TEST_CASE("blocks of a mesh file on doubled nodes, or micrometres apart, are ref
         add_block(mesh, {0, 0, 0}, {2, 2, 2});
         add_block(mesh, {2 + gap, 0.25, 0}, {2, 2, 2});
         const std::string text = said_about(mesh);
-        CHECK(contains(text, "part 'import': free faces lie on each other at (2000."));
-        CHECK(contains(text, "and no heat would cross there; join what they belong to"));
+        CHECK(contains(text, "part 'import': free faces coincide at (2000."));
+        CHECK(contains(text, "and no heat would cross there; make one solid"));
     }
     Cells mesh;
     add_block(mesh, {0, 0, 0}, {2, 2, 2});
@@ -152,7 +151,7 @@ TEST_CASE("free faces of a wedge that closes to an edge, and both sides of a thi
     wedge.cells[1][1] = wedge.cells[0][5];
     wedge.cells[1][2] = wedge.cells[0][6];
     wedge.nodes[8][2] = wedge.nodes[10][2] = 1.005;
-    CHECK(contains(said_about(wedge), "touch along an edge or in a point only"));  // a hinge, but no error
+    CHECK(contains(said_about(wedge), "touch only along an edge or in a point"));  // a hinge, but no error
 
     Cells sheet;
     add_block(sheet, {0, 0, 0}, {3, 3, 3});

@@ -155,8 +155,8 @@ TEST_CASE("the seam tolerance says what is joined; what stays open within it is 
     REQUIRE(log.warnings.size() == 1);
     CHECK(log.warnings[0] ==
           "part 'p': it has a slit of 20 um at (10.0000, 10.0000, 40.0000) mm (8 faces, 32 cm2), far "
-          "thinner than its cells; no heat crosses it, and its sides count as exposed; if none is "
-          "meant, raise numerics.seam_tolerance or join the shapes");
+          "thinner than its cells; no heat crosses it, and its sides count as exposed; if no slit is intended, raise "
+          "numerics.seam_tolerance or join the shapes");
     description.seam_tolerance = 20 * um;
     CHECK(build(description).parts[0].pieces == 1);
     description.parts.front().source = std::vector<Shape>{lower, add(BoxShape{{0, 0, 0.04}, {0.04, 0.04, 0.04002}})};
@@ -172,7 +172,7 @@ TEST_CASE("what is moved is said, with the place")
                                   0.02),
                            log);
     REQUIRE(log.infos.size() == 1);
-    CHECK(log.infos[0] == "part 'p': surfaces of its shapes that nearly meet are made one; the largest move is 2 um, "
+    CHECK(log.infos[0] == "part 'p': surfaces of its shapes that nearly meet were joined; the largest move is 2 um, "
                           "near (10.0, 10.0, 40.0) mm");
 }
 
@@ -190,7 +190,7 @@ TEST_CASE("pieces are counted, hinges and flat cells are warned about with their
     const auto hinge = warnings({cube, add(BoxShape{{0.02, 0.02, 0}, {0.04, 0.04, 0.02}})}, 0.02);
     REQUIRE(hinge.size() == 1);
     CHECK(contains(hinge[0],
-                   "part 'p': two of its pieces touch along an edge or in a point only, at (20.0000, 20.0000,"));
+                   "part 'p': two of its pieces touch only along an edge or in a point, at (20.0000, 20.0000,"));
     const auto flat = warnings({cube, add(BoxShape{{0.02, 0, 0}, {0.04, 0.02, 0.02 + 30 * um}})}, 0.02);
     REQUIRE(flat.size() == 1);
     CHECK(contains(flat[0], "part 'p': it has flat cells: one at (30.0000, 10.0000, 20.0150) mm is 30 um thin"));

@@ -96,7 +96,7 @@ TEST_CASE("the plan warns of masses beyond 2 %, overlaps and floating parts, and
     REQUIRE(warnings.size() == 3);
     CHECK(warnings[0] == "body 'link' has 10.00 kg by its parts, but 9.700 kg are stated (+3.1 %)");
     CHECK(warnings[1] == "parts 'beam' and 'rod' overlap by 2.00 mm near (100.0, 0.0, 0.0) mm");
-    CHECK(warnings[2].find("part 'rod' floats") == 0);
+    CHECK(warnings[2].find("part 'rod' is not connected") == 0);
 }
 
 TEST_CASE("unknowns and memory follow order and dimension chain")
@@ -127,7 +127,7 @@ TEST_CASE("the plan names what there is, with area, coverage and condition")
     CHECK(text.find("small (half model, x <= 0)") == 0);
     CHECK(text.find("  pin.bush   revolute  rod      beam       123.0   98.4 %       0.0         60.0  80.0 %\n") !=
           std::string::npos);
-    CHECK(text.find("air          3.000  film 5.00 W/m2/K, emissivity 0.900\n") != std::string::npos);
+    CHECK(text.find("air          3.000  convection 5.00 W/m2/K, emissivity 0.900\n") != std::string::npos);
     CHECK(text.find("top          1.000  \n") == std::string::npos);  // no trailing blanks
     CHECK(text.find("beyond the symmetry plane: column_right") != std::string::npos);
     CHECK(text.find("Bonded pairs") == std::string::npos);  // there are none

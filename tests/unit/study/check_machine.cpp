@@ -71,8 +71,8 @@ TEST_CASE("a body whose parts are not all bonded is named with its pieces")
     Machine machine = three_cubes();
     const auto warnings = study::loose_bodies(machine);
     REQUIRE(warnings.size() == 1);
-    CHECK(warnings.front() == "body 'frame' falls into 2 pieces that no bond holds together, each of which expands by "
-                              "itself: a, b | c; let its parts touch, or make them bodies of their own");
+    CHECK(warnings.front() == "body 'frame' consists of 2 pieces without a bond between them, and each expands "
+                              "separately: a, b | c; let its parts touch, or make separate bodies");
     machine.parts[2].body = "slide";
     CHECK(study::loose_bodies(machine).empty());
 }
@@ -85,9 +85,8 @@ TEST_CASE("a body of one part that is in two pieces is named too, unless another
     machine.piece_of_cell = {0, 0, 0};
     const auto warnings = study::loose_bodies(machine);
     REQUIRE(warnings.size() == 2);
-    CHECK(
-        warnings.front().find("body 'frame' falls into 2 pieces that no bond holds together, each of which expands by "
-                              "itself: a (piece 1 of 2) | a (piece 2 of 2)") == 0);
+    CHECK(warnings.front().find("body 'frame' consists of 2 pieces without a bond between them, and each expands "
+                                "separately: a (piece 1 of 2) | a (piece 2 of 2)") == 0);
 
     Machine held = three_cubes();  // a and b are bonded; piece 2 of a is bonded to c, and c to b
     held.parts[0].pieces = 2;

@@ -78,13 +78,11 @@ TEST_CASE("a flux takes a box within one cell; a temperature needs the middle of
     const auto machine = study::prepare_machine(block(0.02, 0.03), 1, listener);
     CHECK(area_of(machine, "heated") == Approx(0.02 * 0.1).epsilon(1e-9));
     REQUIRE(listener.warnings.size() == 1);  // cells of 50 mm: the nodes of x = 50 mm to 100 mm are held
-    CHECK(
-        listener.warnings.front() ==
-        "surfaces.held: the temperature is held on whole faces, 50 cm2 of them, where its box has 70 cm2; let the box "
-        "end where cells end, or make them smaller");
-    CHECK_THROWS_WITH_AS(
-        study::prepare_machine(block(0.02, 0.09), 1, listener),
-        "surfaces.held: no face has its middle in its box, and what is not spread over an area goes by "
-        "whole faces\n  help: correct the box, or make the cells there smaller",
-        InputError);
+    CHECK(listener.warnings.front() ==
+          "surfaces.held: the temperature is prescribed on whole faces, 50 cm2, but the box has 70 cm2; end the box "
+          "where cells end, or make the cells smaller");
+    CHECK_THROWS_WITH_AS(study::prepare_machine(block(0.02, 0.09), 1, listener),
+                         "surfaces.held: no face has its centre in the box, and a condition at nodes applies to whole "
+                         "faces\n  help: correct the box, or make the cells there smaller",
+                         InputError);
 }

@@ -176,7 +176,7 @@ private:
         }
         if (!joint.friction.empty() && joint.interfaces.empty() && c_.friction.contains(joint.friction)) {
             report("inconsistent", path + ".friction",
-                   "the joint has friction, but no interface where its heat could go",
+                   "the joint has friction, but no interface that receives its heat",
                    "add interfaces, or remove `friction`");
         }
     }
@@ -192,10 +192,9 @@ private:
             return found != c_.bodies.end() && found->second.ground;
         });
         if (joint.kind != Joint::Kind::revolute || !grounded || (joint.turns_fully && !interface.stands_still)) {
-            report(
-                "inconsistent", path + ".load_zone",
-                "a load zone stands still only in a revolute joint with the ground, on an interface that does not turn",
-                "remove `load_zone`, or add stands_still = true to the outer ring's interface");
+            report("inconsistent", path + ".load_zone",
+                   "a load zone needs a revolute joint with the ground and an interface that does not turn",
+                   "remove `load_zone`, or add stands_still = true to the outer ring's interface");
         }
     }
 
@@ -516,7 +515,7 @@ private:
         refer("chain.crank_joint", "joint", chain.crank_joint, c_.joints);
         const auto crank = c_.joints.find(chain.crank_joint);
         if (chain.bearing_play == Chain::Play::limited && crank != c_.joints.end() && !crank->second.clearance) {
-            report("missing-key", "chain.bearing_play", "nothing says how much play there is at the start",
+            report("missing-key", "chain.bearing_play", "the play at the start is not given",
                    fmt::format("add clearance = \"80 um\" (on the diameter) to joints.{}", chain.crank_joint));
         }
     }

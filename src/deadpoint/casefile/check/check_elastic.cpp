@@ -41,12 +41,12 @@ std::vector<Finding> check_elastic(const Case& c)
         const auto& foundation = *c.foundation;
         findings.refer("foundation.surface", "surface", foundation.surface, c.surfaces);
         if (foundation.surface.empty() && !c.chain) {
-            findings.report("missing-key", "foundation", "nothing says which surface the feet are",
+            findings.report("missing-key", "foundation", "the surface of the feet is not given",
                             "add surface = \"feet\", the name of a surface");
         }
         if (foundation.gravity > 0 && !is_held_sideways(foundation) && pulls_along_feet(c)) {
             findings.report("inconsistent", "foundation.gravity",
-                            "the feet slide freely, so nothing holds the machine against a pull along them",
+                            "the feet slide freely, so nothing holds the machine against gravity along their plane",
                             "let gravity_direction of [machine] act across the feet, or add kind = \"clamped\"");
         }
     }

@@ -11,14 +11,14 @@ std::optional<Finding> check_film(const std::string& path, const std::string& na
         return Finding{"inconsistent", path, message, help};
     };
     if (!surface.film)
-        return wrong(fmt::format("surface '{}' has no film to the enclosure's air", name),
+        return wrong(fmt::format("surface '{}' has no `film` to the air of the enclosure", name),
                      fmt::format("add film = {{ coefficient = \"5 W/m^2/K\" }} to [surfaces.{}]", name));
     if (surface.film->ambient)
         return wrong(fmt::format("the film of surface '{}' states its own `ambient`", name),
-                     "remove it: the enclosure says how warm the air is");
+                     "remove it: the enclosure gives the temperature of the air");
     if (std::holds_alternative<EnclosedFilm>(surface.film->law))
-        return wrong(fmt::format("the film of surface '{}' counts its enclosure's air by itself", name),
-                     "take a law of open air, like \"vertical\"");
+        return wrong(fmt::format("the film of surface '{}' already includes enclosed air", name),
+                     "choose a law of open air, like \"vertical\"");
     return {};
 }
 
@@ -39,7 +39,7 @@ std::optional<Finding> check_radiation(const Case& c, const std::string& name, c
         "unused", fmt::format("surfaces.{}.film.emissivity", last),
         fmt::format("surface '{}' radiates to nothing: no other surface of enclosure '{}' states an emissivity", last,
                     name),
-        "give the others theirs, or remove it", true};
+        "state an emissivity for the others too, or remove this one", true};
 }
 
 }  // namespace

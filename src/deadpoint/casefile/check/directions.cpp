@@ -97,7 +97,7 @@ std::variant<Vec2, Finding> find_stroke_direction(const Case& c)
     const double down = dot(along, pull) / standard_gravity;
     if (std::abs(down) < aligned)
         return mistake(fmt::format("joints.{}.direction", guide->first),
-                       "the slide travels across gravity, so nothing says at which end of its stroke the table is",
+                       "the slide travels across gravity, so it is not known at which end of its stroke the table is",
                        fmt::format("add stroke_direction = [{:.6g}, {:.6g}] to [mechanism], from the table towards the "
                                    "slide, or its opposite",
                                    along[0], along[1]));
@@ -124,10 +124,11 @@ std::vector<Finding> check_directions(const Case& c)
     const bool symmetric =
         c.machine.half_model || std::ranges::any_of(c.bodies, [](const auto& entry) { return entry.second.mirror; });
     if (symmetric && std::abs(normalised(c.machine.gravity_direction)[0]) > aligned)
-        findings.push_back(mistake("machine.gravity_direction",
-                                   "nothing may pull across the plane of symmetry, x = 0, of a half model or of bodies "
-                                   "that have a mirror image",
-                                   "let it be 0 along x, or describe the whole machine"));
+        findings.push_back(
+            mistake("machine.gravity_direction",
+                    "gravity must not act across the plane of symmetry, x = 0, of a half model or of bodies "
+                    "that have a mirror image",
+                    "let it be 0 along x, or describe the whole machine"));
     check_walls(c, findings);
     if (slide_of(c).empty())
         return findings;

@@ -24,7 +24,7 @@ std::variant<Accuracy, AccuracyProblem> parse_accuracy(const std::string& text)
     }
     const double value = kelvin != nullptr ? *kelvin : *metre;
     if (!(value > 0)) {
-        return AccuracyProblem{fmt::format("'{}' is not positive", text), "give the change that you can put up with"};
+        return AccuracyProblem{fmt::format("'{}' is not positive", text), "give the largest acceptable change"};
     }
     return Accuracy{kelvin != nullptr ? Accuracy::Of::rises : Accuracy::Of::gap, value};
 }

@@ -78,23 +78,25 @@ void describe(Visitor& v, Case& c)
     v.table({"machine", "the machine as a whole", required}, c.machine);
     v.named({"materials", "solids"}, c.materials, "name");
     v.named({"lubricants", "oils and greases"}, c.lubricants, "name");
-    v.named({"bodies", "what moves as one", required}, c.bodies, "name");
-    v.named({"parts", "solids of one material, each meshed on its own; `loads` does without"}, c.parts, "name");
+    v.named({"bodies", "the bodies of the linkage; the parts of a body move together", required}, c.bodies, "name");
+    v.named({"parts", "solids of one material, each with its own mesh; `loads` does not need them"}, c.parts, "name");
     v.named({"friction", "laws of friction heat"}, c.friction, "name");
-    v.quantities({"oil", "coefficient to the circulating oil per area of the joints, by friction law"}, c.oil,
-                 D::heat_transfer_coefficient);
-    v.named({"oil_circuits", "circulating oil that warms on its way"}, c.oil_circuits, "name");
+    v.quantities({"oil", "heat transfer coefficient to the circulating oil, per area of the joints, by friction law"},
+                 c.oil, D::heat_transfer_coefficient);
+    v.named({"oil_circuits", "circulating oil that warms from joint to joint"}, c.oil_circuits, "name");
     v.named({"joints", "connections of two bodies"}, c.joints, "name");
-    v.named({"surfaces", "named sets of faces, with what happens there"}, c.surfaces, "name");
+    v.named({"surfaces", "named sets of faces, with a boundary condition"}, c.surfaces, "name");
     v.named({"heat_sources", "heat of a motor, a clutch or a belt"}, c.heat_sources, "name");
-    v.named({"enclosures", "air inside the machine, with a temperature of its own"}, c.enclosures, "name");
-    v.table({"mechanism", "the linkage as a whole, for its loads"}, c.mechanism);
+    v.named({"enclosures", "volumes of air inside the machine, each with its own temperature"}, c.enclosures, "name");
+    v.table({"mechanism", "data of the whole linkage, for the loads"}, c.mechanism);
     v.table({"crankshaft", "the crankshaft as a beam"}, c.crankshaft);
-    v.table({"process_force", "the force of the process over a turn; without it as its defaults say"}, c.process_force);
-    v.list({"operation", "what the press does, one segment after the other", required}, c.operation);
+    v.table({"process_force",
+             "the process (piling, blanking, forming) force over a turn; without this table its defaults hold"},
+            c.process_force);
+    v.list({"operation", "segments of the operation, one after the other", required}, c.operation);
     v.named({"probes", "points whose temperature is recorded"}, c.probes, "name");
     v.table({"chain", "the dimension chain from slide to table"}, c.chain);
-    v.table({"foundation", "how the feet stand, and weights"}, c.foundation);
+    v.table({"foundation", "supports of the feet, and weights"}, c.foundation);
     v.named({"preload", "rods that press parts together"}, c.preload, "name");
     v.table({"numerics", "mesh, time stepping and solvers"}, c.numerics);
     v.table({"output", "what is written"}, c.output);
@@ -107,26 +109,27 @@ void describe(Visitor& v, MachineSection& m)
     v.text({"name", "name in reports", required}, m.name);
     v.text({"description", "a sentence for reports"}, m.description);
     v.flag({"half_model", "model x <= 0 only; the plane x = 0 is the plane of symmetry"}, m.half_model);
-    v.quantity({"initial_temperature",
-                "of everything at the start that states no other; dimensions hold at it, and rises count from it"},
+    v.quantity({"initial_temperature", "temperature at the start of all parts that state no other; dimensions are "
+                                       "valid at this temperature, and rises count from it"},
                m.initial_temperature, D::temperature, absolute_temperature);
-    v.quantity({"ambient", "of the air, where neither the operation nor a film says otherwise"}, m.ambient,
+    v.quantity({"ambient", "temperature of the air, unless the operation or a `film` states another"}, m.ambient,
                D::temperature, absolute_temperature);
-    v.vector({"gravity_direction", "in which weights act, of links and crankshaft and, with `gravity` in [foundation], "
-                                   "on the frame; along the crankshaft it loads no joint"},
+    v.vector({"gravity_direction", "direction of the weights of links and crankshaft and, with `gravity` in "
+                                   "[foundation], of the frame; its component along the crankshaft loads no joint"},
              m.gravity_direction, D::none);
     v.expect(norm(m.gravity_direction) > 0, "gravity_direction", "the direction has no length",
              "write it like [0, -1, 0]");
-    v.texts(
-        {"unbonded", "pairs \"part|part\" (`*` stands for any letters) of one body that touch without being bonded"},
-        m.unbonded);
+    v.texts({"unbonded", "pairs \"part|part\" (`*` stands for any letters) of one body that touch but are not bonded. "
+                         "All other touching parts of one body are in perfect contact"},
+            m.unbonded);
 }
 
 void describe(Visitor& v, Material& m)
 {
     v.about(
         "A solid. With `library`, keys that are not given come from the shipped library (see the end of this page). "
-        "Tables are linear between their points and held beyond them, where the run warns.");
+        "Tables are linear between their points and constant beyond them; a run warns if it leaves the range of a "
+        "table.");
     v.text({"library", "name in the shipped library"}, m.library);
     v.from_library(m);
     const Need need = m.library.empty() ? required : optional;
@@ -138,21 +141,23 @@ void describe(Visitor& v, Material& m)
     v.property({"expansion", "linear thermal expansion", need}, m.expansion, m.expansion_table, D::expansion,
                any_value);
     choose(v,
-           {"expansion_kind", "of a table: `mean` coefficients count from `expansion_reference` to the temperature, "
-                              "`instantaneous` ones are the slope of the length over the temperature"},
+           {"expansion_kind",
+            "kind of a table: `mean` coefficients count from `expansion_reference` to the temperature, "
+            "`instantaneous` coefficients are the slope of the length over the temperature"},
            m.expansion_kind);
-    v.quantity({"expansion_reference", "where a mean coefficient counts from"}, m.expansion_reference, D::temperature,
-               absolute_temperature);
+    v.quantity({"expansion_reference", "temperature from which mean coefficients count"}, m.expansion_reference,
+               D::temperature, absolute_temperature);
     v.quantity({"youngs_modulus", "modulus of elasticity", need}, m.youngs_modulus, D::pressure, positive);
     v.number({"poissons_ratio", "lateral contraction", need}, m.poissons_ratio, {-1, 0.5, true});
     v.text({"source", "where the values are from"}, m.source);
     const bool table = !m.expansion_table.x.empty();
-    v.expect(!table || m.expansion_kind, "expansion", "nothing says what its table holds",
+    v.expect(!table || m.expansion_kind, "expansion", "the kind of coefficients in its table is not stated",
              "add expansion_kind = \"mean\" or \"instantaneous\"");
     v.expect(table || !m.expansion_kind || !m.library.empty(), "expansion_kind", "a constant coefficient has no kind",
              "remove it, or give a table");
     v.expect(!table || m.expansion_kind != Material::Expansion::mean || m.expansion_reference, "expansion",
-             "nothing says where its mean coefficients count from", "add expansion_reference = \"20 degC\"");
+             "the reference temperature of its mean coefficients is not stated",
+             "add expansion_reference = \"20 degC\"");
     v.expect(!m.expansion_reference || m.expansion_kind == Material::Expansion::mean, "expansion_reference",
              "only mean coefficients have a reference temperature", "remove it, or say expansion_kind = \"mean\"");
 }
@@ -166,17 +171,17 @@ void describe(Visitor& v, Lubricant& l)
     v.quantity({"density", "mass per volume; 0 if not known"}, l.density, D::density, non_negative);
     choose(v,
            {"law",
-            "`table`: log-linear between the points of `viscosity`, going on with the end slopes (and warned about) "
-            "beyond them, but not beyond what flows (0.1 to 1e6 mm^2/s); `walther`: the line of ASTM D341 through its "
+            "`table`: log-linear between the points of `viscosity`, and beyond them with the end slopes and a warning, "
+            "within the range of liquid oils (0.1 to 1e6 mm^2/s); `walther`: the line of ASTM D341 through its "
             "two points; `vogel`: nu = vogel_factor "
             "exp(vogel_b / (T - vogel_pole))"},
            l.law);
     v.curve(
         {"viscosity", "kinematic viscosity of `table` and `walther`", l.law == Lubricant::Law::vogel ? optional : need},
         l.viscosity, {"temperature", D::temperature, D::kinematic_viscosity, positive});
-    v.quantity({"vogel_factor", "of `vogel`"}, l.vogel_factor, D::kinematic_viscosity, positive);
-    v.quantity({"vogel_b", "of `vogel`"}, l.vogel_b, D::temperature_difference, positive);
-    v.quantity({"vogel_pole", "of `vogel`"}, l.vogel_pole, D::temperature, positive);
+    v.quantity({"vogel_factor", "factor of `vogel`"}, l.vogel_factor, D::kinematic_viscosity, positive);
+    v.quantity({"vogel_b", "b of `vogel`"}, l.vogel_b, D::temperature_difference, positive);
+    v.quantity({"vogel_pole", "pole temperature of `vogel`"}, l.vogel_pole, D::temperature, positive);
     v.expect(l.law != Lubricant::Law::walther || l.viscosity.x.size() == 2, "viscosity",
              "the line of ASTM D341 goes through two points",
              "give two temperatures, usually 40 and 100 degC, or law = \"table\"");
@@ -189,19 +194,22 @@ void describe(Visitor& v, Lubricant& l)
 
 void describe(Visitor& v, Body& b)
 {
-    v.about("A body of the linkage: the parts that move as one. Exactly one body is the ground. What is not stated of "
-            "mass, centre and inertia follows from the parts; a body without parts states mass and centre, and counts "
-            "as a slender rod between its joints where it states no inertia.");
-    v.quantity({"mass", "of the whole body (of one of the two, with `mirror`); compared with that of its parts"},
-               b.mass, D::mass, positive);
+    v.about("A body of the linkage: parts that move together. Exactly one body is the ground. Mass, centre and inertia "
+            "follow from the parts unless stated. A body without parts must state mass and centre; without a stated "
+            "inertia it is a slender rod between its joints.");
+    v.quantity(
+        {"mass", "mass of the whole body (with `mirror`, of one of the two); compared with the mass of its parts"},
+        b.mass, D::mass, positive);
     v.vector({"centre_of_mass", "x and y at bottom dead point"}, b.centre_of_mass, D::length);
-    v.quantity({"inertia", "about the centre of mass, about z"}, b.inertia, D::inertia, positive);
-    v.quantity({"initial_temperature", "of its parts at the start; else that of the machine"}, b.initial_temperature,
-               D::temperature, absolute_temperature);
-    v.flag({"ground", "stands still"}, b.ground);
-    v.flag({"mirror", "the body exists twice; its image at x = 0 and the images of its joints take part in the loads"},
+    v.quantity({"inertia", "moment of inertia about the z axis through the centre of mass"}, b.inertia, D::inertia,
+               positive);
+    v.quantity({"initial_temperature", "temperature of its parts at the start; else that of the machine"},
+               b.initial_temperature, D::temperature, absolute_temperature);
+    v.flag({"ground", "the body that stands still"}, b.ground);
+    v.flag({"mirror", "the body exists twice; the loads include its image at x = 0 and the images of its joints"},
            b.mirror);
-    v.flag({"thermal_only", "conducts heat but is no link of the dimension chain (bearing rings)"}, b.thermal_only);
+    v.flag({"thermal_only", "the body conducts heat but is not a link of the dimension chain (bearing rings)"},
+           b.thermal_only);
     v.expect(!(b.ground && b.thermal_only), "thermal_only", "the ground is a link of the dimension chain",
              "remove one of `ground` and `thermal_only`");
     v.expect(!(b.ground && b.mirror), "mirror", "the ground exists once only", "remove one of `ground` and `mirror`");
@@ -209,19 +217,19 @@ void describe(Visitor& v, Body& b)
 
 void describe(Visitor& v, Part& p)
 {
-    v.about("A solid of one material. Its form comes from exactly one of `shapes`, `step` and `mesh`.");
+    v.about("A solid of one material. Exactly one of `shapes`, `step` and `mesh` gives its form.");
     v.text({"body", "the body it belongs to", required}, p.body);
     v.text({"material", "its material", required}, p.material);
-    v.quantity({"size", "wanted cell size; else that of [numerics]"}, p.size, D::length, positive);
+    v.quantity({"size", "target cell size; else that of [numerics]"}, p.size, D::length, positive);
     v.list({"shapes", "primitives, joined and cut in the order given"}, p.shapes);
     v.path({"step", "STEP file, relative to the file that names it"}, p.step);
     v.path({"mesh", "Gmsh mesh file (MSH 2 or 4), relative to the file that names it"}, p.mesh);
     v.quantity({"unit", "length of one unit of the STEP or mesh file"}, p.unit, D::length, positive);
-    v.vector({"position", "moves the STEP or mesh file's origin there"}, p.position, D::length);
-    v.quantity({"initial_temperature", "at the start; else that of its body"}, p.initial_temperature, D::temperature,
-               absolute_temperature);
-    v.flag({"tetrahedra", "mesh with tetrahedra even where hexahedra would do"}, p.tetrahedra);
-    v.integer({"order", "of its finite elements; 0: that of [numerics]"}, p.order, {0, 2, false});
+    v.vector({"position", "position of the origin of the STEP or mesh file"}, p.position, D::length);
+    v.quantity({"initial_temperature", "temperature at the start; else that of its body"}, p.initial_temperature,
+               D::temperature, absolute_temperature);
+    v.flag({"tetrahedra", "use tetrahedra even where hexahedra are possible"}, p.tetrahedra);
+    v.integer({"order", "order of its finite elements; 0: that of [numerics]"}, p.order, {0, 2, false});
     const int sources = (p.shapes.empty() ? 0 : 1) + (p.step.empty() ? 0 : 1) + (p.mesh.empty() ? 0 : 1);
     v.expect(sources > 0, "", "the part has no form", "give one of `shapes`, `step` and `mesh`");
     v.expect(sources < 2, p.step.empty() ? "mesh" : "step", "the part has more than one form",
@@ -258,37 +266,38 @@ void describe(Visitor& v, Shape& s)
 
 void describe(Visitor& v, ShaftSection& s)
 {
-    v.quantity({"length", "along the axis", required}, s.length, D::length, positive);
-    v.quantity({"diameter", "of this section", required}, s.diameter, D::length, positive);
-    v.vector({"offset", "of this section's centre from the shaft's (crank throw)"}, s.offset, D::length);
+    v.quantity({"length", "length along the axis", required}, s.length, D::length, positive);
+    v.quantity({"diameter", "diameter of this section", required}, s.diameter, D::length, positive);
+    v.vector({"offset", "offset of this section's centre from the axis of the shaft (crank throw)"}, s.offset,
+             D::length);
 }
 
 void describe(Visitor& v, Joint& j)
 {
-    v.about(
-        "A joint says everything about one connection of two bodies: how they move, what rubs, which surfaces touch "
-        "and how they conduct.");
-    choose(v, {"kind", "how the bodies move against each other", required}, j.kind);
+    v.about("A joint describes one connection of two bodies completely: their relative motion, their friction law, and "
+            "the surfaces that touch with their conductance.");
+    choose(v, {"kind", "relative motion of the bodies", required}, j.kind);
     v.texts({"bodies", "the two bodies", required}, j.bodies);
     v.vector({"centre", "x and y at bottom dead point", required}, j.centre, D::length);
-    v.vector({"direction", "of travel, for a slide: any direction of the plane"}, j.direction, D::none);
-    v.flag({"guides_rotation", "false for a slide that leaves its body free to turn"}, j.guides_rotation);
-    v.flag({"swept", "of a slide: heat and conductance are spread over the length that it sweeps, by the share of "
-                     "time; false leaves them where the bodies are drawn"},
+    v.vector({"direction", "direction of travel of a slide: any direction of the plane"}, j.direction, D::none);
+    v.flag({"guides_rotation", "false for a slide whose body can rotate"}, j.guides_rotation);
+    v.flag({"swept", "for a slide: heat and conductance are distributed over the length that it sweeps, by the share "
+                     "of time; false keeps them at the drawn position"},
            j.swept);
-    v.quantity({"preload", "of a slide: force by which the gib presses on each of the two faces"}, j.preload, D::force,
+    v.quantity({"preload", "for a slide: force by which the gib presses on each of the two faces"}, j.preload, D::force,
                non_negative);
-    v.quantity({"guide_length", "of a slide that guides rotation: distance of the guide's two ends along the travel, "
-                                "with `centre` amid them; without it the moment on the guide does not press its faces"},
+    v.quantity({"guide_length",
+                "for a slide that guides rotation: distance of the guide's two ends along the travel, with "
+                "`centre` in the middle; without it, the moment on the guide does not load its faces"},
                j.guide_length, D::length, positive);
-    v.flag({"turns_fully", "turns all the way around, so that each side sees the other's mean around the turn"},
+    v.flag({"turns_fully", "the joint makes full turns, so that each side sees the circumferential mean of the other"},
            j.turns_fully);
     v.flag({"driver", "its angle is the crank angle"}, j.driver);
     v.text({"friction", "law of its friction heat"}, j.friction);
-    v.quantity({"oil_temperature", "of the oil that carries heat away, where no circuit serves the joint"},
+    v.quantity({"oil_temperature", "temperature of the oil that carries heat away, if no circuit serves the joint"},
                j.oil_temperature, D::temperature, absolute_temperature);
-    v.quantity({"clearance", "at the start of the run, of each of its bearings: on the diameter, of a slide both faces "
-                             "together; a run warns when heat uses it up"},
+    v.quantity({"clearance", "clearance of each of its bearings at the start, on the diameter; for a slide, of both "
+                             "faces together. A run warns when heat uses it up"},
                j.clearance, D::length, positive);
     v.list({"elements", "the bearings or bushes that share the joint"}, j.elements);
     v.list({"interfaces", "pairs of touching surfaces"}, j.interfaces);
@@ -307,10 +316,10 @@ void describe(Visitor& v, Joint& j)
 void describe(Visitor& v, JointElement& e)
 {
     v.text({"name", "name in reports", required}, e.name);
-    choose(v, {"type", "how it carries", required}, e.type);
-    v.quantity({"position", "along the axis"}, e.position, D::length, any_value);
-    v.quantity({"width", "along the axis"}, e.width, D::length, non_negative);
-    v.quantity({"diameter", "of its running surface"}, e.diameter, D::length, non_negative);
+    choose(v, {"type", "type of the bearing", required}, e.type);
+    v.quantity({"position", "position along the axis"}, e.position, D::length, any_value);
+    v.quantity({"width", "width along the axis"}, e.width, D::length, non_negative);
+    v.quantity({"diameter", "diameter of its running surface"}, e.diameter, D::length, non_negative);
 }
 
 void describe(Visitor& v, Interface& i)
@@ -319,20 +328,23 @@ void describe(Visitor& v, Interface& i)
     v.text({"a", "the integrated side, which the other must cover: a part (with `diameter`) or a surface", required},
            i.a);
     v.text({"b", "the other side: a part (with `diameter`) or a surface", required}, i.b);
-    v.quantity({"diameter", "of the cylinder about the joint's centre; without it both sides are surfaces"}, i.diameter,
-               D::length, positive);
-    v.table({"conductance", "how it conducts", required}, i.conductance);
-    v.quantity({"oil", "coefficient to the circulating oil, per area of the joint"}, i.oil,
+    v.quantity({"diameter", "diameter of the cylinder about the joint's centre; without it both sides are surfaces"},
+               i.diameter, D::length, positive);
+    v.table({"conductance", "contact conductance", required}, i.conductance);
+    v.quantity({"oil", "heat transfer coefficient to the circulating oil, per area of the joint"}, i.oil,
                D::heat_transfer_coefficient, non_negative);
     v.number({"heat_share", "share of the friction heat per area, relative to the other interfaces of the law"},
              i.heat_share, non_negative);
-    v.text({"heat_into", "part whose volume takes this interface's friction heat; else the film between the sides"},
+    v.text({"heat_into", "part whose volume receives the friction heat of this interface; else the contact layer "
+                         "between the sides receives it"},
            i.heat_into);
-    v.flag({"load_zone", "the load part of that heat falls where the joint is pressed over the turn, not evenly; where "
-                         "neither side turns away"},
+    v.flag({"load_zone", "the load part of that heat is distributed over the zone in which the joint is pressed during "
+                         "the turn; only if no side rotates away from it"},
            i.load_zone);
-    v.flag({"partial", "side a may reach beyond side b; only what touches conducts, the rest is exposed"}, i.partial);
-    v.flag({"stands_still", "does not turn, although the joint turns fully (outer rings)"}, i.stands_still);
+    v.flag({"partial", "side a may reach beyond side b; only the touching area conducts, the rest is exposed"},
+           i.partial);
+    v.flag({"stands_still", "this interface does not rotate, although the joint makes full turns (outer rings)"},
+           i.stands_still);
     v.flag({"seat", "its fitted centre on the ground body is the joint's centre there"}, i.seat);
     v.flag({"journal", "its fitted centre on the moving body is the joint's centre there"}, i.journal);
 }
@@ -343,29 +355,32 @@ void describe(Visitor& v, Surface& s)
         "A set of exterior faces: all conditions given must hold. A surface may carry one of `film`, `temperature`, "
         "`temperature_formula`, `heat_flux` and `insulated`; without any it only names its faces.");
     v.texts({"parts", "names of parts, `*` stands for any letters; none: every part"}, s.parts);
-    choose(v, {"select", "`exposed`: what nothing touches and no other surface claims", required}, s.select);
+    choose(v,
+           {"select",
+            "how faces are selected. `exposed`: faces that nothing touches and no other surface claims; `all`: all "
+            "faces; the others need the keys of the same meaning below",
+            required},
+           s.select);
     choose(v, {"axis", "normal of the plane, axis of the cylinder"}, s.axis);
-    v.quantity({"position", "of the plane along its normal"}, s.position, D::length, any_value);
-    v.vector({"normal", "of a plane that is inclined, of any length and either way, in place of `axis`"}, s.normal,
-             D::none);
+    v.quantity({"position", "position of the plane along its normal"}, s.position, D::length, any_value);
+    v.vector({"normal", "normal of an inclined plane, of any length and sign, instead of `axis`"}, s.normal, D::none);
     const bool inclined = s.normal != Vec3{};
     v.vector({"point", "x, y, z of a point on the plane with that normal", inclined ? required : optional}, s.point,
              D::length);
     v.vector({"centre", across}, s.centre, D::length);
-    v.quantity({"diameter", "of the cylinder"}, s.diameter, D::length, positive);
+    v.quantity({"diameter", "diameter of the cylinder"}, s.diameter, D::length, positive);
     v.text({"group", "physical group of the part's mesh or STEP file"}, s.group);
-    v.table({"within",
-             "only what lies in this box: faces that reach out of it count by the share of their area inside, "
-             "and prescribed temperatures, supports and corners take those whose middle is inside"},
+    v.table({"within", "only faces in this box: a face that reaches out of it counts by the share of its area inside. "
+                       "Prescribed temperatures, supports and corners use the faces whose centre is inside"},
             s.within);
-    v.table({"film", "convection and radiation"}, s.film);
+    v.table({"film", "convection coefficient and radiation"}, s.film);
     v.course({"temperature", "prescribed temperature"}, s.temperature, D::temperature, absolute_temperature);
     v.text({"temperature_formula",
             "prescribed temperature [K] in x, y, z [m] and t [s], like \"293.15 + 10*sin(pi*t/40)\"; above 0 K, and "
             "below 150 K with a warning"},
            s.temperature_formula);
     v.course({"heat_flux", "heat into the part"}, s.heat_flux, D::heat_flux, any_value);
-    v.flag({"insulated", "no heat passes; takes its faces from an `exposed` surface"}, s.insulated);
+    v.flag({"insulated", "no heat passes; an `exposed` surface does not contain these faces"}, s.insulated);
     const bool plane = s.select == Surface::Select::plane;
     const bool cylinder = s.select == Surface::Select::cylinder;
     v.expect(!(plane || cylinder) || inclined || s.axis, "select", "the selection needs an `axis`", "add axis = \"z\"");
@@ -388,7 +403,7 @@ void describe(Visitor& v, Surface& s)
 void describe(Visitor& v, BoxShape& b)
 {
     constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
-    v.about("A direction that is not given is not limited (1 km either way).");
+    v.about("A direction that is not given is not limited (1 km to either side).");
     for (std::size_t i = 0; i < 3; ++i) {
         if (b.min[i] == b.max[i]) {
             b.min[i] = -everywhere;
@@ -402,24 +417,25 @@ void describe(Visitor& v, Segment& s)
 {
     v.about("A segment of the operation: run, pause or cool-down.");
     v.text({"name", "name in reports"}, s.name);
-    v.quantity({"duration", "how long it lasts; needed by `run`"}, s.duration, D::time, non_negative);
-    v.quantity({"speed", "of the crank; 0 rpm is a pause", required}, s.speed, D::angular_velocity, non_negative);
-    v.quantity({"force", "of the process, at its peak"}, s.force, D::force, non_negative);
-    v.course({"ambient", "of the air, in place of the machine's; time counts from the start of the segment"}, s.ambient,
-             D::temperature, absolute_temperature);
+    v.quantity({"duration", "duration; `run` needs it"}, s.duration, D::time, non_negative);
+    v.quantity({"speed", "speed of the crank; 0 rpm is a pause", required}, s.speed, D::angular_velocity, non_negative);
+    v.quantity({"force", "peak of the process (piling, blanking, forming) force"}, s.force, D::force, non_negative);
+    v.course({"ambient",
+              "temperature of the air, instead of that of the machine; time counts from the start of the segment"},
+             s.ambient, D::temperature, absolute_temperature);
 }
 
 void describe(Visitor& v, Probe& p)
 {
     v.about("A point whose temperature is recorded.");
-    v.text({"part", "the part it sits on", required}, p.part);
+    v.text({"part", "the part on which it is", required}, p.part);
     v.vector({"position", "x, y, z", required}, p.position, D::length);
     v.text({"note", "for reports"}, p.note);
 }
 
 void describe(Visitor& v, Chain& c)
 {
-    v.about("The dimension chain: what the gap between slide and table is made of.");
+    v.about("The dimension chain: the dimensions that add up to the gap between slide and table.");
     v.text({"slide_body", "the body that carries the tool", required}, c.slide_body);
     v.text({"slide_surface", "surface of the slide that faces the table", required}, c.slide_surface);
     v.text({"table_surface", "surface of the table that faces the slide", required}, c.table_surface);
@@ -427,55 +443,53 @@ void describe(Visitor& v, Chain& c)
     v.text({"crank_joint", "joint of crankshaft and ground", required}, c.crank_joint);
     v.quantity({"reaction_angle",
                 "direction in which the crank is pressed into its bearings at bottom dead point, from the x axis; "
-                "without it that of the stroke, as the process presses slide and crank"},
+                "without it the direction of the stroke, in which the process presses slide and crank"},
                c.reaction_angle, D::angle, any_value);
-    choose(
-        v,
-        {"bearing_play",
-         "how far the crank follows when heat opens or closes its bearings. `limited`: closing ends where the "
-         "`clearance` of the crank joint is used up; `none`: not at all, as bearings under preload; `paper`: all of "
-         "the change counts, whatever the play (Zheng et al. 2018). Without it `limited` where the joint states a "
-         "clearance, else `none` for rolling and `paper` for plain bearings, and a run says what that makes of E_SW"},
-        c.bearing_play);
+    choose(v,
+           {"bearing_play",
+            "motion of the crank when heat opens or closes its bearings. `limited`: closing ends when the `clearance` "
+            "of the crank joint is used up; `none`: no motion, as for bearings under preload; `paper`: the full change "
+            "counts for any play (Zheng et al. 2018). Default: `limited` if the joint states a clearance, else `none` "
+            "for rolling and `paper` for plain bearings, and the run states the effect on E_SW"},
+           c.bearing_play);
     v.quantity({"drift_rate_limit", "the press is warm when its drift stays slower than this; 0 for no such time"},
                c.drift_rate_limit, D::velocity, non_negative);
     v.flag({"corners", "also follows the gap at the four corners of the slide; one solve of the deformation each"},
            c.corners);
     v.flag({"clearances", "also follows the clearances of guides and bearings; one solve of the deformation each"},
            c.clearances);
-    v.quantity({"press_stiffness", "of press and tool in series, measured at the slide of the whole press; a run then "
-                                   "states by how much the drift changes the force at a fixed die height"},
+    v.quantity({"press_stiffness", "stiffness of press and tool in series, measured at the slide of the whole press; a "
+                                   "run then states the change of the process force at a fixed die height"},
                c.press_stiffness, D::stiffness, positive);
 }
 
 void describe(Visitor& v, Numerics& n)
 {
     v.about("Mesh, time stepping and solvers.");
-    v.quantity({"size", "wanted cell size of parts that state none"}, n.size, D::length, positive);
-    v.quantity({"seam_tolerance", "shapes of one part that are this far apart, or this deep in each other, are joined"},
+    v.quantity({"size", "target cell size of parts that state none"}, n.size, D::length, positive);
+    v.quantity({"seam_tolerance", "shapes of one part are joined if their distance or overlap is at most this"},
                n.seam_tolerance, D::length, positive);
-    v.number(
-        {"deformation_size",
-         "cell sizes of a mesh for the deformation relative to that of the heat; 1 for the same mesh, 0 for the same "
-         "mesh up to 1.5 million unknowns of deformation and a coarser one beyond"},
-        n.deformation_size, non_negative);
-    v.integer({"deformation_order", "of the deformation's finite elements; 0: those of the heat"}, n.deformation_order,
-              {0, 2, false});
-    v.quantity({"time_tolerance", "wanted of the time steps, at probes and joints, in sumps and enclosed air; each "
-                                  "step's error is held to it, below "
-                                  "0.02 K to its power 3/2, so that the errors of a run stay near it together"},
-               n.time_tolerance, D::temperature_difference, positive);
+    v.number({"deformation_size", "cell sizes of the deformation mesh relative to the heat mesh; 1: the same mesh; 0: "
+                                  "the same mesh up to 1.5 million unknowns of deformation, a coarser one beyond"},
+             n.deformation_size, non_negative);
+    v.integer({"deformation_order", "order of the finite elements of the deformation; 0: that of the heat"},
+              n.deformation_order, {0, 2, false});
+    v.quantity(
+        {"time_tolerance",
+         "target error of the time steps, at probes and joints, in sumps and enclosed air; it limits the error of each "
+         "step. Below 0.02 K the limit falls with its power 3/2, so that the accumulated error of a run stays near it"},
+        n.time_tolerance, D::temperature_difference, positive);
     v.quantity({"initial_step", "first time step"}, n.initial_step, D::time, positive);
     v.quantity({"max_step", "largest time step"}, n.max_step, D::time, positive);
-    v.number({"solver_tolerance",
-              "root mean square error that a linear solve of the temperature field may leave, in kelvin"},
-             n.solver_tolerance, {0, 1, true});
-    v.integer({"order", "of the finite elements"}, n.order, {1, 2, false});
+    v.number(
+        {"solver_tolerance", "allowed root mean square error of a linear solve of the temperature field, in kelvin"},
+        n.solver_tolerance, {0, 1, true});
+    v.integer({"order", "order of the finite elements"}, n.order, {1, 2, false});
     v.text({"accuracy", "refine parts and time steps until the rises (\"0.1 K\") or the gap (\"0.2 um\") change by "
-                        "less; by 'run' only"},
+                        "less than this; only for 'run'"},
            n.accuracy);
-    v.integer({"accuracy_rounds", "meshes that `accuracy` may take at most"}, n.accuracy_rounds, {2, 100, false});
-    v.integer({"accuracy_cells", "cells of a mesh that `accuracy` may take at most"}, n.accuracy_cells,
+    v.integer({"accuracy_rounds", "largest number of meshes for `accuracy`"}, n.accuracy_rounds, {2, 100, false});
+    v.integer({"accuracy_cells", "largest number of cells of a mesh for `accuracy`"}, n.accuracy_cells,
               {1, 100000000, false});
     if (const auto parsed = parse_accuracy(n.accuracy); !n.accuracy.empty()) {
         const auto* problem = std::get_if<AccuracyProblem>(&parsed);
@@ -488,21 +502,24 @@ void describe(Visitor& v, Numerics& n)
 
 void describe(Visitor& v, Output& o)
 {
-    v.about("What is written besides the summary.");
-    v.quantity({"history_interval", "between rows of history.csv"}, o.history_interval, D::time, positive);
-    v.quantities({"field_times", "when fields are written, besides the end"}, o.field_times, D::time, non_negative);
-    v.flag({"fields", "write temperature and displacement fields at all"}, o.fields);
-    v.flag({"causes", "find which heat has moved the gap; as long as the time steps. Not in a sweep"}, o.causes);
-    v.texts({"stress", "bodies or parts (`*` stands for any letters) whose stress is wanted: in the fields, and the "
-                       "largest of each part in stress.csv, at the times of the fields"},
+    v.about("Files written besides the summary.");
+    v.quantity({"history_interval", "time between rows of history.csv"}, o.history_interval, D::time, positive);
+    v.quantities({"field_times", "times at which fields are written, in addition to the end"}, o.field_times, D::time,
+                 non_negative);
+    v.flag({"fields", "write temperature and displacement fields"}, o.fields);
+    v.flag({"causes", "compute the contributions of the heat sources to the gap; takes as long as the time steps. A "
+                      "sweep does not compute them"},
+           o.causes);
+    v.texts({"stress", "bodies or parts (`*` stands for any letters) whose stress is computed at the times of the "
+                       "fields: stress in the fields, and the largest of each part in stress.csv"},
             o.stress);
 }
 
 void describe(Visitor& v, Reference& r)
 {
-    v.about("Published or measured values, shown beside the result; they never enter the model.");
+    v.about("Published or measured values, shown beside the result; the model does not use them.");
     v.text({"source", "where the values are from", required}, r.source);
-    v.quantity({"time", "when the rises were read", required}, r.time, D::time, positive);
+    v.quantity({"time", "time at which the rises were read", required}, r.time, D::time, positive);
     v.quantities({"rises", "temperature rise by probe"}, r.rises, D::temperature_difference);
     v.texts({"calibrated_on", "keys of the case that were fitted to these values"}, r.calibrated_on);
 }

@@ -45,8 +45,9 @@ const LawTable<FilmLaw>& film_laws()
 template <class Value>
 void describe_conductivity(Visitor& v, Value& value, Need need)
 {
-    v.quantity({"fluid_conductivity", "of what fills the gaps; oil about 0.14 W/m/K, air 0.026 W/m/K", need}, value,
-               D::conductivity, positive);
+    v.quantity(
+        {"fluid_conductivity", "conductivity of the fluid in the gaps; oil about 0.14 W/m/K, air 0.026 W/m/K", need},
+        value, D::conductivity, positive);
 }
 
 void describe_gas_jump(Visitor& v, std::optional<double>& jump)
@@ -57,24 +58,24 @@ void describe_gas_jump(Visitor& v, std::optional<double>& jump)
 
 void describe_thickness(Visitor& v, std::optional<double>& thickness)
 {
-    v.quantity({"thickness", "of an oil film, or of the lubricant in the contacts of rolling elements"}, thickness,
-               D::length, positive);
+    v.quantity({"thickness", "thickness of an oil film, or of the lubricant in the contacts of rolling elements"},
+               thickness, D::length, positive);
 }
 
 void describe_surfaces(Visitor& v, PressedSurfaces& s)
 {
-    v.quantity({"pressure", "of fractal and rough contact; else the joint's mean load over its area"}, s.pressure,
-               D::pressure, non_negative);
-    v.quantity({"hardness", "of the softer side at its surface", of_law}, s.hardness, D::pressure, positive);
+    v.quantity(
+        {"pressure", "pressure of a fractal or rough contact; else the mean load of the joint divided by its area"},
+        s.pressure, D::pressure, non_negative);
+    v.quantity({"hardness", "hardness of the softer side at its surface", of_law}, s.hardness, D::pressure, positive);
     describe_conductivity(v, s.fluid_conductivity, of_law);
     describe_gas_jump(v, s.gas_jump);
 }
 
 void describe_length(Visitor& v, std::optional<double>& length)
 {
-    v.quantity({"length",
-                "height of a wall; area over perimeter of a horizontal plate; along its motion of what moves; "
-                "else from the geometry"},
+    v.quantity({"length", "height of a wall; area divided by perimeter of a horizontal plate; length of a moving "
+                          "surface along its motion; else from the geometry"},
                length, D::length, positive);
 }
 
@@ -101,11 +102,11 @@ void check_known(Visitor& v, const Known& known, bool law)
     v.expect(whole || sides || law, "", "the conductance is not given",
              "give `resistance`, both `side_a` and `side_b`, or a `law`");
     v.expect(!(whole && sides), "resistance", "the conductance is given twice",
-             "keep either `resistance` or the two films");
+             "keep either `resistance` or `side_a` and `side_b`");
     v.expect(!(law && (whole || sides)), "law", "the conductance is given twice",
              "keep either the law or the known value");
     v.expect(!sides || (known.side_a > 0 && known.side_b > 0), known.side_a > 0 ? "side_a" : "side_b",
-             "a film is given to one side only", "give both `side_a` and `side_b`");
+             "the conductance is given for one side only", "give both `side_a` and `side_b`");
 }
 
 }  // namespace
@@ -121,7 +122,8 @@ void describe(Visitor& v, FractalContact& c)
     v.quantity({"fractal_roughness", "G, scaling length of the profile", of_law}, c.fractal_roughness, D::length,
                positive);
     v.quantity({"sample_length", "side of the fractal domain", of_law}, c.sample_length, D::length, positive);
-    v.quantity({"separation", "of the mean planes before loading", of_law}, c.separation, D::length, positive);
+    v.quantity({"separation", "separation of the mean planes before loading", of_law}, c.separation, D::length,
+               positive);
 }
 
 void describe(Visitor& v, RoughContact& c)
@@ -138,8 +140,8 @@ void describe(Visitor& v, OilFilm& f)
     describe_conductivity(v, f.fluid_conductivity, of_law);
     describe_gas_jump(v, f.gas_jump);
     describe_thickness(v, f.thickness);
-    v.quantity({"clearance", "radial, of a journal in its bush"}, f.clearance, D::length, positive);
-    v.quantity({"eccentricity", "of the journal, as a share of the clearance"}, f.eccentricity, D::none,
+    v.quantity({"clearance", "radial clearance of a journal in its bush"}, f.clearance, D::length, positive);
+    v.quantity({"eccentricity", "eccentricity of the journal, as a share of the clearance"}, f.eccentricity, D::none,
                {0, 0.999, false});
     v.expect(f.thickness.has_value() != f.clearance.has_value(), "law",
              "an oil film needs either its `thickness` or the `clearance` of a journal", "give one of the two");
@@ -151,16 +153,16 @@ void describe(Visitor& v, RollingElements& e)
 {
     describe_conductivity(v, e.fluid_conductivity, Need::optional);
     describe_thickness(v, e.thickness);
-    v.quantity({"loaded_elements", "number of balls or rollers that carry", of_law}, e.loaded_elements, D::none,
+    v.quantity({"loaded_elements", "number of balls or rollers that carry load", of_law}, e.loaded_elements, D::none,
                {1, 100000, false});
-    v.quantity({"element_diameter", "of a ball or roller", of_law}, e.element_diameter, D::length, positive);
-    v.quantity({"pitch_diameter", "of the bearing; without it its elements count as standing still"}, e.pitch_diameter,
-               D::length, positive);
+    v.quantity({"element_diameter", "diameter of a ball or roller", of_law}, e.element_diameter, D::length, positive);
+    v.quantity({"pitch_diameter", "pitch diameter of the bearing; without it the elements count as standing still"},
+               e.pitch_diameter, D::length, positive);
     v.vector(
         {"inner_spot", "semi-axes of the contact at the inner ring, across and along the rolling direction", of_law},
         e.inner_spot, D::length);
     v.vector({"outer_spot", "the same at the outer ring", of_law}, e.outer_spot, D::length);
-    v.text({"material", "of rings and elements; else that of side a"}, e.material);
+    v.text({"material", "material of rings and elements; else that of side a"}, e.material);
     v.expect(e.fluid_conductivity.has_value() == e.thickness.has_value(),
              e.thickness ? "thickness" : "fluid_conductivity",
              "a lubricant in the contacts needs its thickness and its conductivity",
@@ -171,14 +173,14 @@ void describe(Visitor& v, RollingElements& e)
 
 void describe(Visitor& v, Conductance& c)
 {
-    v.about("The resistance of the whole contact, a film to each side, or a `law` that computes it. Laws take "
-            "conductivity and elasticity from the materials of the two parts; their result is shared evenly by both "
-            "sides.");
+    v.about("The contact conductance: the resistance of the whole contact, the conductance to each side, or a `law` "
+            "that computes it. Laws use conductivity and elasticity of the materials of the two parts; their result is "
+            "split equally between the sides.");
     Known known = known_of(c);
-    v.quantity({"resistance", "of the whole contact, shared evenly by both sides"}, known.resistance,
+    v.quantity({"resistance", "resistance of the whole contact, split equally between the sides"}, known.resistance,
                D::thermal_resistance, non_negative);
-    v.quantity({"side_a", "film to side a"}, known.side_a, D::heat_transfer_coefficient, non_negative);
-    v.quantity({"side_b", "film to side b"}, known.side_b, D::heat_transfer_coefficient, non_negative);
+    v.quantity({"side_a", "conductance to side a"}, known.side_a, D::heat_transfer_coefficient, non_negative);
+    v.quantity({"side_b", "conductance to side b"}, known.side_b, D::heat_transfer_coefficient, non_negative);
     std::string law(law_name(c));
     v.choice({"law",
               "`fractal`: two fractal rough surfaces; `cooper_mikic_yovanovich`: two rough surfaces by roughness "
@@ -198,56 +200,61 @@ void describe(Visitor& v, PlateFilm& f) { describe_length(v, f.length); }
 
 void describe(Visitor& v, RoundFilm& f)
 {
-    v.quantity({"diameter", "of a cylinder or disk; else from the geometry"}, f.diameter, D::length, positive);
+    v.quantity({"diameter", "diameter of a cylinder or disk; else from the geometry"}, f.diameter, D::length, positive);
 }
 
 void describe(Visitor& v, MovingFilm& f)
 {
     describe_length(v, f.length);
-    v.quantity({"speed", "root mean square, of what moves, while the press runs; else from the loads"}, f.speed,
-               D::velocity, non_negative);
+    v.quantity({"speed", "root mean square speed of a moving surface while the press runs; else from the loads"},
+               f.speed, D::velocity, non_negative);
 }
 
 void describe(Visitor& v, EnclosedFilm& f)
 {
     describe_length(v, f.length);
-    v.quantity({"exchange", "of enclosed air with the room, by openings and walls; for the whole press", of_law},
+    v.quantity({"exchange",
+                "heat exchange of enclosed air with the room through openings and walls, for the whole press", of_law},
                f.exchange, D::thermal_conductance, non_negative);
 }
 
 void describe(Visitor& v, PaperFilm& f)
 {
-    choose(v, {"constant", "of the paper: 5 W/m2/K for the frame, 9.7 W/m2/K for crankshaft and linkage", of_law},
+    choose(v,
+           {"constant", "constant of the paper: 5 W/m2/K for the frame, 9.7 W/m2/K for crankshaft and linkage", of_law},
            f.of);
 }
 
 void describe(Visitor& v, Film& f)
 {
-    v.about("A `coefficient`, or a `law` of convection in air whose coefficient follows the temperatures of surface "
-            "and ambient. A length that is not given is taken from the geometry where that is clear.");
+    v.about("The convection coefficient: a constant `coefficient`, or a `law` of convection in air that depends on the "
+            "temperatures of surface and ambient. Lengths that are not given follow from the geometry if it is "
+            "unambiguous.");
     std::optional<double> coefficient;
     if (const auto* known = std::get_if<FilmCoefficient>(&f.law)) {
         coefficient = known->value;
     }
-    v.quantity({"coefficient", "heat transfer coefficient"}, coefficient, D::heat_transfer_coefficient, non_negative);
+    v.quantity({"coefficient", "convection coefficient"}, coefficient, D::heat_transfer_coefficient, non_negative);
     std::string law(law_name(f));
     v.choice({"law",
-              "`vertical`: a wall; `horizontal_up`, `horizontal_down`: a plate by the side it faces; `cylinder`: a "
-              "horizontal one at rest; `rotating_cylinder`, `rotating_disk`: turns with the crank; `moving`: by the "
-              "body's root mean square speed; `enclosed`: around air that exchanges little with the room; `paper`: the "
+              "`vertical`: a wall; `horizontal_up`, `horizontal_down`: a plate that faces up or down; `cylinder`: a "
+              "horizontal cylinder at rest; `rotating_cylinder`, `rotating_disk`: rotates with the crank; `moving`: "
+              "forced convection at the root mean square speed of the body; `enclosed`: faces air that exchanges "
+              "little heat with the room; `paper`: the "
               "constants of Zheng et al. (2018), `paper_...`: its correlations with its Table 7 as printed, errors "
               "included"},
              law, names_in(film_laws()));
     v.laws("law", law, laws_of(film_laws(), f.law));
-    v.number(
-        {"emissivity",
-         "for radiation to surroundings at ambient temperature; of a surface of an enclosure, to its other surfaces"},
-        f.emissivity, fraction);
-    v.course({"ambient", "temperature of the air there; else that of the operation"}, f.ambient, D::temperature,
-             positive);
-    v.expect(coefficient || !law.empty(), "", "the film is not given", "give its `coefficient`, or a `law`");
-    v.expect(!(coefficient && !law.empty()), "law", "the film is given twice", "keep either `coefficient` or `law`");
-    v.expect(law != "enclosed" || f.emissivity == 0, "emissivity", "enclosed surfaces see each other, not the room",
+    v.number({"emissivity", "emissivity for radiation to surroundings at ambient temperature; for a surface of an "
+                            "enclosure, to the other surfaces of that enclosure"},
+             f.emissivity, fraction);
+    v.course({"ambient", "temperature of the air at this surface; else that of the operation"}, f.ambient,
+             D::temperature, positive);
+    v.expect(coefficient || !law.empty(), "", "the convection coefficient is not given",
+             "give its `coefficient`, or a `law`");
+    v.expect(!(coefficient && !law.empty()), "law", "the convection coefficient is given twice",
+             "keep either `coefficient` or `law`");
+    v.expect(law != "enclosed" || f.emissivity == 0, "emissivity", "an `enclosed` surface does not radiate to the room",
              "remove `emissivity`, or name the surfaces in [enclosures]");
     if (law.empty()) {
         f.law = FilmCoefficient{coefficient};

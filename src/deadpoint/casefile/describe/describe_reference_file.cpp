@@ -14,14 +14,16 @@ constexpr Need required = Need::required;
 
 void describe_note(Visitor& v, ReferenceNote& n)
 {
-    v.text({"point", "operating point it belongs to, of [points]; without it the case as it stands"}, n.point);
+    v.text({"point", "operating point of [points] to which it belongs; without it, the unchanged case"}, n.point);
     v.text({"note", "shown beside the comparison"}, n.note);
 }
 
 void describe_value(Visitor& v, ReferenceValue& n)
 {
-    v.text({"group", "values of one name whose errors are summed up together, apart from the others"}, n.group);
-    v.flag({"calibrated", "a parameter was fitted to it, whatever the case says; reported apart"}, n.calibrated);
+    v.text({"group", "values with the same group name form a separate set with its own error figures"}, n.group);
+    v.flag({"calibrated", "a parameter was fitted to this value; it is then reported separately. This holds even if "
+                          "the case does not say so"},
+           n.calibrated);
     describe_note(v, n);
 }
 
@@ -53,17 +55,17 @@ struct KindKeys {
 
 void describe(Visitor& v, ReferenceFile& f)
 {
-    v.about("Measured or published values that `deadpoint compare` holds against a result. Nothing in it enters the "
-            "model. It is one TOML file, written by the same rules as a case: every quantity is text with its unit.");
+    v.about("Measured or published values that `deadpoint compare` compares with a result. The model does not use "
+            "them. The file is TOML, with the same rules as a case: every quantity is text with its unit.");
     v.integer({"format", "version of this format; 1", required}, f.format, {1, 1, false});
     v.text({"name", "name in reports", required}, f.name);
     v.text({"source", "where the values are from", required}, f.source);
-    v.text({"note", "what a reader should know of them"}, f.note);
-    v.named({"points", "other operating points that the file has values of"}, f.points, "name");
+    v.text({"note", "remarks for the reader"}, f.note);
+    v.named({"points", "other operating points for which the file has values"}, f.points, "name");
     v.list({"rises", "temperature rises at one time"}, f.rises);
     v.list({"curves", "columns of CSV files"}, f.curves);
     v.list({"chain", "changes of the dimension chain"}, f.chain);
-    v.list({"times", "when something happens"}, f.times);
+    v.list({"times", "times of events"}, f.times);
     v.list({"loads", "figures of loads.json"}, f.loads);
     v.list({"claims", "statements in words"}, f.claims);
     const bool empty = f.rises.empty() && f.curves.empty() && f.chain.empty() && f.times.empty() && f.loads.empty() &&
@@ -74,10 +76,10 @@ void describe(Visitor& v, ReferenceFile& f)
 
 void describe(Visitor& v, ReferencePoint& p)
 {
-    v.about("An operating point beside that of the case. `deadpoint compare --point NAME` takes the values that name "
-            "it, and warns if the result was computed with something else.");
+    v.about("An operating point other than that of the case. `deadpoint compare --point NAME` uses the values that "
+            "name it, and warns if the result was computed with other settings.");
     v.text({"description", "for reports"}, p.description);
-    v.texts({"set", "what differs from the case, each as for --set: \"operation.0.speed=300 rpm\"", required}, p.set);
+    v.texts({"set", "differences from the case, each as for --set: \"operation.0.speed=300 rpm\"", required}, p.set);
     v.expect(std::ranges::all_of(p.set, [](const auto& text) { return text.find('=') != std::string::npos; }), "set",
              "a setting is written path=value", "write it like \"operation.0.speed=300 rpm\"");
 }
@@ -85,7 +87,7 @@ void describe(Visitor& v, ReferencePoint& p)
 void describe(Visitor& v, ReferenceRises& r)
 {
     v.about("Rises of several probes over the initial temperature, at one time of the run.");
-    v.quantity({"time", "when they were read", required}, r.time, D::time, non_negative);
+    v.quantity({"time", "time at which they were read", required}, r.time, D::time, non_negative);
     v.quantities({"values", "rise by probe", required}, r.values, D::temperature_difference);
     describe_value(v, r);
 }
@@ -94,17 +96,17 @@ void describe(Visitor& v, ReferenceCurve& c)
 {
     v.about("A column of a CSV file over time. The file begins with a line of column names, with units in brackets if "
             "`unit` and `time_unit` do not state them: `time [s],top [degC]`. Times increase; every cell is a number.");
-    v.text({"name", "name in reports; else column and file"}, c.name);
+    v.text({"name", "name in reports; default: column and file"}, c.name);
     v.path({"file", "CSV file, relative to the file that names it", required}, c.file);
     v.text({"column", "the values", required}, c.column);
     v.text({"time_column", "the times"}, c.time_column);
-    v.text({"unit", "of the values, in place of the heading's"}, c.unit);
-    v.text({"time_unit", "of the times, in place of the heading's"}, c.time_unit);
+    v.text({"unit", "unit of the values, instead of that in the heading"}, c.unit);
+    v.text({"time_unit", "unit of the times, instead of that in the heading"}, c.time_unit);
     choose(v, {"measures", "temperature or rise of a probe, or a dimension of the chain", required}, c.measures,
            {"temperature", "rise", "E_SW", "E_BG", "E_WG", "E_CS", "E_BC"});
-    v.text({"probe", "whose temperature or rise"}, c.probe);
+    v.text({"probe", "probe to which the temperature or rise belongs"}, c.probe);
     v.quantity({"until", "rows after this time are left out"}, c.until, D::time, positive);
-    v.flag({"opposite_sign", "of a dimension: the file counts it the other way round"}, c.opposite_sign);
+    v.flag({"opposite_sign", "for a dimension: the file has the opposite sign"}, c.opposite_sign);
     describe_value(v, c);
     const KindKeys keys{v, "measures", c.measures};
     keys.needed(!c.probe.empty(), "probe", {"temperature", "rise"});
@@ -113,29 +115,31 @@ void describe(Visitor& v, ReferenceCurve& c)
 
 void describe(Visitor& v, ReferenceChain& c)
 {
-    v.about("A change of the dimension chain since the start. E_SW > 0 opens the gap between slide and table; a source "
-            "that counts it the other way round says so.");
-    choose(v, {"dimension", "which one", required}, c.dimension, {"E_SW", "E_BG", "E_WG", "E_CS", "E_BC"});
-    choose(v, {"at", "at a `time`, where it is largest in magnitude, or at the end of the run", required}, c.at,
-           {"time", "largest", "end"});
+    v.about("A change of the dimension chain since the start. E_SW > 0 opens the gap between slide and table; state "
+            "`opposite_sign` if the source has the opposite sign.");
+    choose(v, {"dimension", "dimension of the chain", required}, c.dimension, {"E_SW", "E_BG", "E_WG", "E_CS", "E_BC"});
+    choose(v,
+           {"at", "`time`: at that time; `largest`: where it is largest in magnitude; `end`: at the end of the run",
+            required},
+           c.at, {"time", "largest", "end"});
     v.quantity({"time", "for at = \"time\""}, c.time, D::time, non_negative);
-    v.quantity({"value", "in the sign of the source", required}, c.value, D::length, any_value);
-    v.flag({"opposite_sign", "the source counts it the other way round"}, c.opposite_sign);
+    v.quantity({"value", "value with the sign of the source", required}, c.value, D::length, any_value);
+    v.flag({"opposite_sign", "the source has the opposite sign"}, c.opposite_sign);
     describe_value(v, c);
     KindKeys{v, "at", c.at}.needed(c.time.has_value(), "time", {"time"});
 }
 
 void describe(Visitor& v, ReferenceTime& t)
 {
-    v.about("When something happens, counted from the start of the run.");
+    v.about("The time of an event, counted from the start of the run.");
     choose(v,
            {"of",
-            "`largest_E_SW`: the gap has moved furthest; `share_of_rise`: from then on a probe has that share of "
-            "its rise at the end",
+            "`largest_E_SW`: E_SW is largest in magnitude; `share_of_rise`: from then on a probe has at least this "
+            "share of its rise at the end",
             required},
            t.of, {"largest_E_SW", "share_of_rise"});
-    v.text({"probe", "for `share_of_rise`"}, t.probe);
-    v.number({"share", "for `share_of_rise`"}, t.share, {0, 1, true});
+    v.text({"probe", "probe, for `share_of_rise`"}, t.probe);
+    v.number({"share", "share, for `share_of_rise`"}, t.share, {0, 1, true});
     v.quantity({"value", "the time", required}, t.value, D::time, non_negative);
     describe_value(v, t);
     KindKeys{v, "of", t.of}.needed(!t.probe.empty(), "probe", {"share_of_rise"});
@@ -143,17 +147,16 @@ void describe(Visitor& v, ReferenceTime& t)
 
 void describe(Visitor& v, ReferenceLoad& l)
 {
-    v.about("A figure of loads.json, by the names that lead to it; left out where the result has no loads.");
+    v.about("A figure of loads.json, given by its path. It is skipped if the result has no loads.");
     v.text({"quantity",
-            "names from the top of loads.json with points between, like "
+            "path in loads.json with points between the names, like "
             "\"crankshaft.rigid.seats.front.peak_y_N\"",
             required},
            l.quantity);
     v.quantity({"force", "its value"}, l.force, D::force, any_value);
     v.quantity({"length", "its value"}, l.length, D::length, any_value);
     v.quantity({"power", "its value"}, l.power, D::power, any_value);
-    v.quantity({"number", "its value, for what has another unit (that of its name) or none"}, l.number, D::none,
-               any_value);
+    v.quantity({"number", "its value, if it has another unit (as in its name) or none"}, l.number, D::none, any_value);
     describe_value(v, l);
     const int given = (l.force ? 1 : 0) + (l.length ? 1 : 0) + (l.power ? 1 : 0) + (l.number ? 1 : 0);
     v.expect(given == 1, "", "the figure needs one value", "give one of `force`, `length`, `power` and `number`");
@@ -161,8 +164,8 @@ void describe(Visitor& v, ReferenceLoad& l)
 
 void describe(Visitor& v, ReferenceClaim& c)
 {
-    v.about("A statement in words with a form in which the program can check it. Times to a share of the rise are "
-            "counted by the rise at the end of the run, so that they mean little in a run too short for equilibrium.");
+    v.about("A statement in words, in a form that the program can check. Times to a share of the rise refer to the "
+            "rise at the end of the run, so they mean little in a run that is too short for equilibrium.");
     v.text({"text", "the statement", required}, c.text);
     choose(v,
            {"kind",
@@ -178,13 +181,13 @@ void describe(Visitor& v, ReferenceClaim& c)
            {"hottest", "warmer", "slower", "steady", "share_reached", "peak_within", "declines", "slows", "closes",
             "opens", "unchecked"});
     v.texts({"probes", "names of probes"}, c.probes);
-    v.texts({"than", "the other probes"}, c.than);
-    v.quantity({"time", "when; else at the end of the run"}, c.time, D::time, positive);
+    v.texts({"than", "the probes to compare with"}, c.than);
+    v.quantity({"time", "time of the statement; default: the end of the run"}, c.time, D::time, positive);
     v.quantity({"at_least", "earliest time"}, c.at_least, D::time, non_negative);
     v.quantity({"at_most", "latest time"}, c.at_most, D::time, non_negative);
-    v.quantity({"share", "of the rise at the end, 0.95 unless stated; of the largest E_SW, 1"}, c.share, D::none,
-               {0, 1, false});
-    v.text({"reason", "why it is not checked"}, c.reason);
+    v.quantity({"share", "share of the rise at the end (default 0.95) or of the largest E_SW (default 1)"}, c.share,
+               D::none, {0, 1, false});
+    v.text({"reason", "reason why it is not checked"}, c.reason);
     describe_note(v, c);
     const KindKeys keys{v, "kind", c.kind};
     keys.needed(!c.than.empty(), "than", {"warmer", "slower"});

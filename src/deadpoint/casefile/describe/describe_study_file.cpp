@@ -13,42 +13,43 @@ constexpr Need required = Need::required;
 
 void describe(Visitor& v, StudyFile& f)
 {
-    v.about("Which runs `deadpoint sweep` makes of a case. It is one TOML file; values of the case are written as for "
-            "--set on the command line.");
+    v.about("The study file says which runs `deadpoint sweep` makes of a case. It is one TOML file; values of the case "
+            "are written as for --set on the command line.");
     v.integer({"format", "version of this format; 1", required}, f.format, {1, 1, false});
     v.text({"name", "name in reports", required}, f.name);
-    v.text({"note", "what a reader should know of it"}, f.note);
+    v.text({"note", "remarks for the reader"}, f.note);
     v.path({"base", "the case that is varied, relative to this file", required}, f.base);
-    v.texts({"set", "what all runs change in it, each as for --set: \"operation.0.speed=300 rpm\""}, f.set);
+    v.texts({"set", "changes to the case for all runs, each as for --set: \"operation.0.speed=300 rpm\""}, f.set);
     v.list({"sets", "sets of runs; a run that belongs to several is computed once", required}, f.sets);
-    v.table({"limits", "drift that is allowed"}, f.limits);
+    v.table({"limits", "allowed drift"}, f.limits);
     v.expect(std::ranges::all_of(f.set, [](const auto& text) { return text.find('=') != std::string::npos; }), "set",
              "a setting is written path=value", "write it like \"operation.0.speed=300 rpm\"");
 }
 
 void describe(Visitor& v, StudySet& s)
 {
-    v.about(fmt::format("Every step of every axis with every step of the others. A set without axes is the base case. "
+    v.about(fmt::format("A set combines every step of every axis with every step of the other axes. A set without axes "
+                        "is the base case. "
                         "All sets together may have {} points.",
                         most_study_points));
     v.text({"name", "name in reports and files", required}, s.name);
-    v.list({"axes", "what is varied"}, s.axes);
+    v.list({"axes", "the quantities to vary"}, s.axes);
 }
 
 void describe(Visitor& v, StudyAxis& a)
 {
-    v.about("One key of the case, or several that change together, step by step.");
-    v.text({"name", "in tables and charts; else the last word of its key"}, a.name);
-    v.text({"key", "what is varied, as for --set: \"operation.0.speed\""}, a.key);
-    v.texts({"keys", "several keys in place of one"}, a.keys);
-    v.settings({"values", "the steps: a value each, or with `keys` a list of one value for each key; a single value "
-                          "holds for all keys"},
+    v.about("One key of the case, or several keys that change together, step by step.");
+    v.text({"name", "name in tables and charts; default: the last word of its key"}, a.name);
+    v.text({"key", "the key to vary, as for --set: \"operation.0.speed\""}, a.key);
+    v.texts({"keys", "several keys instead of one"}, a.keys);
+    v.settings({"values", "the steps. Each is one value, or with `keys` a list with one value for each key; a single "
+                          "value holds for all keys"},
                a.values);
-    v.setting({"from", "first step of a range of equal steps, in place of `values`: \"200 rpm\""}, a.from);
-    v.setting({"to", "its last step, in the same unit"}, a.to);
-    v.integer({"count", "its number of steps, both ends included"}, a.count,
+    v.setting({"from", "first step of a range of equal steps, instead of `values`: \"200 rpm\""}, a.from);
+    v.setting({"to", "last step of the range, in the same unit"}, a.to);
+    v.integer({"count", "number of steps, both ends included"}, a.count,
               {2, static_cast<double>(most_study_points), false});
-    v.texts({"labels", "names of the steps in tables and charts, in place of their values"}, a.labels);
+    v.texts({"labels", "names of the steps in tables and charts, instead of their values"}, a.labels);
     v.expect(a.key.empty() != a.keys.empty(), a.key.empty() ? "" : "keys",
              a.key.empty() ? "the axis varies nothing" : "the axis has both `key` and `keys`",
              "give one of `key` and `keys`");
@@ -62,11 +63,10 @@ void describe(Visitor& v, StudyAxis& a)
 
 void describe(Visitor& v, StudyLimits& l)
 {
-    v.about(
-        "Limits of the drift E_SW, opening or closing. With one of them the study looks in every set for the widest "
-        "window: neighbouring steps of each axis within which every run keeps them.");
-    v.quantity({"largest", "of its largest magnitude"}, l.largest, Dimension::length, positive);
-    v.quantity({"final", "of its magnitude at the end"}, l.final, Dimension::length, positive);
+    v.about("Limits of the drift E_SW, opening or closing. With a limit the study finds in every set the widest "
+            "window: neighbouring steps of each axis within which every run keeps the limits.");
+    v.quantity({"largest", "limit of its largest magnitude"}, l.largest, Dimension::length, positive);
+    v.quantity({"final", "limit of its magnitude at the end"}, l.final, Dimension::length, positive);
     v.expect(l.largest || l.final, "", "no limit is given", "give `largest`, `final` or both");
 }
 

@@ -133,7 +133,7 @@ private:
         for (std::size_t k = 0; k < axis.keys.size(); ++k) {
             axis.keys[k] = trimmed(axis.keys[k]);
             if (axis.keys[k].empty() || axis.keys[k].find('=') != std::string::npos) {
-                report("bad-key", key_path(axis, at, k), fmt::format("'{}' is no key of a case", axis.keys[k]),
+                report("bad-key", key_path(axis, at, k), fmt::format("'{}' is not a key of a case", axis.keys[k]),
                        "write it like \"operation.0.speed\"");
             }
         }
@@ -154,7 +154,7 @@ private:
         for (const auto& [key, text, value] : {std::tuple{"from", axis.from, from}, std::tuple{"to", axis.to, to}}) {
             if (!value) {
                 report("not-a-quantity", at + "." + key, fmt::format("'{}' does not begin with a number", text),
-                       "write it like \"200 rpm\"; steps that are no numbers are listed in `values`");
+                       "write it like \"200 rpm\"; steps that are not numbers are listed in `values`");
             }
         }
         if (!from || !to) {
@@ -196,7 +196,7 @@ private:
                 plain.push_back(plain_setting(text));
             }
             if (!seen.insert(plain).second) {
-                report("duplicate-step", place, "this step is there twice", "remove one of the two");
+                report("duplicate-step", place, "this step is listed twice", "remove one of the two");
             }
         }
     }

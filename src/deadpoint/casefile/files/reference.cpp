@@ -336,13 +336,13 @@ constexpr std::string_view preface = R"(
 - `include = ["parts.toml", ...]` at the top merges other files of the same folder tree; their paths are relative to the
   file that names them. A key stated twice is an error.
 - A quantity is text with a unit: `"300 kN"`, `"1.05e-5 1/K"`. Units are those of UDUNITS-2, with products as a space or
-  `*` and quotients as `/`. Angles take `deg` and `rad`, angular velocities `rpm`, `rad/s` and `deg/s`, temperatures
-  `degC`, `degF` and `K`, temperature differences `K` only.
+  `*` and quotients as `/`. Angles have the unit `deg` or `rad`, angular velocities `rpm`, `rad/s` or `deg/s`,
+  temperatures `degC`, `degF` or `K`, temperature differences `K` only.
 - Numbers have a decimal point and no mark between thousands: `"0.5 mm"`, `"1000 mm"`.
-- Names of tables hold letters, digits, `_`, `-` and `+`, and begin with none of the last two. Where parts are listed, `*`
+- Names of tables hold letters, digits, `_`, `-` and `+`, and do not begin with `-` or `+`. Where parts are listed, `*`
   stands for any letters.
-- Every text is one line of printable characters. Names have at most 100 characters, other texts 10 000. Within three quotes,
-  a `\` at the end of a line joins it with the next one.
+- Every text is one line of printable characters. Names have at most 100 characters, other texts 10 000. Within three quotes, a
+  `\` at the end of a line joins it with the next line.
 - A `temperature_formula` has one result, in kelvin and above 0 K, and assigns nothing. Below 150 K the program warns.
 - On the command line, `--set path=value` replaces a value or adds one: `--set "operation.0.speed=400 rpm"`. Items of
   lists are counted from 0.

@@ -124,7 +124,7 @@ private:
             Node* present = into.find(child.key);
             if (present == nullptr && into.children.size() >= most_names) {
                 throw InputError(fmt::format("{}: the included files have more than {} names in one table\n  help: "
-                                             "divide what it holds",
+                                             "divide the table",
                                              main_.string(), most_names));
             }
             if (present == nullptr) {
@@ -234,7 +234,7 @@ private:
     Node* descend(Node& node, const std::string& step)
     {
         if (step.empty()) {
-            report("an empty step in the path", "write it like operation.0.speed");
+            report("an empty name in the path", "write it like operation.0.speed");
             return nullptr;
         }
         if (node.kind == Node::Kind::array) {
@@ -248,7 +248,7 @@ private:
             return &node.children[index];
         }
         if (node.kind != Node::Kind::table) {
-            report(fmt::format("'{}' lies below a single value", step), "shorten the path");
+            report(fmt::format("'{}' lies inside a single value", step), "shorten the path");
             return nullptr;
         }
         if (Node* child = node.find(step)) {

@@ -206,10 +206,10 @@ private:
         }
         if (c == ']' || c == '}') {
             if (open_.empty()) {
-                return complain(std::string("this '") + c + "' closes nothing", "remove it");
+                return complain(std::string("this '") + c + "' has no opening bracket", "remove it");
             }
             if (open_.back().closing != c) {
-                return complain(std::string("'") + c + "' where '" + open_.back().closing + "' is due",
+                return complain(std::string("'") + c + "' where '" + open_.back().closing + "' is expected",
                                 std::string("close with '") + open_.back().closing + "'");
             }
             open_.pop_back();
@@ -367,8 +367,8 @@ Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics)
         }
         diagnostics.add(std::move(diagnostic));
     } catch (const TooManyNames& error) {
-        diagnostics.add(syntax_error(error.place, fmt::format("a table of more than {} names", most_names),
-                                     "divide what it holds"));
+        diagnostics.add(
+            syntax_error(error.place, fmt::format("a table of more than {} names", most_names), "divide the table"));
     } catch (const std::logic_error& error) {
         diagnostics.add(syntax_error({file, 0, 0, 1}, std::string("the text is not TOML (") + error.what() + ")",
                                      "look for an unfinished line or a stray character"));

@@ -367,8 +367,7 @@ void Reader::choice(const Key& key, std::string& value, std::span<const std::str
     }
     if (std::ranges::find(options, node->text) == options.end()) {
         const std::string near = closest_name(node->text, {options.begin(), options.end()});
-        report(*node, "unknown-choice", path_of(key.name),
-               fmt::format("'{}' is none of the values known here", node->text),
+        report(*node, "unknown-choice", path_of(key.name), fmt::format("'{}' is not an allowed value", node->text),
                near.empty() ? fmt::format("write one of {}", joined(options, "\""))
                             : fmt::format("did you mean \"{}\"? Known: {}", near, joined(options, "\"")));
         return;
@@ -409,7 +408,7 @@ std::vector<std::size_t> Reader::tagged(std::span<const std::string_view> keys, 
             continue;
         }
         if (found != nullptr) {
-            report_key(*node, "inconsistent", path_of(keys[i]), "the shape says twice what it does",
+            report_key(*node, "inconsistent", path_of(keys[i]), "the shape states two operations",
                        fmt::format("keep one of {}", joined(keys, "`")));
         }
         found = node;
@@ -417,7 +416,7 @@ std::vector<std::size_t> Reader::tagged(std::span<const std::string_view> keys, 
     }
     const std::string options = joined(values, "\"");
     if (found == nullptr) {
-        report(*frame.node, "missing-key", path_of(""), "the shape does not say what it does",
+        report(*frame.node, "missing-key", path_of(""), "the shape states no operation",
                fmt::format("begin it with one of {}, like add = \"box\"", joined(keys, "`")));
     } else if (is_a(*found, Node::Kind::string, path_of(keys[key]), fmt::format("write one of {}", options))) {
         const auto form = std::ranges::find(values, found->text);
@@ -425,7 +424,7 @@ std::vector<std::size_t> Reader::tagged(std::span<const std::string_view> keys, 
             return {static_cast<std::size_t>(form - values.begin())};
         }
         const std::string near = closest_name(found->text, {values.begin(), values.end()});
-        report(*found, "unknown-choice", path_of(keys[key]), fmt::format("'{}' is no form of a shape", found->text),
+        report(*found, "unknown-choice", path_of(keys[key]), fmt::format("'{}' is not a form of a shape", found->text),
                near.empty() ? fmt::format("write one of {}", options) : fmt::format("did you mean \"{}\"?", near));
     }
     frame.open_ended = true;  // its other keys cannot be judged
@@ -527,7 +526,7 @@ bool Reader::begin_member(const std::string& name)
     }
     if (!is_plain_name(name)) {
         report_key(*node, "bad-name", path, fmt::format("'{}' cannot be a name", name),
-                   "use letters, digits, '_', '-' and '+' only, and begin with none of the last two");
+                   "use letters, digits, '_', '-' and '+' only, and do not begin with '-' or '+'");
     }
     push(*node, path);
     return true;

@@ -111,7 +111,7 @@ void check_quality(const PartDescription& part, const PartMesh& mesh)
     }
     throw InputError(fmt::format("part '{}' has bad cells: the worst, at {}, has quality {:.3f}, but {} is needed; "
                                  "choose another cell size for this "
-                                 "part, set tetrahedra = true, or mend outlines that nearly touch there",
+                                 "part, set tetrahedra = true, or correct outlines that nearly touch there",
                                  part.name, place(worst.where), worst.quality, least_quality));
 }
 
@@ -192,9 +192,9 @@ std::vector<Prism> joined_prisms(const MachineDescription& description, const Pa
     constexpr double worth_a_word = 1e-9;
     constexpr double worth_a_warning = 1e-5;
     if (joined.moved > worth_a_word) {
-        const auto text = fmt::format("part '{}': surfaces of its shapes that nearly meet are made one; the largest "
-                                      "move is {:.3g} um, near {}",
-                                      part.name, 1e6 * joined.moved, place(joined.where));
+        const auto text = fmt::format(
+            "part '{}': surfaces of its shapes that nearly meet were joined; the largest move is {:.3g} um, near {}",
+            part.name, 1e6 * joined.moved, place(joined.where));
         joined.moved > worth_a_warning ? observer.warn(text) : observer.info(text);
     }
     return std::move(joined.prisms);
@@ -373,7 +373,7 @@ void warn_about(const Machine& machine, Observer& observer)
     }
     for (const MeshSurface& surface : machine.surfaces) {
         if (surface.faces.empty()) {
-            observer.warn(fmt::format("surface '{}' is empty: nothing there is exposed", surface.name));
+            observer.warn(fmt::format("surface '{}' is empty: it has no exposed faces", surface.name));
         }
     }
 }

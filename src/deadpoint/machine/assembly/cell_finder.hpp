@@ -54,7 +54,7 @@ public:
     CellFinder(const Assembly& assembly, std::uint32_t part);
     [[nodiscard]] const Bins& bins() const { return bins_; }
     [[nodiscard]] bool holds(const Vec3& point) const;
-    /// Indices into Machine::cells; several where cells lie in each other or the point is on a face.
+    /// Indices into Machine::cells; several where cells overlap or the point is on a face.
     [[nodiscard]] std::vector<std::uint32_t> cells_at(const Vec3& point) const;
 
 private:

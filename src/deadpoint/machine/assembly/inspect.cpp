@@ -134,9 +134,9 @@ private:
             }
         }
         if (doubled) {
-            error(fmt::format("cells lie in each other at {}: two of them are on the same side of one face; mesh it "
-                              "again, every place once",
-                              place(centre(machine_.cells[*doubled], machine_.nodes))));
+            error(fmt::format(
+                "cells overlap at {}: two of them are on the same side of one face; mesh it again without overlaps",
+                place(centre(machine_.cells[*doubled], machine_.nodes))));
         }
         number_pieces(sets);
     }
@@ -166,8 +166,8 @@ private:
             for (int i = 0; i < node_count(cell.kind); ++i) {
                 std::uint32_t& piece = piece_at[cell.nodes[i]];
                 if (piece != none && piece != machine_.piece_of_cell[c]) {
-                    warn(fmt::format("two of its pieces touch along an edge or in a point only, at {}, where hardly "
-                                     "any heat passes; let them overlap or keep them apart",
+                    warn(fmt::format("two of its pieces touch only along an edge or in a point, at {}, where almost no "
+                                     "heat passes; let them overlap or keep them apart",
                                      place(machine_.nodes[cell.nodes[i]])));
                     return;
                 }
@@ -199,7 +199,7 @@ private:
             }
         }
         if (inner) {
-            error(fmt::format("cells lie in each other at {}; mesh it again, every place once", place(*inner)));
+            error(fmt::format("cells overlap at {}; mesh it again without overlaps", place(*inner)));
         } else {
             report(closed, open);
         }
@@ -208,14 +208,13 @@ private:
     void report(const Slit& closed, const Slit& open)
     {
         if (closed.faces > 0) {
-            error(
-                fmt::format("free faces lie on each other at {} ({} of them, {:.4g} cm2, up to {} apart), and no heat "
-                            "would cross there; join what they belong to: one solid, or one mesh with common nodes",
-                            place(closed.where), closed.faces, 1e4 * closed.area, micrometres(closed.gap)));
+            error(fmt::format("free faces coincide at {} ({} of them, {:.4g} cm2, up to {} apart), and no heat "
+                              "would cross there; make one solid, or one mesh with common nodes",
+                              place(closed.where), closed.faces, 1e4 * closed.area, micrometres(closed.gap)));
         }
         if (open.faces > 0) {
             warn(fmt::format("it has a slit of {} at {} ({} faces, {:.4g} cm2), far thinner than its cells; no heat "
-                             "crosses it, and its sides count as exposed; if none is meant, raise "
+                             "crosses it, and its sides count as exposed; if no slit is intended, raise "
                              "numerics.seam_tolerance or join the shapes",
                              micrometres(open.gap), place(open.where), open.faces, 1e4 * open.area));
         }

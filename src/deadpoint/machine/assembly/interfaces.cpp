@@ -147,9 +147,10 @@ void check_travel(const Contact& contact, const std::vector<TravelStop>& travel,
         return !Chart(contact.geometry).shift(stop.offset, gap);
     });
     if (lifts) {
-        throw InputError(fmt::format("{}: its {} does not lie along the travel of its joint, so that the sides would "
-                                     "part on the way; correct the direction of travel, or let this joint not be swept",
-                                     owner, describe(contact.geometry)));
+        throw InputError(
+            fmt::format("{}: its {} does not lie along the travel of its joint, so the sides would separate during the "
+                        "stroke; correct the direction of travel, or let this joint not be swept",
+                        owner, describe(contact.geometry)));
     }
 }
 

@@ -110,8 +110,7 @@ void GmshComplaints::require_none(const ForeignFile& file) const
     }
     // An error that only names the file says no more than that.
     const bool says_more = error->find(file.name) == std::string::npos;
-    const std::string reason =
-        says_more ? error->substr(mark.size()) : "what stands in it breaks off or is out of order";
+    const std::string reason = says_more ? error->substr(mark.size()) : "its contents are incomplete or out of order";
     throw InputError(
         fmt::format("part '{}': '{}' cannot be read: {}\n  help: check the file with the program that wrote "
                     "it, and write it again",

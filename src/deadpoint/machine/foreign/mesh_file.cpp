@@ -80,7 +80,7 @@ void keep_half(const PartDescription& part, PartMesh& mesh)
 
 [[noreturn]] void refuse_format(const ForeignFile& file, const std::string& reason)
 {
-    throw InputError(fmt::format("part '{}': '{}' is no Gmsh mesh file (MSH 2 or 4): {}\n  help: convert it with "
+    throw InputError(fmt::format("part '{}': '{}' is not a Gmsh mesh file (MSH 2 or 4): {}\n  help: convert it with "
                                  "'gmsh <file> -save -format msh41 -o <mesh>.msh'",
                                  file.part, file.path, reason));
 }
@@ -106,7 +106,7 @@ MeshFormat require_mesh_format(const ForeignFile& file, std::istream& stream)
     words >> format.version >> format.binary >> size;
     const bool known = (format.version >= 2 && format.version < 3) || (format.version >= 4 && format.version < 4.2);
     if (!words || !known || (format.binary != 0 && format.binary != 1) || size != 8) {
-        refuse_format(file, "its second line names no version that can be read");
+        refuse_format(file, "its second line does not name a supported version");
     }
     return format;
 }

@@ -73,8 +73,9 @@ StepText check_step_file(const std::string& part, const std::string& path)
     }
     if (const auto at = misplaced_word(text); at < text.size()) {
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-        throw InputError(fmt::format(
-            "part '{}': '{}', line {}: a word stands where a value should; export the part again", part, path, line));
+        throw InputError(
+            fmt::format("part '{}': '{}', line {}: a word is found where a value is expected; export the part again",
+                        part, path, line));
     }
     return {text.find("LENGTH_UNIT") != std::string::npos};
 }

@@ -24,12 +24,12 @@ void check_cell_count(const std::string& part, double cells, double size, Observ
     const double most = std::min(most_cells, 2 * static_cast<double>(half_of_memory()) / memory_of_a_cell);
     if (cells > most) {
         throw InputError(
-            fmt::format("part '{}': cells of {:.3g} mm would be {:.1e} of them, but a part may have at most "
+            fmt::format("part '{}': a cell size of {:.3g} mm gives {:.1e} cells, but a part may have at most "
                         "{:.0e} on this machine; make its size larger",
                         part, 1e3 * size, cells, most));
     }
     if (cells > many_cells) {
-        observer.warn(fmt::format("part '{}': cells of {:.3g} mm will be about {:.1e} of them, which takes minutes to "
+        observer.warn(fmt::format("part '{}': a cell size of {:.3g} mm gives about {:.1e} cells, which take minutes to "
                                   "mesh and hours to compute; check its size",
                                   part, 1e3 * size, cells));
     }

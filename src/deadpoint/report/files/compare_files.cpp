@@ -198,8 +198,9 @@ std::string how_to_read(const study::RunRecord& run, const Comparison& c)
     if (!c.baseline.empty())
         text += fmt::format(" Baseline: the result in `{}`.", c.baseline);
     if (!run.calibrated_on.empty())
-        text += fmt::format(" The case was fitted to the rises marked as calibrated ({} keys); they are no prediction.",
-                            run.calibrated_on.size());
+        text +=
+            fmt::format(" The case was fitted to the rises marked as calibrated ({} keys); they are not predictions.",
+                        run.calibrated_on.size());
     return text;
 }
 

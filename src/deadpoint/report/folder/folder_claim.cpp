@@ -170,7 +170,7 @@ void FolderClaim::tidy_partial(const fs::path& folder)
         return;
     }
     if (is_whole(folder)) {
-        note(fmt::format("whole results of a run that was ended before they got their name are in '{}'",
+        note(fmt::format("complete results of a run that ended before it could rename them are in '{}'",
                          rename_uniquely(folder, kept_prefix(target_)).string()));
     } else if (says_unfinished(folder) || is_hardly_begun(folder)) {
         fs::remove_all(folder, ignored);
@@ -184,8 +184,7 @@ void FolderClaim::tidy_replaced(const fs::path& folder)
         return;
     }
     if (!fs::exists(fs::symlink_status(target_)) && !rename_to_new(folder, target_)) {
-        note(fmt::format("'{}' has its results back, which a run had begun to replace when it was ended",
-                         target_.string()));
+        note(fmt::format("'{}' was restored: a run had begun to replace it when it ended", target_.string()));
     } else if (!remove_written(folder)) {
         note(fmt::format("'{}' still holds files that deadpoint did not write", folder.string()));
     }

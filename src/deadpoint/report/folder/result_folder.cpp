@@ -211,7 +211,7 @@ void ResultFolder::replace()
     try {
         sync(folder_above(target()));
     } catch (const IoError& failure) {
-        throw IoError(fmt::format("{}\n  the new results are there; those before them are in '{}'", failure.what(),
+        throw IoError(fmt::format("{}\n  the new results are in place; the previous ones are in '{}'", failure.what(),
                                   rename_uniquely(old, kept_prefix(target())).string()));
     }
     drop(rename_uniquely(old, replaced_prefix(target())));

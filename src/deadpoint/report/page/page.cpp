@@ -121,7 +121,7 @@ void write_report(const fs::path& file, std::span<const ReportSource> sources, I
     std::string tables =
         "<p>This page draws its charts and the view in three dimensions with scripts, which are switched off here; "
         "they "
-        "are missing below. Charts and all numbers stand as files in the folder it was made from.</p>\n";
+        "are missing below. The folder of the results holds all charts and numbers as files.</p>\n";
     for (std::size_t i = 0; i < sources.size(); ++i)
         tables += tables_of(data["runs"][i], sources[i].folder);
     const auto title = title_of(data["runs"]);

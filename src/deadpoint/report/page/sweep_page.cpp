@@ -143,10 +143,10 @@ void write_sweep_report(const fs::path& file, const fs::path& folder, IfThere if
         }
         data["points"] = std::move(courses);
         content.title = sweep.at("study").at("name").get<std::string>();
-        content.without_scripts = "<p>This page draws its charts and maps with scripts, which are switched off here; "
-                                  "they are missing below. The "
-                                  "charts stand as SVG files in the folder of the study.</p>\n" +
-                                  sweep_tables(sweep, ResultTable(*table, (folder / "sweep.csv").string()).csv());
+        content.without_scripts =
+            "<p>This page draws its charts and maps with scripts, which are switched off here; "
+            "they are missing below. The folder of the study holds the charts as SVG files.</p>\n" +
+            sweep_tables(sweep, ResultTable(*table, (folder / "sweep.csv").string()).csv());
     } catch (const Json::exception& reason) {
         throw InputError(fmt::format("{}: {}\n  help: it is from another version of the program; run the study again",
                                      source.string(), reason.what()));

@@ -7,30 +7,32 @@
 /// The columns of every table, for those who write and read them.
 namespace deadpoint::report::schema {
 
-inline constexpr Column time{"time", "time", "s", "since the start of the run"};
+inline constexpr Column time{"time", "time", "s", "time since the start of the run"};
 inline constexpr Column gap{"gap", "E_SW", "um", "change of the gap between slide and table; above zero it opens"};
 
 namespace history {
 inline constexpr Column probe{"probe_temperature", "{probe}", "degC", "temperature of the probe"};
 inline constexpr Column joint_temperature{"joint_temperature", "{joint} temperature", "degC",
-                                          "mean over both sides of all surfaces in contact"};
+                                          "mean temperature of both sides of all its contact surfaces"};
 inline constexpr Column joint_heat{"joint_heat", "{joint} heat", "W", "friction heat of the joint"};
-inline constexpr Column to_air{"heat_to_air", "heat to air", "W", "from all surfaces to the air"};
-inline constexpr Column to_oil{"heat_to_oil", "heat to oil", "W", "from all joints to the oil"};
-inline constexpr Column source{"source_heat", "source {source} heat", "W", "heat of a motor, clutch or the like"};
-inline constexpr Column oil_inlet{"oil_inlet", "oil {circuit} inlet", "degC", "oil at the first joint"};
-inline constexpr Column oil_outlet{"oil_outlet", "oil {circuit} outlet", "degC", "oil behind the last joint"};
-inline constexpr Column oil_sump{"oil_sump", "oil {circuit} sump", "degC", "oil in the sump"};
-inline constexpr Column oil_heat{"oil_heat", "oil {circuit} heat", "W", "what the oil of the circuit takes"};
+inline constexpr Column to_air{"heat_to_air", "heat to air", "W", "heat from all surfaces to the air"};
+inline constexpr Column to_oil{"heat_to_oil", "heat to oil", "W", "heat from all joints to the oil"};
+inline constexpr Column source{"source_heat", "source {source} heat", "W", "heat of a motor, clutch or similar source"};
+inline constexpr Column oil_inlet{"oil_inlet", "oil {circuit} inlet", "degC",
+                                  "temperature of the oil at the first joint"};
+inline constexpr Column oil_outlet{"oil_outlet", "oil {circuit} outlet", "degC",
+                                   "temperature of the oil after the last joint"};
+inline constexpr Column oil_sump{"oil_sump", "oil {circuit} sump", "degC", "temperature of the oil in the sump"};
+inline constexpr Column oil_heat{"oil_heat", "oil {circuit} heat", "W", "heat that the oil of the circuit takes up"};
 inline constexpr Column oil_cooler{"oil_cooler", "oil {circuit} cooler", "W",
-                                   "what the cooler takes; below zero a heater gives it"};
-inline constexpr Column air{"enclosed_air", "air {enclosure} temperature", "degC", "enclosed air"};
+                                   "heat that the cooler removes; below zero a heater adds it"};
+inline constexpr Column air{"enclosed_air", "air {enclosure} temperature", "degC", "temperature of the enclosed air"};
 inline constexpr Column air_from_surfaces{"enclosed_air_from_surfaces", "air {enclosure} heat from surfaces", "W",
-                                          "to the enclosed air from the surfaces around it"};
+                                          "heat from its surfaces to the enclosed air"};
 inline constexpr Column air_power{"enclosed_air_power", "air {enclosure} power", "W",
-                                  "heat made in the enclosure itself"};
+                                  "heat generated in the enclosure"};
 inline constexpr Column air_to_room{"enclosed_air_to_room", "air {enclosure} heat to room", "W",
-                                    "from the enclosed air to the room"};
+                                    "heat from the enclosed air to the room"};
 inline constexpr Column dimension{"dimension", "{dimension}", "um",
                                   "change of a dimension of the chain at bottom dead point"};
 inline constexpr Column rod_force{"rod_force", "{part} force", "kN", "force of a preloaded rod, tension above zero"};
@@ -43,16 +45,16 @@ inline constexpr std::array all{
 }  // namespace history
 
 namespace contributions {
-inline constexpr Column part{"part_share", "{part}", "um", "share of E_SW that the warming of the part makes"};
+inline constexpr Column part{"part_share", "{part}", "um", "contribution of the part's warming to E_SW"};
 inline constexpr std::array all{time, gap, part};
 }  // namespace contributions
 
 namespace causes {
 inline constexpr Column cause{"cause", "cause", "",
                               "friction, heat source, surface, oil, air, start (--from) or remainder"};
-inline constexpr Column name{"name", "name", "", "of the joint, heat source or surface"};
+inline constexpr Column name{"name", "name", "", "name of the joint, heat source or surface"};
 inline constexpr Column share{"share", "share of E_SW after {time} s", "um",
-                              "share of E_SW that the heat of this cause makes until then"};
+                              "contribution of the heat of this cause to E_SW until that time"};
 inline constexpr std::array all{cause, name, share};
 }  // namespace causes
 
@@ -70,7 +72,7 @@ inline constexpr std::array all{time, corner, left_right, front_back, clearance,
 }  // namespace gaps
 
 namespace stress {
-inline constexpr Column part{"part", "part", "", "whose stress it is"};
+inline constexpr Column part{"part", "part", "", "part to which the stress belongs"};
 inline constexpr Column von_mises{"von_mises", "largest von Mises", "MPa", "largest equivalent stress of the part"};
 inline constexpr Column first{"first_principal", "first principal there", "MPa", "principal stress at that place"};
 inline constexpr Column second{"second_principal", "second principal there", "MPa", "the same"};
@@ -84,17 +86,18 @@ inline constexpr std::array all{time, part, von_mises, first, second, third, x, 
 }  // namespace stress
 
 namespace accuracy {
-inline constexpr Column cells{"cells", "cells", "", "of the mesh"};
-inline constexpr Column finer{"finer_parts", "finer parts", "", "parts meshed anew for this mesh"};
+inline constexpr Column cells{"cells", "cells", "", "number of cells of the mesh"};
+inline constexpr Column finer{"finer_parts", "finer parts", "", "parts that were meshed again for this mesh"};
 inline constexpr Column figure{"figure", "{figure}", "{unit}", "E_SW [um], or the largest rise of a probe [K]"};
-inline constexpr Column change{"change", "change", "{unit}", "from the mesh before, at any time of the run"};
-inline constexpr Column estimate{"estimate", "estimate", "{unit}", "of the error of this mesh"};
+inline constexpr Column change{"change", "change", "{unit}",
+                               "largest change from the previous mesh, at any time of the run"};
+inline constexpr Column estimate{"estimate", "estimate", "{unit}", "estimated error of this mesh"};
 inline constexpr Column worst{"worst_part", "worst part", "", "part with the largest share of the estimate"};
 inline constexpr Column seconds{"wall_time", "time", "s", "computing time"};
 inline constexpr std::array all{cells, finer, figure, change, estimate, worst, seconds};
 }  // namespace accuracy
 
-inline constexpr Column turn_time{"time", "time", "s", "since bottom dead point"};
+inline constexpr Column turn_time{"time", "time", "s", "time since bottom dead point"};
 inline constexpr Column past_bottom{"crank_angle", "past bottom dead point", "deg",
                                     "crank angle past bottom dead point"};
 
@@ -104,7 +107,7 @@ inline constexpr Column height{"slide_height", "slide height", "m", "above botto
 inline constexpr Column slide_speed{"slide_speed", "slide speed", "m/s", "upwards"};
 inline constexpr Column acceleration{"slide_acceleration", "slide acceleration", "m/s2", "upwards"};
 inline constexpr Column process_force{"process_force", "process force", "N", "on the slide, upwards"};
-inline constexpr Column torque{"drive_torque", "drive torque", "N m", "of the drive on the crank"};
+inline constexpr Column torque{"drive_torque", "drive torque", "N m", "torque of the drive on the crank"};
 inline constexpr Column force_x{"joint_force_x", "{joint} x", "N", "force on body_a by body_b, to the right"};
 inline constexpr Column force_y{"joint_force_y", "{joint} y", "N", "the same, upwards"};
 inline constexpr Column moment{"joint_moment", "{joint} moment", "N m", "of a guide on body_a"};
@@ -133,7 +136,8 @@ inline constexpr Column speed{"speed", "speed", "rpm", "of the crankshaft"};
 inline constexpr Column mode{"mode", "mode", "", "number of the natural frequency, from 1"};
 inline constexpr Column frequency{"frequency", "frequency", "Hz", "natural frequency at this speed"};
 inline constexpr Column whirl{"whirl", "whirl", "", "forward or backward"};
-inline constexpr Column damping{"damping_ratio", "damping ratio of bearings", "", "that the bearings give to the mode"};
+inline constexpr Column damping{"damping_ratio", "damping ratio of bearings", "",
+                                "damping ratio of the mode by the bearings"};
 inline constexpr std::array all{speed, mode, frequency, whirl, damping};
 }  // namespace campbell
 
@@ -144,44 +148,43 @@ inline constexpr std::array all{temperature, heat};
 }  // namespace joint_heat
 
 namespace conductances {
-inline constexpr Column joint{"joint", "joint", "", "whose interface it is"};
+inline constexpr Column joint{"joint", "joint", "", "joint of the interface"};
 inline constexpr Column interface {
     "interface", "interface", "", "of the joint"
 };
-inline constexpr Column law{"law", "law", "", "of the contact conductance"};
-inline constexpr Column area{"area", "area", "m2", "in contact, of the modelled half"};
-inline constexpr Column pressure{"pressure", "pressure", "Pa", "contact pressure that the law was given"};
+inline constexpr Column law{"law", "law", "", "law of the contact conductance"};
+inline constexpr Column area{"area", "area", "m2", "contact area, of the modelled half"};
+inline constexpr Column pressure{"pressure", "pressure", "Pa", "contact pressure used by the law"};
 inline constexpr Column pressure_from{"pressure_from", "pressure from", "", "loads or case"};
-inline constexpr Column resistance{"resistance", "resistance", "m2 K/W", "of both sides together"};
-inline constexpr Column side_a{"side_a", "side a", "W/m2/K",
-                               "contact conductance from side a to the middle of the film"};
-inline constexpr Column side_b{"side_b", "side b", "W/m2/K", "the same from side b"};
-inline constexpr Column in_range{"in_range", "in range", "", "no: outside of the range in which the law was tested"};
-inline constexpr Column notes{"notes", "notes", "", "what the law has to say"};
+inline constexpr Column resistance{"resistance", "resistance", "m2 K/W", "resistance of both sides together"};
+inline constexpr Column side_a{"side_a", "side a", "W/m2/K", "conductance from side a to the contact layer"};
+inline constexpr Column side_b{"side_b", "side b", "W/m2/K", "conductance from side b to the contact layer"};
+inline constexpr Column in_range{"in_range", "in range", "", "no: outside the range in which the law was tested"};
+inline constexpr Column notes{"notes", "notes", "", "remarks of the law"};
 inline constexpr std::array all{joint,      interface, law,    area,     pressure, pressure_from,
                                 resistance, side_a,    side_b, in_range, notes};
 }  // namespace conductances
 
 namespace films {
 inline constexpr Column surface{"surface", "surface", "", "of the case"};
-inline constexpr Column law{"law", "law", "", "of the convection coefficient"};
+inline constexpr Column law{"law", "law", "", "law of the convection coefficient"};
 inline constexpr Column state{"state", "state", "", "running or at rest"};
-inline constexpr Column length{"length", "length", "m", "characteristic length that the law was given"};
-inline constexpr Column ambient{"ambient", "ambient", "degC", "air around the surface"};
-inline constexpr Column rise{"rise", "rise", "K", "of the surface over the ambient"};
-inline constexpr Column speed{"speed", "speed", "rad/s or m/s", "of a surface that turns, or that moves"};
+inline constexpr Column length{"length", "length", "m", "characteristic length used by the law"};
+inline constexpr Column ambient{"ambient", "ambient", "degC", "temperature of the air at the surface"};
+inline constexpr Column rise{"rise", "rise", "K", "rise of the surface above the ambient"};
+inline constexpr Column speed{"speed", "speed", "rad/s or m/s", "speed of a rotating or moving surface"};
 inline constexpr Column convection{"convection", "convection", "W/m2/K", "convection coefficient"};
 inline constexpr Column radiation{"radiation", "radiation", "W/m2/K", "the same for radiation"};
 inline constexpr Column total{"total", "total", "W/m2/K", "their sum"};
-inline constexpr Column in_range{"in_range", "in range", "", "no: outside of the range in which the law was tested"};
+inline constexpr Column in_range{"in_range", "in range", "", "no: outside the range in which the law was tested"};
 inline constexpr std::array all{surface, law,        state,     length, ambient, rise,
                                 speed,   convection, radiation, total,  in_range};
 }  // namespace films
 
 namespace names {
 inline constexpr Column kind{"kind", "kind", "", "part, body, surface or interface"};
-inline constexpr Column number{"number", "number", "", "in mesh.vtu and surfaces.vtu"};
-inline constexpr Column name{"name", "name", "", "in the case"};
+inline constexpr Column number{"number", "number", "", "number in mesh.vtu and surfaces.vtu"};
+inline constexpr Column name{"name", "name", "", "name in the case"};
 inline constexpr std::array all{kind, number, name};
 }  // namespace names
 
@@ -192,16 +195,17 @@ inline constexpr Column state{"state", "state", "", "done, kept (computed before
 inline constexpr Column axis{"axis", "{axis}", "", "step of the axis, as its label"};
 inline constexpr Column axis_value{"axis_value", "{axis} value", "{unit}", "the same as a number"};
 inline constexpr Column largest{"largest_gap", "largest E_SW", "um", "change of the gap that is largest in magnitude"};
-inline constexpr Column largest_time{"time_of_largest_gap", "time of largest E_SW", "s", "when that is"};
+inline constexpr Column largest_time{"time_of_largest_gap", "time of largest E_SW", "s", "time of that value"};
 inline constexpr Column end{"gap_at_end", "E_SW at end", "um", "change of the gap at the end"};
 inline constexpr Column first_hour{"gap_change_first_hour", "E_SW change in first hour", "um",
                                    "change of the gap over the first hour"};
 inline constexpr Column range{"gap_range", "E_SW range", "um", "largest less smallest value of the run"};
-inline constexpr Column steady{"steady_from", "steady from", "s", "from then on the gap drifts by less than the limit"};
+inline constexpr Column steady{"steady_from", "steady from", "s",
+                               "time from which the gap drifts by less than the limit"};
 inline constexpr Column rise{"probe_rise", "{probe} rise", "K", "rise of the probe at the end"};
 inline constexpr Column heat{"joint_heat", "joint heat", "W", "friction heat of all joints at the end"};
 inline constexpr Column bearing_force{"bearing_peak_force", "peak force {bearing}", "N",
-                                      "on a bearing of the crankshaft"};
+                                      "peak force on a bearing of the crankshaft"};
 inline constexpr Column keeps{"keeps_limits", "keeps limits", "", "yes or no"};
 inline constexpr Column window{"in_window", "in window", "", "yes: part of the best window of the set"};
 inline constexpr Column wall_time{"wall_time", "wall time", "s", "computing time"};

@@ -33,21 +33,21 @@ std::vector<File> run_files()
     return {
         document("deadpoint.json", "every command", "the list of the folder's files, with sizes and checksums",
                  manifest_keys()),
-        other("case.toml", "run", "the case as it was understood: includes merged, defaults filled in"),
+        other("case.toml", "run", "the case as the program read it: includes merged, defaults filled in"),
         document("summary.json", "run", "the figures of a run", summary_keys()),
         table("history.csv", "run", "temperatures, heat and the dimension chain over time", history::all),
-        table("contributions.csv", "run", "how much of the gap's change comes from each part, over time",
+        table("contributions.csv", "run", "contribution of each part to the change of the gap, over time",
               contributions::all),
-        table("causes.csv", "run", "how much of the gap's change each heat has made", causes::all),
+        table("causes.csv", "run", "contribution of each heat source to the change of the gap", causes::all),
         table("gaps.csv", "run", "corners and slopes of the slide, clearances and force over time", gaps::all),
-        table("stress.csv", "run", "largest stress of each part asked for, at the times of the fields", stress::all),
-        table("accuracy.csv", "run --accuracy", "what each mesh gave", accuracy::all),
+        table("stress.csv", "run", "largest stress of each listed part, at the times of the fields", stress::all),
+        table("accuracy.csv", "run --accuracy", "figures of each mesh", accuracy::all),
         other("sizes.toml", "run --accuracy", "cell sizes of the last mesh, for a case file"),
         other("temperatures.svg", "run", "chart of the probes"),
         other("drift.svg", "run", "chart of the dimension chain"),
         other("contributions.svg", "run", "chart of the parts' shares"),
         document("view.json", "run", "surface, temperature and deformation for the page", view_keys()),
-        other("report.html", "run, report", "all of it on one page"),
+        other("report.html", "run, report", "all results on one page"),
         other("fields.pvd", "run", "list of the field files, for ParaView"),
         other("fields_{number}.vtu", "run", "temperature [degC], displacement [mm] and stress [MPa] at one time"),
         other("state.bin", "run", "temperatures at the end, for --from"),
@@ -74,19 +74,20 @@ std::vector<File> loads_files()
 std::vector<File> other_files()
 {
     return {
-        document("heat.json", "heat", "friction, conductances and convection that the laws give", heat_keys()),
+        document("heat.json", "heat", "friction heat, conductances and convection coefficients by the laws",
+                 heat_keys()),
         table("joint_heat.csv", "heat", "friction heat over temperature", joint_heat::all),
         table("conductances.csv", "heat", "contact conductance of every interface", conductances::all),
         table("films.csv", "heat", "convection and radiation of every surface", films::all),
         other("mesh.vtu", "mesh", "cells with part and body"),
         other("surfaces.vtu", "mesh", "faces with surface, interface and exposed share"),
-        table("names.csv", "mesh", "which number is what in these two", names::all),
+        table("names.csv", "mesh", "meaning of the numbers in these two files", names::all),
         other("mesh.inp", "mesh --calculix", "the mesh for CalculiX or Abaqus"),
         document("sweep.json", "sweep", "sets, points and figures of a study", sweep_keys()),
-        table("sweep.csv", "sweep", "a row for each place of each set", sweep::all),
+        table("sweep.csv", "sweep", "one row for each point of each set", sweep::all),
         other("{name}.svg", "sweep", "charts and maps of each set"),
         document("compare.json", "compare", "a result against a reference", compare_keys()),
-        other("compare.md", "compare", "the same to read"),
+        other("compare.md", "compare", "the same as text"),
     };
 }
 
@@ -100,10 +101,10 @@ std::vector<File> all_files()
 }
 
 constexpr Dimension chain[] = {{"E_SW", "gap between slide and table"},
-                               {"E_BG", "bearing seats above ground"},
-                               {"E_WG", "table above ground"},
-                               {"E_CS", "slide's face below the crankshaft"},
-                               {"E_BC", "crank off its seats' centre"}};
+                               {"E_BG", "height of the bearing seats above ground"},
+                               {"E_WG", "height of the table above ground"},
+                               {"E_CS", "distance of the slide's face below the crankshaft"},
+                               {"E_BC", "height of the crank off the centre of its seats"}};
 
 }  // namespace
 

@@ -9,27 +9,27 @@ namespace {
 
 constexpr const char* introduction = R"(# Result files
 
-Every file that the program writes into a folder of results, with every column and key, its unit and meaning. The page is
-made by the program itself; a test fails when a file holds something else.
+This page lists every file that the program writes into a result folder, with every column and key, its unit and meaning.
+The program prints this page; a test fails if a file has other contents.
 
 Format of the folders: {0}. `deadpoint.json` in each folder states it, and a program refuses folders of another format.
 
-A name in braces, like `{{joint}}`, stands for one of the case. Tables are CSV: lines behind `#` state version, case and
-warnings, then comes the heading with units in brackets. The last of these lines, `# columns: ...`, states the kind of each column, so
-that a program finds a joint, a probe or a dimension without reading headings:
+A name in braces, like `{{joint}}`, is a placeholder for a name of the case. Tables are CSV. Lines with `#` at their start state
+version, case and warnings; the heading with units in brackets follows. The last line with `#`, `# columns: ...`, states the kind
+of each column, so that a program finds a joint, a probe or a dimension without reading headings:
 
 ```
 # columns: time, probe_temperature, joint_temperature, joint_heat
 time [s],upright [degC],crank_pin temperature [degC],crank_pin heat [W]
 ```
 
-In JSON files `/` leads to a value inside and `[]` stands for every entry of a list. A unit `{{unit}}` is stated beside the
-value. What a case does not have is left out; `null` is a figure that does not exist. Heat is that of the whole press,
-unless the table says otherwise.
+In JSON files `/` separates the names of nested values, and `[]` stands for every entry of a list. The unit `{{unit}}` is stated
+beside the value. Values that a case does not have are left out; `null` is a figure that does not exist. Heat is that of the
+whole press, unless the table says otherwise.
 
 ## Files
 
-| file | written by | what |
+| file | written by | contents |
 |---|---|---|
 )";
 

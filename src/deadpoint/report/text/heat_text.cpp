@@ -53,7 +53,8 @@ std::string conductance_table(const HeatTables& tables)
 
 std::string film_table(const HeatTables& tables)
 {
-    TextTable table({"film [W/m2/K] of", "law", "length [mm]", "state", "5 K", "10 K", "20 K", "of it radiation"});
+    TextTable table(
+        {"coefficient [W/m2/K] of", "law", "length [mm]", "state", "5 K", "10 K", "20 K", "of it radiation"});
     table.align_left(1);
     table.align_left(3);
     for (const auto& film : tables.films)

@@ -108,8 +108,8 @@ std::string condition_text(const casefile::Surface& surface)
 {
     if (surface.film) {
         const auto* known = std::get_if<casefile::FilmCoefficient>(&surface.film->law);
-        std::string text = known ? fmt::format("film {} W/m2/K", significant(known->value.value_or(0)))
-                                 : fmt::format("film by law '{}'", casefile::law_name(*surface.film));
+        std::string text = known ? fmt::format("convection {} W/m2/K", significant(known->value.value_or(0)))
+                                 : fmt::format("convection by law '{}'", casefile::law_name(*surface.film));
         if (surface.film->emissivity > 0) {
             text += fmt::format(", emissivity {}", significant(surface.film->emissivity));
         }
@@ -166,7 +166,7 @@ std::string size_section(const Case& description, const Machine& machine)
                             grouped(size.deformation_unknowns));
     }
     if (size.deformation_unknowns > 0 && size.deformation_scale != 1) {
-        text += fmt::format(" on a mesh of its own, its cells {:.2f} times as large", size.deformation_scale);
+        text += fmt::format(" on a separate mesh with cells {:.2f} times as large", size.deformation_scale);
     }
     return text + fmt::format("\n  about {:.1f} GB of memory\n", size.memory / 1e9);
 }
@@ -239,7 +239,8 @@ std::vector<std::string> plan_warnings(const Case& description, const Machine& m
                                      1e3 * overlap.where[0], 1e3 * overlap.where[1], 1e3 * overlap.where[2]));
     }
     for (const auto& part : machine.floating_parts) {
-        result.push_back(fmt::format("part '{}' floats: no bond and no interface ties it to another part", part));
+        result.push_back(
+            fmt::format("part '{}' is not connected: no bond and no interface joins it to another part", part));
     }
     return result;
 }

@@ -93,7 +93,7 @@ std::string mesh_line(const RunResult& result)
 {
     if (result.deformation_cells == 0 || result.deformation_cells == result.cells)
         return {};
-    return fmt::format("  mesh: {} cells for the heat, {} cells of their own for the deformation\n", result.cells,
+    return fmt::format("  mesh: {} cells for the heat, {} cells of a separate mesh for the deformation\n", result.cells,
                        result.deformation_cells);
 }
 

@@ -81,8 +81,8 @@ std::optional<std::string> play_warning(const casefile::Case& input, const Chain
         "{:+.2f} um\n  help: state joints.{}.clearance, their play on the diameter at the start, or chain.bearing_play "
         "= \"none\" (preloaded) or \"paper\" (all of the change counts)",
         input.chain->crank_joint, micrometre * growth,
-        taken ? "all of it counts, though a bearing cannot close further than its play goes; of E_SW that makes up to"
-              : "rolling bearings are taken to run without play, so none of it counts; with play enough E_SW would "
+        taken ? "all of it counts, although a bearing can close no further than its play; the effect on E_SW is up to"
+              : "rolling bearings are assumed to have no play, so none of it counts; with enough play E_SW would "
                 "change by up to",
         micrometre * effect, input.chain->crank_joint);
 }

@@ -52,7 +52,7 @@ void warn_about_bond(const std::vector<double>& times, const ClosedBond& bond, O
     const double resultant = bond.start + *highest;
     if (resultant > 0)
         observer.warn(fmt::format(
-            "preload.{}: '{}' would open: {:.1f} kN pull its sides apart at {}; it is computed as if it held",
+            "preload.{}: '{}' would open: {:.1f} kN pull its sides apart at {}; the computation keeps it closed",
             bond.preload, bond.name, 1e-3 * resultant,
             clock(times[static_cast<std::size_t>(highest - bond.change.value.begin())])));
     const auto worst = std::ranges::max_element(
@@ -61,7 +61,7 @@ void warn_about_bond(const std::vector<double>& times, const ClosedBond& bond, O
         return;
     const auto& x = worst->place;
     observer.warn(fmt::format("preload.{}: '{}' would part over {:.0f} % of its area at {}, most at x = {:.0f}, y = "
-                              "{:.0f}, z = {:.0f} mm ({:.2g} MPa of tension); it is computed as if it held",
+                              "{:.0f}, z = {:.0f} mm ({:.2g} MPa of tension); the computation keeps it closed",
                               bond.preload, bond.name, 100 * worst->share, clock(worst->time), 1e3 * x[0], 1e3 * x[1],
                               1e3 * x[2], 1e-6 * worst->largest));
 }

@@ -117,7 +117,7 @@ public:
             keep(found.size() == 1 ? joint_ : joint_ + " " + direction_name(clearance.across),
                  ClearanceSeries::Kind::guide, clearance.growth);
         if (found.empty())
-            model_.left_out.push_back(fmt::format("{}: no two of its faces look opposite ways", joint_));
+            model_.left_out.push_back(fmt::format("{}: no two of its faces point in opposite directions", joint_));
     }
 
     void of_bearings(const std::vector<int>& contacts, const Vec2& centre)
@@ -206,10 +206,10 @@ std::vector<std::string> gap_warnings(const GapSeries& gaps)
     std::vector<std::string> warnings;
     for (const auto& clearance : gaps.clearances)
         if (clearance.used_up)
-            warnings.push_back(fmt::format("the clearance of {:.0f} um of '{}' is used up {:.2f} h after the start: "
-                                           "from then on it would jam, and "
-                                           "what is computed holds no longer; give it more clearance, or cool it",
-                                           1e6 * *clearance.initial, clearance.name, *clearance.used_up / 3600));
+            warnings.push_back(fmt::format(
+                "the clearance of {:.0f} um of '{}' is used up {:.2f} h after the start: "
+                "after that it would jam, and the results are no longer valid; give it more clearance, or cool it",
+                1e6 * *clearance.initial, clearance.name, *clearance.used_up / 3600));
     return warnings;
 }
 

@@ -103,9 +103,10 @@ std::string operating_point(double speed, double force)
 
 std::string unloaded_text(const FrictionHeat& row)
 {
-    return fmt::format("friction.{}: its joints carry no load at the reference (the linkage is balanced about them), "
-                       "so its load part follows the speed only; state a preload, or an offset of the process force",
-                       row.row);
+    return fmt::format(
+        "friction.{}: its joints carry no load at the reference (the linkage is balanced about them), "
+        "so its load part changes with the speed only; state a preload, or an offset of the process force",
+        row.row);
 }
 
 std::vector<std::string> power_warnings(const FrictionSummary& summary)

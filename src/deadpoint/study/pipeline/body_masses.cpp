@@ -166,7 +166,7 @@ BodyMasses describe_masses(const casefile::Case& input, const Linkage& linkage, 
         const BodyMass parts = machine ? mass_of_parts(input, *machine, name) : BodyMass{};
         const bool solid = parts.mass > 0;
         if (!solid && !(body.mass && body.centre_of_mass))
-            throw InputError(fmt::format("bodies.{}: the loads need its {}, and no part tells it\n  help: add {}", name,
+            throw InputError(fmt::format("bodies.{}: the loads need its {}, which no part gives\n  help: add {}", name,
                                          body.mass ? "centre of mass" : "mass",
                                          body.mass ? "centre_of_mass = [\"0 mm\", \"0 mm\"], at bottom dead point"
                                                    : "mass = \"10 kg\" and centre_of_mass, or parts of this body"));

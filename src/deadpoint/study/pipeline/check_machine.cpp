@@ -186,8 +186,8 @@ std::vector<std::string> loose_bodies(const Machine& machine)
         std::vector<std::string> texts;
         for (const auto& [number, parts] : groups)
             texts.push_back(fmt::format("{}", fmt::join(parts, ", ")));
-        warnings.push_back(fmt::format("body '{}' falls into {} pieces that no bond holds together, each of which "
-                                       "expands by itself: {}; let its parts touch, or make them bodies of their own",
+        warnings.push_back(fmt::format("body '{}' consists of {} pieces without a bond between them, and each expands "
+                                       "separately: {}; let its parts touch, or make separate bodies",
                                        body, groups.size(), fmt::join(texts, " | ")));
     }
     return warnings;

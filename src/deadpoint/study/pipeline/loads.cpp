@@ -205,8 +205,8 @@ CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads
     if (given.model == casefile::Crankshaft::Model::flexible) {
         if (process_force_kind(input) == casefile::ProcessForce::Kind::rectangular && loads.force > 0)
             loads.warnings.push_back({"edges of the process force",
-                                      "a rectangular process force on a flexible crankshaft doubles the peak by its "
-                                      "edges alone; take kind = \"elastic\" or \"half_sine\""});
+                                      "the steps of a rectangular process force double the peak on a flexible "
+                                      "crankshaft; choose kind = \"elastic\" or \"half_sine\""});
         result.flexible = crankshaft::flexible_cycle(result.shaft, result.loads);
         timer.done("flexible crankshaft");
     }

@@ -117,17 +117,16 @@ void require_middles(const casefile::Case& input, const Machine& machine, Observ
             continue;
         const double held = area_by_middles(machine, surface);
         if (held == 0)
-            throw InputError(
-                fmt::format("surfaces.{}: no face has its middle in its box, and what is not spread over "
-                            "an area goes by whole faces\n  help: correct the box, or make the cells there "
-                            "smaller",
-                            surface.name));
+            throw InputError(fmt::format("surfaces.{}: no face has its centre in the box, and a condition at nodes "
+                                         "applies to whole faces\n  help: correct the box, or make the cells there "
+                                         "smaller",
+                                         surface.name));
         if (own.temperature || !own.temperature_formula.empty())
             if (std::abs(held - surface.area) > worth_a_word * surface.area)
-                observer.warn(fmt::format("surfaces.{}: the temperature is held on whole faces, {:.4g} cm2 of them, "
-                                          "where its box has {:.4g} cm2; let the box end where cells end, or make them "
-                                          "smaller",
-                                          surface.name, 1e4 * held, 1e4 * surface.area));
+                observer.warn(
+                    fmt::format("surfaces.{}: the temperature is prescribed on whole faces, {:.4g} cm2, but the box "
+                                "has {:.4g} cm2; end the box where cells end, or make the cells smaller",
+                                surface.name, 1e4 * held, 1e4 * surface.area));
     }
 }
 

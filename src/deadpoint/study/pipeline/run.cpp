@@ -38,7 +38,7 @@ std::vector<fem::HandedField> handed_on(const ViewRecorder& view, const ExactFie
 void warn_about(const ThermalHistory& history, const HeatProblem& problem, Observer& observer)
 {
     if (history.law_out_of_range)
-        observer.warn("a friction law was used outside the temperatures its lubricant is known for; see the joint "
+        observer.warn("a friction law was used at temperatures outside the range of its lubricant; see the joint "
                       "temperatures in history.csv and extend the viscosity table");
     for (std::size_t i = 0; i < problem.surfaces.size(); ++i)
         if (history.film_out_of_range[i])

@@ -146,7 +146,7 @@ private:
                 time_tolerance_of(step_tolerance(half.numerics.time_tolerance) / of_third_order);
             half.numerics.max_step /= 2;
             half.numerics.initial_step /= 2;
-            observer_.stage("accuracy: the same with time steps half as long");
+            observer_.stage("accuracy: again with halved time steps");
             press_.take(half);
             auto result = press_.run({}, observer_);
             report_.time_change = largest_change(result_, result, wanted_.of);
@@ -174,7 +174,7 @@ private:
             return true;
         }
         if (report_.time_change >= wanted_.tolerance)
-            report_.why_not = "the time steps still count; lower numerics.time_tolerance and max_step";
+            report_.why_not = "the error of the time steps is too large; lower numerics.time_tolerance and max_step";
         else if (static_cast<int>(report_.rounds.size()) >= input_.numerics.accuracy_rounds)
             report_.why_not = "as many meshes as numerics.accuracy_rounds allows";
         else if (plan_sizes(); refined_parts_ == 0)
@@ -274,7 +274,7 @@ RefinedRun run_to_accuracy(const casefile::Case& input, double size_scale, const
     if (!casefile::wanted_accuracy(input))
         throw InputError("the case asks for no accuracy; state numerics.accuracy, like \"0.1 K\" or \"0.2 um\"");
     if (options && !options(input).start_from.empty())
-        throw InputError("a run that goes on from another has the other's mesh and cannot refine it; leave out "
+        throw InputError("a run that continues another uses its mesh and cannot refine it; leave out "
                          "--accuracy (numerics.accuracy), or --from");
     return Refinement(input, size_scale, observer).run(options);
 }

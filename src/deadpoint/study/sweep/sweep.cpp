@@ -227,7 +227,7 @@ private:
         }
         const auto found = std::ranges::find(workers, ended, &Worker::process);
         if (found == workers.end())
-            throw IoError("lost sight of the processes that run the points");
+            throw IoError("lost the processes that run the points");
         const Worker worker = *found;
         workers.erase(found);
         const auto reason = read_all(worker.reason);

@@ -317,9 +317,8 @@ void warn_about(const casefile::Case& input, Observer& observer)
         return law && !law->reference_force;
     });
     if (forces_differ && some_ignore_it)
-        observer.warn(
-            "the process force changes between segments, but calibrated friction heat without `reference_force` "
-            "follows the speed only: its load part stays as given");
+        observer.warn("the process force changes between segments, but calibrated friction heat without "
+                      "`reference_force` depends on the speed only: its load part stays as stated");
 }
 
 }  // namespace

@@ -207,7 +207,7 @@ int crank_pin_joint(const Linkage& linkage)
         }
     }
     if (pin < 0)
-        throw InputError(fmt::format("the crank '{}' carries nothing off its axis; add the joint of its pin",
+        throw InputError(fmt::format("the crank '{}' has no joint away from its axis; add the joint of its pin",
                                      linkage.bodies[static_cast<std::size_t>(crank)]));
     return pin;
 }

@@ -66,7 +66,7 @@ std::vector<std::string> material_warnings(const casefile::Case& input, const Ma
             if (!table.x.empty() && (lowest < table.x.front() - rounding || highest > table.x.back() + rounding))
                 warnings.push_back(fmt::format(
                     "materials.{}.{} was used from {:.1f} to {:.1f} degC, but its table holds from {:.1f} to {:.1f} "
-                    "degC; beyond it the value at the end was taken, extend the table",
+                    "degC; beyond it the value at the end was used; extend the table",
                     name, key, lowest + celsius, highest + celsius, table.x.front() + celsius,
                     table.x.back() + celsius));
         };
