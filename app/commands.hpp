@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-/// Each adds one subcommand; when the user chose it, it runs during parsing and leaves its exit code in `exit_code`.
-/// Errors of the library pass through to main().
+/// Each adds one subcommand. If the user chooses it, it runs during parsing and stores its exit
+/// code in `exit_code`. Errors of the library pass through to main().
 void add_init(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);

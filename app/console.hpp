@@ -11,8 +11,9 @@ namespace spdlog {
 class logger;
 }
 
-/// Shows what the library reports on standard error: on a terminal one line that moves, with the time left; elsewhere
-/// plain lines, at most one for every tenth of a stage. Results go to standard output, not through this class.
+/// Shows the reports of the library on standard error: on a terminal one line that is updated, with
+/// the remaining time; elsewhere plain lines, at most one for every tenth of a stage. Results go to
+/// standard output, not through this class.
 class Console : public deadpoint::Observer {
 public:
     struct Options {
@@ -29,7 +30,7 @@ public:
     void info(std::string_view text) override;
     void warn(std::string_view text) override;
     [[nodiscard]] bool cancelled() const override;
-    /// What a user should know and results do not depend on: it enters no file.
+    /// Shows a note for the user that does not concern results; it is not written to any file.
     void note(std::string_view text) const;
 
     /// Ends the running stage and its line; to be called before anything else is printed.

@@ -1,13 +1,13 @@
 #pragma once
 
-/// From now on a write to a pipe that nobody reads, or beyond the largest size that a file may have, fails with an
+/// From now on a write to a pipe without reader, or beyond the largest file size, fails with an
 /// error instead of ending the program.
 void outlast_failing_writes();
-/// From now on Ctrl-C, a polite kill, a terminal that closes (unless nohup wants it ignored) and a broken pipe that
-/// another process tells of ask for a clean stop; a second Ctrl-C or polite kill ends the program at once.
+/// From now on SIGINT (Ctrl-C), SIGTERM, SIGHUP (unless nohup ignores it) and a SIGPIPE from
+/// another process request a clean stop. A second SIGINT or SIGTERM ends the program at once.
 void catch_interrupts();
-/// True once a stop was asked for.
+/// True after a stop was requested.
 bool interrupted();
 
-/// Exit code after Ctrl-C, as shells have it.
+/// Exit code after Ctrl-C, by the convention of shells.
 inline constexpr int interrupted_exit_code = 130;

@@ -6,10 +6,9 @@
 #include <string_view>
 #include <utility>
 
-/// All that the command prints goes through here. What cannot be written never ends a run: text for standard error is
-/// dropped, lost text of standard output is remembered and becomes an error when everything else is done.
-///
-/// Names and messages in it may hold what moves a cursor or changes colours: that is made visible.
+/// All output of the command goes through these functions. Failed writes never end a run: text for
+/// standard error is dropped; lost text of standard output is remembered and becomes an error at
+/// the end. Control sequences in names and messages are made visible.
 
 /// Adds text to standard output.
 void write_out(std::string_view text);
@@ -21,22 +20,23 @@ void print_out(fmt::format_string<Values...> format, Values&&... values)
     write_out(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Shows what standard output was given so far.
+/// Flushes standard output.
 void flush_out();
 
-/// Shows text on standard error just as it is, with codes for the terminal.
+/// Writes text to standard error unchanged, with terminal codes.
 void write_err(std::string_view text);
 
-/// Shows formatted text on standard error, as far as that takes it.
+/// Writes formatted text to standard error; failures are ignored.
 template <class... Values>
 void print_err(fmt::format_string<Values...> format, Values&&... values)
 {
     write_err(deadpoint::printable(fmt::format(format, std::forward<Values>(values)...)));
 }
 
-/// @throws IoError if some of what standard output was given is lost
+/// @throws IoError if some text for standard output was lost
 void require_whole_output();
 
-/// Gives standard input, output and error a file where the program was started without one; else the next file that is
-/// opened, one of results perhaps, would take the text. A missing output stays an error for whoever writes to it.
+/// Opens a file for standard input, output and error if the program was started without one;
+/// otherwise the next opened file, perhaps a result file, would receive the text. Writing to a
+/// missing output stays an error.
 void open_missing_streams();

@@ -8,16 +8,18 @@
 #include <memory>
 #include <string>
 
-/// Work that all ranks do together.
+/// Context of work that all ranks do together.
 struct OnRanks {
     Console& console;  ///< silent on all ranks but the first
     bool first = true;
-    /// Whether an error met from here on is met by all ranks alike. Work sets it to false where one may meet it alone.
+    /// True if all ranks find the same errors from here on. Work sets it to false where a single
+    /// rank may find an error.
     bool& agree;
 };
 
-/// Opens MPI, lets the work run on every rank and returns its exit code. An error that all meet is shown by the first;
-/// one that a single rank may have met ends them all, since the others would wait for it for ever.
+/// Opens MPI, lets the work run on every rank and returns its exit code. The first rank shows an
+/// error that all ranks find. An error that a single rank may have found ends all ranks, since the
+/// others would wait forever.
 int on_ranks(Console::Options options, const std::function<int(const OnRanks&)>& work);
 
 /// Work that only the first rank does, with files. Its IoError becomes that of all ranks.

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// What all subcommands that read a case have in common.
+/// Options of all subcommands that read a case.
 struct CaseOptions {
     std::string path;
     std::vector<std::string> overrides;  ///< "path=value"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-/// What all subcommands that write a folder of results have in common.
+/// Options of all subcommands that write a result folder.
 struct ResultOptions : CaseOptions {
     std::string folder;
     bool force = false;  ///< replace the folder if it exists
@@ -23,7 +23,8 @@ void add_result_options(CLI::App& command, ResultOptions& options);
 /// Adds --segment to these.
 void add_segment_options(CLI::App& command, SegmentOptions& options);
 
-/// Claims a folder and says on the console what was found there. @throws IoError as FolderClaim
+/// Claims a folder and reports leftovers of earlier runs on the console. @throws IoError as
+/// FolderClaim
 deadpoint::report::FolderClaim claim_folder(const std::filesystem::path& target, Console& console);
 
 /// Claims the folder of results that a file is about to be added to; nothing for a file elsewhere, or where no run

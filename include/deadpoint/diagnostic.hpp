@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-/// What is wrong with a case file, as data.
+/// Mistakes and warnings of a case file, as data.
 namespace deadpoint {
 
 /// A place in a text that was read.
@@ -18,23 +18,23 @@ struct FilePlace {
 
 enum class DiagnosticSeverity { error, warning };
 
-/// One thing that is wrong with a case, or may be.
+/// One mistake or warning of a case.
 struct Diagnostic {
     std::string path;  ///< of the key: "joints.crank_pin.diameter"; empty where no key is meant
     FilePlace place;
     DiagnosticSeverity severity = DiagnosticSeverity::error;
     std::string code;     ///< short kebab-case name of the kind of mistake: "unit-mismatch"
-    std::string message;  ///< what is wrong, in one sentence
-    std::string help;     ///< what to do about it; may be empty
+    std::string message;  ///< the mistake, in one sentence
+    std::string help;     ///< the remedy; may be empty
 };
 
-/// A case with mistakes. `what()` shows all of them with their places, the lines and the remedies.
+/// A case with mistakes. `what()` lists all of them with place, line and remedy.
 class CaseError : public InputError {
 public:
     CaseError(const std::string& message, std::vector<Diagnostic> diagnostics)
         : InputError(message), diagnostics_(std::move(diagnostics))
     {}
-    /// All that was found, warnings too, in the order of the files.
+    /// All mistakes and warnings, in the order of the files.
     [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
 
 private:

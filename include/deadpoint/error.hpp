@@ -5,10 +5,10 @@
 
 namespace deadpoint {
 
-/// What went wrong, as far as a caller or a shell script needs to know; the values are the exit codes of the command.
+/// Kind of an error, for a caller or a shell script. The values are the exit codes of the command.
 enum class ErrorKind : int { input = 2, domain = 3, convergence = 4, io = 5 };
 
-/// Base of all errors thrown by the library. `what()` says what is wrong, where, and what to do about it.
+/// Base of all errors that the library throws. `what()` states the error, its place and its remedy.
 class Error : public std::runtime_error {
 public:
     Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
@@ -23,7 +23,7 @@ private:
 struct InputError : Error {
     explicit InputError(const std::string& message) : Error(ErrorKind::input, message) {}
 };
-/// A value left the range in which a law means anything, or became non-finite.
+/// A value left the range in which a law is valid, or became non-finite.
 struct DomainError : Error {
     explicit DomainError(const std::string& message) : Error(ErrorKind::domain, message) {}
 };

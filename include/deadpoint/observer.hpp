@@ -5,7 +5,8 @@
 
 namespace deadpoint {
 
-/// How the library talks: it never prints. The command line shows it on the terminal, tests collect it.
+/// Receives messages of the library, which never prints. The command line shows them on the
+/// terminal; tests collect them.
 class Observer {
 public:
     virtual ~Observer() = default;
@@ -21,7 +22,7 @@ public:
     virtual void info(std::string_view text) { (void)text; }
     /// Something the user must know to judge the result; it is also written into every result file.
     virtual void warn(std::string_view text) { (void)text; }
-    /// True once the user asked to stop; long loops ask after each step and end cleanly.
+    /// True after the user asked to stop. Long loops check it after each step and end cleanly.
     [[nodiscard]] virtual bool cancelled() const { return false; }
 };
 

@@ -6,16 +6,16 @@
 #include <utility>
 #include <vector>
 
-/// Results by name. All values are in SI units; the unit stands beside them.
+/// Results by name. All values are in SI units; each series states its unit.
 namespace deadpoint {
 
-/// What a series belongs to.
+/// The kind of thing that a series describes.
 enum class SeriesKind {
     probe,        ///< temperature of a point
     interface,    ///< "joint.interface": temperature a, temperature b
     joint,        ///< temperature, heat (friction, whole press); over a turn: force x, force y (on its first body)
-    part,         ///< temperature (volume mean), gap (its share of E_SW, where the case has a dimension chain)
-    source,       ///< a friction law: heat (whole press), temperature of its films
+    part,         ///< temperature (volume mean), gap (its contribution to E_SW, if the case has a dimension chain)
+    source,       ///< a friction law: heat (whole press), temperature of its contact layers
     heat_source,  ///< a motor, a clutch: heat (whole press)
     oil,          ///< a circuit: inlet, outlet and sump temperature; heat, cooler (whole press)
     enclosure,    ///< enclosed air: temperature; heat from surfaces, power, heat to room (whole press)
@@ -49,16 +49,18 @@ public:
         : time_(std::move(time)), series_(std::move(series))
     {}
 
-    /// Ascending, from 0 [s]. Where a segment of the operation begins, its time may stand twice: heat may jump there.
+    /// Ascending, from 0 [s]. The time at which a segment of the operation begins may occur twice,
+    /// since heat may jump there.
     [[nodiscard]] const std::vector<double>& time() const noexcept { return time_; }
     [[nodiscard]] const std::vector<NamedSeries>& series() const noexcept { return series_; }
     /// @return null if there is no such series
     [[nodiscard]] const NamedSeries* find(SeriesKind kind, std::string_view name, std::string_view quantity) const;
-    /// @throws InputError if there is no such series; the message names those that are nearest
+    /// @throws InputError if there is no such series; the message suggests similar names
     [[nodiscard]] const NamedSeries& at(SeriesKind kind, std::string_view name, std::string_view quantity) const;
     /// Names of all things of a kind, in the order of the case, each once.
     [[nodiscard]] std::vector<std::string> names(SeriesKind kind) const;
-    /// Value between the times: cubic (Hermite) where the series has rates, else linear; beyond them, the nearest.
+    /// Value between the times: cubic (Hermite) if the series has rates, else linear; beyond the
+    /// ends, the nearest value.
     /// @param time  [s]
     [[nodiscard]] double value(const NamedSeries& series, double time) const;
 
@@ -67,7 +69,7 @@ private:
     std::vector<NamedSeries> series_;
 };
 
-/// Where the heat of a run went; of the whole press [J].
+/// Heat balance of a run, of the whole press [J].
 struct EnergyFigures {
     double generated = 0;      ///< friction and other heat
     double from_surfaces = 0;  ///< prescribed temperatures and fluxes, into the parts
@@ -114,7 +116,7 @@ struct LoadsResult : SeriesTable {
     std::vector<std::string> warnings;
 };
 
-/// Friction heat that a law gives over the temperature.
+/// Friction heat of a law over the temperature.
 struct JointHeatRow {
     std::string name;  ///< in [friction] of the case
     std::string law;
@@ -123,16 +125,16 @@ struct JointHeatRow {
     std::vector<double> heat;         ///< at HeatTables::temperatures, of the whole press [W]
 };
 
-/// How an interface conducts.
+/// Contact conductance of an interface.
 struct ConductanceRow {
     std::string joint;
     std::string interface;
     std::string law;         ///< "given" where the case states the value
     double area = 0;         ///< in contact, of the model [m2]
-    double conductance = 0;  ///< of both films in series [W/m2/K]
+    double conductance = 0;  ///< of both sides in series [W/m2/K]
 };
 
-/// What a surface gives off at one rise above the air, by convection and radiation.
+/// Coefficient of a surface at one rise above the air, by convection and radiation.
 struct FilmRow {
     std::string surface;
     std::string law;
@@ -144,7 +146,7 @@ struct FilmRow {
     bool in_range = true;    ///< of the law's tested range
 };
 
-/// What the laws of a case say before any field is solved.
+/// Values of the laws of a case, before any field is solved.
 struct HeatTables {
     int segment = 0;                   ///< of the operation, from 0
     double speed = 0;                  ///< of the crank [rad/s]
@@ -164,7 +166,7 @@ struct MeshFigures {
     };
     std::size_t cells = 0;
     std::size_t nodes = 0;
-    bool half_model = false;  ///< half of the press stands for all of it
+    bool half_model = false;  ///< only half of the press is modelled
     std::vector<Part> parts;
 };
 

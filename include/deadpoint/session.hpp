@@ -4,15 +4,15 @@
 
 namespace deadpoint {
 
-/// Holds MPI and PETSc open, which the time steps need. Make one before the first Press::run() and keep it to the end
-/// of main(). What the program has opened itself stays open; MPI that a Session has opened cannot be opened again after
-/// it. Works without mpirun too (one rank).
+/// Keeps MPI and PETSc open, which the time steps need. Make one before the first Press::run() and
+/// keep it to the end of main(). MPI or PETSc that the program opened itself stays open. MPI that a
+/// Session opened cannot be opened again after the Session. Works without mpirun too (one rank).
 class Session {
 public:
-    /// On all ranks of the program, or on those of a PETSc that already runs.
+    /// Uses all ranks of the program, or those of a PETSc that already runs.
     /// @throws InputError if the limit of memory (ulimit -v) leaves no room for the smallest case
     Session();
-    /// On the ranks of a communicator of the program's own MPI, which must be open.
+    /// Uses the ranks of a communicator of the program's own MPI, which must be open.
     /// @param communicator  its Fortran handle: MPI_Comm_c2f(comm), in Python comm.py2f()
     /// @throws InputError if MPI is not open, or PETSc already runs on other ranks
     explicit Session(int communicator);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// What is done with a press beyond one run.
+/// Studies: several runs of a press, and comparisons with measured values.
 namespace deadpoint {
 
 /// One key of the case and the values it takes.
@@ -25,8 +25,9 @@ struct SweepRun {
     std::string error;                                          ///< why it failed
 };
 
-/// Runs a press for all combinations of the values, the last axis changing fastest. Runs that differ in operation,
-/// friction or oil only share mesh, unknowns and dimension chain. A run that fails leaves the others alone. Collective.
+/// Runs a press for all combinations of the values, the last axis changing fastest. Runs that
+/// differ only in operation, friction or oil share mesh, unknowns and dimension chain. If a run
+/// fails, the others continue. Collective.
 /// @throws InputError if an axis has no value, or a setting makes a case that cannot be read
 std::vector<SweepRun> sweep(const Press& press, const std::vector<SweepAxis>& axes, Observer* observer = nullptr);
 
@@ -34,22 +35,22 @@ std::vector<SweepRun> sweep(const Press& press, const std::vector<SweepAxis>& ax
 struct RefinementRound {
     long long cells = 0;
     double value = 0;              ///< the gap at the end [m], or the largest final rise of a probe [K]
-    std::optional<double> change;  ///< largest over the run against the mesh before [m] or [K]
-    double estimate = 0;           ///< of what finer parts would change [m] or [K]
+    std::optional<double> change;  ///< largest change from the previous mesh over the run [m] or [K]
+    double estimate = 0;           ///< estimated change by finer parts [m] or [K]
 };
 
 struct Refinement {
     Press press;  ///< with the cell sizes and time steps as used
     RunResult result;
     bool reached = false;
-    std::string why_not;  ///< where it was not reached
+    std::string why_not;  ///< reason if it was not reached
     std::vector<RefinementRound> rounds;
 };
 
-/// Runs a press on finer and finer parts, and with smaller time steps, until the figure stands still. It controls mesh
-/// and time-step error only, not the error of laws and data. Collective.
+/// Runs a press with finer parts and smaller time steps until the figure no longer changes. It
+/// controls mesh and time-step error only, not the error of laws and data. Collective.
 /// @param accuracy  "0.1 K" of the probes' rises or "0.2 um" of the gap; empty: numerics.accuracy of the case
-/// @throws InputError if it is no accuracy, or the case has neither
+/// @throws InputError if the text is not an accuracy, or the case has no such figure
 Refinement refine(const Press& press, const std::string& accuracy = {}, Observer* observer = nullptr);
 
 /// One value beside its reference.
@@ -73,13 +74,13 @@ struct Comparison {
     std::vector<ComparedValue> values;
     std::vector<ComparedClaim> claims;
     std::vector<std::string> warnings;
-    std::string text;  ///< all of it as tables, as `deadpoint compare` prints it
+    std::string text;  ///< the comparison as tables, as `deadpoint compare` prints it
 };
 
-/// Holds the files of a run against measured or published values.
+/// Compares the files of a run with measured or published values.
 /// @param results    a folder that a run has written
 /// @param reference  a reference file (TOML)
-/// @param point      operating point of the reference; empty: what belongs to none
+/// @param point      operating point of the reference; empty: values without one
 /// @throws InputError for mistakes in the reference file, IoError if a file cannot be read
 Comparison compare(const std::filesystem::path& results, const std::filesystem::path& reference,
                    const std::string& point = {});

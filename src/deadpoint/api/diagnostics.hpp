@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-/// Internal to api/: a case file with all that is wrong with it, as data.
+/// Internal to api/: a case file with all its mistakes, as data.
 namespace deadpoint {
 
 struct CheckedCase {
-    casefile::Case value;                      ///< means nothing where there are errors
+    casefile::Case value;                      ///< invalid if there are errors
     std::vector<Diagnostic> diagnostics;       ///< errors and warnings
     std::string errors;                        ///< all errors as text for a person; empty: none
     std::vector<std::filesystem::path> files;  ///< the case's own, those it includes, STEP and mesh files

@@ -10,7 +10,7 @@
 /// Internal to api/: observers.
 namespace deadpoint {
 
-/// The observer that was given, or one that says nothing.
+/// The given observer, or a silent one.
 class ObserverOrNone {
 public:
     explicit ObserverOrNone(Observer* given) : given_(given) {}
@@ -21,7 +21,7 @@ private:
     Observer silent_;
 };
 
-/// Passes everything on and keeps the warnings.
+/// Forwards everything and keeps the warnings.
 class Listener : public Observer {
 public:
     explicit Listener(Observer& to) : to_(to) {}
@@ -41,7 +41,7 @@ private:
     Observer& to_;
 };
 
-/// Keeps the warnings of one run; passes on nothing but whether to stop.
+/// Keeps the warnings of one run; forwards only the request to stop.
 class QuietRun : public Observer {
 public:
     explicit QuietRun(const Observer& to) : to_(to) {}

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-/// Internal to api/: what stands behind a public press.
+/// Internal to api/: the implementation of a public press.
 namespace deadpoint {
 
 struct Press::Implementation {

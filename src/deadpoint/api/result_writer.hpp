@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-/// Internal to api/: the folder of files that a run leaves.
+/// Internal to api/: the result folder of a run.
 namespace deadpoint {
 
 class ResultWriter {
 public:
-    /// Claims and starts the folder on the first rank, where one is wanted. Collective.
+    /// Claims and starts the folder on the first rank, if one is requested. Collective.
     /// @param inputs  files of the user; a folder that holds one of them is never replaced
     /// @throws InputError, IoError on all ranks alike
     ResultWriter(const RunOptions& options, const std::vector<std::filesystem::path>& inputs);
 
-    /// Where a run starts and what it writes while it lasts.
+    /// Start and output options of a run.
     [[nodiscard]] study::RunOptions wanted() const;
     /// Writes the files of a finished run and gives the folder its name. On the first rank; nothing on the others.
     void write(study::Press& press, const study::RunResult& result, const std::vector<std::string>& warnings,

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Internal to api/: results of the stages as the public headers show them.
+/// Internal to api/: results of the stages in the types of the public headers.
 namespace deadpoint {
 
 RunResult public_run(const casefile::Case& input, const study::RunResult& result, std::vector<std::string> warnings,

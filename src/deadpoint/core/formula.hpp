@@ -13,7 +13,7 @@ namespace deadpoint {
 /// without assignments. A formula has one result: "293,15" has two. Not for concurrent calls on one object.
 class Formula {
 public:
-    /// @throws InputError if the text is no formula, with the place of the mistake
+    /// @throws InputError if the text is not a formula, with the place of the mistake
     explicit Formula(const std::string& text);
     ~Formula();
     Formula(Formula&&) noexcept;
@@ -21,7 +21,7 @@ public:
     /// @throws DomainError if the value is not finite
     double operator()(const Vec3& position, double time) const;
 
-    /// Whether x, y or z stands in it.
+    /// True if it contains x, y or z.
     [[nodiscard]] bool depends_on_place() const;
 
 private:

@@ -4,7 +4,7 @@
 
 namespace deadpoint {
 
-/// A curve that is linear between its points and held beyond them, with its exact integral.
+/// A curve that is linear between its points and constant beyond them, with its exact integral.
 class LinearCurve {
 public:
     LinearCurve() = default;
@@ -17,15 +17,15 @@ public:
     [[nodiscard]] const std::vector<double>& x() const { return x_; }
     [[nodiscard]] const std::vector<double>& y() const { return y_; }
     [[nodiscard]] double value(double at) const;
-    /// 0 beyond the points; at an inner point that of the right side.
+    /// 0 beyond the points; at an inner point, the slope on the right side.
     [[nodiscard]] double slope(double at) const;
-    /// From the first point; the held values count beyond the ends.
+    /// Integral from the first point; beyond the ends it uses the constant values.
     [[nodiscard]] double integral(double to) const;
-    /// Whether a place lies beyond the points.
+    /// True if `at` lies beyond the points.
     [[nodiscard]] bool outside(double at) const { return at < x_.front() || at > x_.back(); }
 
 private:
-    /// Index of the stretch that holds an inner place.
+    /// Index of the interval that contains an inner position.
     [[nodiscard]] std::size_t stretch(double at) const;
 
     std::vector<double> x_;

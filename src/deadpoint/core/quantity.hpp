@@ -9,7 +9,8 @@
 /// Text with a unit ("300 kN") to SI numbers and back. The only place where units other than SI exist.
 namespace deadpoint {
 
-/// What a number measures. Angles are kept apart from plain numbers, temperature differences from temperatures.
+/// Dimension of a number. Angles differ from plain numbers, temperature differences from
+/// temperatures.
 enum class Dimension {
     none,
     length,
@@ -43,7 +44,7 @@ enum class Dimension {
     bedding,
 };
 
-/// How a dimension is spoken of and written.
+/// Name and units of a dimension.
 struct DimensionInfo {
     Dimension dimension;
     std::string_view name;       ///< with its article: "a length"
@@ -57,23 +58,23 @@ const DimensionInfo& dimension_info(Dimension dimension);
 /// All dimensions, in the order of the enumeration.
 std::span<const DimensionInfo> all_dimensions();
 
-/// Why a text is not the quantity wanted.
+/// Reason why a text is not the expected quantity.
 struct QuantityProblem {
     std::string
         code;  ///< "missing-unit", "unknown-unit", "unit-mismatch", "not-a-quantity", "decimal-comma", "not-finite"
-    std::string message;  ///< what is wrong
+    std::string message;  ///< the mistake
     std::string help;     ///< what to write instead
 };
 
 /// SI value of a text such as "300 kN", "68 degF" or "1.05e-5 1/K" (units of UDUNITS-2, besides those below).
 ///
-/// Angles take deg, rad and mrad; angular velocities rpm, rad/s and deg/s (a bare "Hz" would leave open whether turns
-/// or radians are meant); temperatures K, degC and degF; temperature differences K, never degC or degF, since their
-/// zero is not that of a difference. A decimal factor moves the point of the text, so that "29.8 mm" and "0.0298 m"
-/// give the same double.
+/// Angles have the units deg, rad and mrad. Angular velocities have rpm, rad/s and deg/s; "Hz"
+/// would be ambiguous (turns or radians). Temperatures have K, degC and degF. Temperature
+/// differences have K only, since the zero of degC and degF is not that of a difference. A decimal
+/// factor moves the point in the text, so that "29.8 mm" and "0.0298 m" give the same double.
 ///
 /// @param text      number, optional space, unit; surrounding space is ignored
-/// @param dimension what is wanted; Dimension::none takes a number without unit
+/// @param dimension the expected dimension; Dimension::none accepts a number without unit
 /// @return the value in SI units, finite, or the problem
 /// @throws IoError if the unit database of UDUNITS-2 cannot be read
 std::variant<double, QuantityProblem> try_parse_quantity(std::string_view text, Dimension dimension);
@@ -82,8 +83,8 @@ std::variant<double, QuantityProblem> try_parse_quantity(std::string_view text, 
 /// @throws InputError with message and help in one text
 double parse_quantity(std::string_view text, Dimension dimension);
 
-/// The value as text in the dimension's preferred unit, or in SI where the preferred unit would lose a bit;
-/// try_parse_quantity(format_quantity(v, d), d) == v exactly, for every finite v.
+/// The value as text in the dimension's preferred unit, or in SI if the preferred unit would lose a
+/// bit; try_parse_quantity(format_quantity(v, d), d) == v exactly, for every finite v.
 /// @param value in SI units, finite
 std::string format_quantity(double value, Dimension dimension);
 

@@ -12,9 +12,8 @@ namespace deadpoint {
 int edit_distance(std::string_view a, std::string_view b);
 
 /// The candidate closest to `name`, for "did you mean".
-/// @return empty where none is near: more than a third of the letters (at least one, at most three) would change, or
-/// the
-///         name is longer than anyone types
+/// @return empty if none is near: more than a third of the letters (at least one, at most three)
+///         would change, or the name is longer than anyone types
 std::string closest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 /// The keys of a map, as candidates.

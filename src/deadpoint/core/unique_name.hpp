@@ -5,11 +5,11 @@
 
 namespace deadpoint {
 
-/// A name for something that must not meet what others make at the same time: `prefix` and eight random letters and
-/// digits. Whoever makes it still asks the system to make it new.
+/// A name that differs from names that other processes choose at the same time: `prefix` and eight
+/// random letters and digits. The caller must still create the file or folder exclusively.
 std::string unique_name(std::string prefix);
 
-/// Whether it is a name that unique_name() gives for this prefix.
+/// True if it is a name that unique_name() gives for this prefix.
 bool is_unique_name(std::string_view name, std::string_view prefix);
 
 }  // namespace deadpoint

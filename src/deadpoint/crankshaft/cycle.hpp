@@ -45,11 +45,11 @@ ShaftCycle rigid_cycle(const Shaft& shaft, const ShaftLoads& loads);
 
 /// Reactions of the flexible shaft, from the periodic response to the same loads; see periodic_response.
 ///
-/// The gyroscopic terms use the mean speed. Weight is that of shaft, disks and housings: with three bearings or more a
-/// housing that gives way on its support under its own weight takes load off its bearing.
-/// A bearing with an exponent n of F = K d^n other than 1 has the stiffness (F / F_ref)^((n-1)/n) times the given one,
-/// with F the magnitude of its mean force (not below 1 % of F_ref, with a warning), iterated to 1e-10.
-/// The force on a bearing includes its damping.
+/// The gyroscopic terms use the mean speed. Weight is that of shaft, disks and housings: with three
+/// bearings or more, a housing that sinks on its support under its own weight relieves its bearing.
+/// A bearing with an exponent n of F = K d^n other than 1 has the stiffness (F / F_ref)^((n-1)/n)
+/// times the given one, with F the magnitude of its mean force (not below 1 % of F_ref, with a
+/// warning), iterated to 1e-10. The force on a bearing includes its damping.
 /// @throws as rigid_cycle and periodic_response; ConvergenceError if the load-dependent stiffness does not settle
 ShaftCycle flexible_cycle(const Shaft& shaft, const ShaftLoads& loads, const PeriodicSettings& settings = {});
 
@@ -61,8 +61,8 @@ struct StaticState {
 };
 StaticState static_state(const Shaft& shaft, const ShaftLoads& loads);
 
-/// The shaft with its bearings' stiffness at their mean load in this cycle: what modes() and campbell() should be
-/// given.
+/// The shaft with the stiffness of its bearings at their mean load in this cycle, for modes() and
+/// campbell().
 Shaft with_stiffness(Shaft shaft, const ShaftCycle& cycle);
 
 }  // namespace deadpoint::crankshaft

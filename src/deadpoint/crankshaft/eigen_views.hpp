@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-/// Matrix as Eigen sees it; only for the sources of this folder.
+/// Views of Matrix for Eigen; only for the sources of this folder.
 namespace deadpoint::crankshaft {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

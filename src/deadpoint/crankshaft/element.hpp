@@ -26,7 +26,7 @@ struct ElementMatrices {
     Matrix axial_stiffness;   ///< of the axial load, K_P; tension positive [N/m]
 };
 
-/// Matrices of the beam in  M q'' + (C - omega G) q' + (K + K_P) q = F  in a frame that does not turn.
+/// Matrices of the beam in  M q'' + (C - omega G) q' + (K + K_P) q = F  in a stationary frame.
 ///
 /// u is along the shaft, v and w across it (machine x and y), ty = -dw/ds and tz = dv/ds for a slender beam; the spin
 /// omega is positive from v to w. The shape functions are those of the Timoshenko beam with Phi = 12 E I / (ks A G L^2)

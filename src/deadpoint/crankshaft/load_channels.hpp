@@ -7,10 +7,10 @@
 
 #include <vector>
 
-/// Loads of a turn on an even grid of times, as the rigid and the flexible model both use them.
+/// Loads of a turn on a uniform grid of times, for the rigid and the flexible model.
 namespace deadpoint::crankshaft {
 
-/// What varies over the turn, at ShaftLoads::samples times evenly spaced from the first.
+/// Time-dependent loads, at ShaftLoads::samples uniformly spaced times.
 struct TurnLoads {
     double speed = 0;             ///< mean, positive from x to y [rad/s]
     std::vector<double> time;     ///< [s]

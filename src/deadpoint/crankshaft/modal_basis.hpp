@@ -19,7 +19,7 @@ RestingModes resting_modes(const ShaftSystem& system);
 /// C_modal of periodic_response, in the unknowns of the system.
 Eigen::MatrixXd modal_damping_matrix(const ShaftSystem& system, const RestingModes& basis);
 
-/// What acts besides mass and stiffness, in the moving modes: X^T (.) X.
+/// Damping, gyroscopic and skew terms in the moving modes: X^T (.) X.
 struct ModalMatrices {
     Eigen::MatrixXd dampers;
     Eigen::MatrixXd gyroscopic;

@@ -2,7 +2,7 @@
 
 #include "deadpoint/crankshaft/matrix.hpp"
 
-/// A load that repeats every turn, what is read off the motion it causes, and how that is computed.
+/// A load that repeats every turn, the readings of its response, and the method of solution.
 namespace deadpoint::crankshaft {
 
 /// F(t) = sum over channels of pattern(:, channel) history(t, channel); linear between times evenly spaced over the
@@ -13,7 +13,7 @@ struct PeriodicLoad {
     Matrix histories;   ///< times x channels
 };
 
-/// What is read off the motion: y = D q + V q'.
+/// Readings of the motion: y = D q + V q'.
 struct Readings {
     Matrix displacement;  ///< readings x unknowns
     Matrix velocity;      ///< readings x unknowns

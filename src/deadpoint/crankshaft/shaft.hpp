@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// The crankshaft on its bearings: what it is made of, in SI units.
+/// Description of the crankshaft on its bearings, in SI units.
 ///
 /// Axes: s along the shaft, x and y across it as in the machine (y up). The spin is positive from x to y.
 namespace deadpoint::crankshaft {
@@ -18,7 +18,8 @@ struct Section {
     double shear_factor = 0.9;  ///< Timoshenko's, 0..1; 0: no shear deformation
 };
 
-/// A mass off the axis that turns with the shaft, beside those of the disks: the crank throw and its counterweights.
+/// A mass off the axis that rotates with the shaft, in addition to the disks: the crank throw and
+/// its counterweights.
 struct Unbalance {
     double position = 0;   ///< along s [m]
     double magnitude = 0;  ///< mass times distance from the axis [kg m]

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// What acts on the crankshaft over one turn.
+/// Loads of the crankshaft over one turn.
 namespace deadpoint::crankshaft {
 
 /// Tension of a belt, or any other force constant in space.
@@ -13,8 +13,8 @@ struct SteadyForce {
     Vec2 force{};         ///< on the shaft [N]
 };
 
-/// What acts on the shaft over one turn of the crank, beside its unbalance. Everything is periodic and linear between
-/// the given times; the driver's speed there is the slope of the angle.
+/// Loads of the shaft over one turn of the crank, without its unbalance. All loads are periodic and
+/// linear between the given times; the driver's speed is the slope of the angle.
 struct ShaftLoads {
     std::vector<double> time;  ///< ascending within one period, of any spacing [s]
     double period = 0;         ///< [s]
@@ -26,8 +26,8 @@ struct ShaftLoads {
     double pin_width = 0;         ///< over which the pin's force is spread evenly; 0: at one point [m]
     Vec2 gravity{0, -9.81};       ///< [m/s2]
     std::vector<SteadyForce> steady;
-    /// Times of the results, evenly spaced over the turn. Between them the response is not linear: they should resolve
-    /// the modes that answer (2880: an eighth of a degree).
+    /// Times of the results, evenly spaced over the turn. The response is not linear between them:
+    /// they should resolve the excited modes (2880: an eighth of a degree).
     int samples = 2880;
 };
 

@@ -11,7 +11,7 @@
 /// The shaft on its bearings as a system of linear equations of motion.
 namespace deadpoint::crankshaft {
 
-/// Where a bearing sits in the unknowns, and what it is made of.
+/// Unknowns and properties of a bearing.
 struct BearingSeat {
     std::string name;
     int node = 0;
@@ -22,8 +22,9 @@ struct BearingSeat {
 
 /// M q'' + (C - omega G) q' + K q = F, with K including the stiffness of the axial load.
 ///
-/// Four unknowns per node, [x y ty tz] with ty = -dy/ds and tz = dx/ds for a slender shaft, then two per elastic
-/// housing. The axial displacement is left out: nothing couples it to the lateral ones.
+/// Four unknowns per node, [x y ty tz] with ty = -dy/ds and tz = dx/ds for a slender shaft, then
+/// two per elastic housing. The axial displacement is left out, since it is not coupled to the
+/// lateral ones.
 struct ShaftSystem {
     std::vector<double> nodes;  ///< s, ascending [m]
     Matrix mass;
@@ -41,8 +42,9 @@ constexpr int first_unknown(int node) { return 4 * node; }
 /// The node at a position. @throws InputError if there is none
 int node_at(const ShaftSystem& system, double position);
 
-/// Assembles beams, disks, bearings and housings. Nodes are the ends of sections and every place of a disk, a bearing,
-/// an unbalance, or `more_positions`, where a section is cut in two (places within 1e-6 of the shaft's length are one).
+/// Assembles beams, disks, bearings and housings. Nodes are the ends of sections and every position
+/// of a disk, a bearing, an unbalance, or `more_positions`, where a section is cut in two (places
+/// within 1e-6 of the shaft's length are one).
 ///
 /// @param more_positions  further nodes [m]
 /// @throws InputError as check_shaft, or if a position lies beyond the shaft

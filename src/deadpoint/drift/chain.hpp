@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// The dimension chain at bottom dead point: which displacements make which dimension, as linear functionals.
+/// The dimension chain at bottom dead point, as linear functionals of the displacement.
 namespace deadpoint::drift {
 
 struct ChainDescription {
@@ -25,7 +25,7 @@ struct ChainDescription {
 /// The order in which chain_functionals() returns the dimensions; the bearings' growths follow them.
 enum Dimension : int { bearing_to_ground, table_to_ground, slide_height, gap, dimension_count };
 
-/// Where a joint's centre goes as its body deforms: component x and y of the fitted centre.
+/// Shift of a joint's centre as its body deforms: components x and y of the fitted centre.
 using CentreFunctionals = std::array<Functional, 2>;
 
 struct JointCentres {
@@ -33,9 +33,9 @@ struct JointCentres {
     CentreFunctionals in_b;
 };
 
-/// Fit of a circle to the displaced surface about its axis: the radial displacement is taken as
-/// a_x cos(phi) + a_y sin(phi) + g r / R and (a_x, a_y, g) by least squares over the surface; g, the growth of the
-/// radius R, keeps a half bore from passing its growth off as a shift.
+/// Fit of a circle to the displaced surface about its axis: the radial displacement is taken as a_x
+/// cos(phi) + a_y sin(phi) + g r / R and (a_x, a_y, g) by least squares over the surface; g is the
+/// growth of the radius R; without it the growth of a half bore would appear as a shift.
 ///
 /// On the symmetry plane of a half model a_x is 0 and only (a_y, g) are fitted.
 struct CircleFit {
@@ -43,9 +43,10 @@ struct CircleFit {
 };
 CircleFit fit_circle(const Machine& machine, const ContactSide& side, const Vec2& centre);
 
-/// Centres of a joint in both bodies. Revolute: the mean of the fits of its surfaces. Slide: the mean displacement
-/// across the direction of travel of the faces that look that way; none (0) where the slide lies on the symmetry
-/// plane of a half model, or has only faces that look along the axis.
+/// Centres of a joint in both bodies. Revolute: the mean of the fits of its surfaces. Slide: the
+/// mean displacement across the direction of travel of the faces with normals in that direction; 0
+/// if the slide lies on the symmetry plane of a half model, or has only faces with normals along
+/// the axis.
 JointCentres joint_centres(const Machine& machine, const Linkage& linkage,
                            const BottomDeadPointSensitivity& sensitivity, int joint, const JointSurfaces& surfaces);
 
@@ -60,12 +61,12 @@ JointCentres joint_centres(const Machine& machine, const Linkage& linkage,
 ///
 /// all along Linkage::stroke_direction, away from the table.
 ///
-/// What the growths add to s and to the gap: travel_by_play() times the mean of BearingPlay::taken().
+/// The growths add to s and to the gap: travel_by_play() times the mean of BearingPlay::taken().
 std::vector<Functional> chain_functionals(const Machine& machine, const Linkage& linkage,
                                           const BottomDeadPointSensitivity& sensitivity, const ChainDescription& chain);
 
-/// By how much the slide moves along the stroke when the crank's play grows by 1 in the direction in which it is
-/// pressed [-].
+/// Motion of the slide along the stroke per growth of the crank's play in the direction in which it
+/// is pressed [-].
 double travel_by_play(const Linkage& linkage, const BottomDeadPointSensitivity& sensitivity,
                       const ChainDescription& chain);
 

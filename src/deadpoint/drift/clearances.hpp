@@ -18,10 +18,10 @@ struct GuideClearance {
     Functional growth;
 };
 
-/// Growth of a guide's clearance, both sides together: the mean opening (u_b - u_a) . n of the faces that look one way
-/// plus that of the faces that look the other way; how the body stands between them does not matter. Faces without
-/// opposite ones have no clearance. In a half model the mirror image counts of a face between two bodies that
-/// the symmetry plane cuts.
+/// Growth of a guide's clearance, both sides together: the mean opening (u_b - u_a) . n of the
+/// faces that look one way plus that of the faces that look the other way; the position of the body
+/// between them does not matter. Faces without opposite ones have no clearance. In a half model the
+/// mirror image counts of a face between two bodies that the symmetry plane cuts.
 std::vector<GuideClearance> guide_clearances(const Machine& machine, const std::vector<int>& contacts);
 
 }  // namespace deadpoint::drift

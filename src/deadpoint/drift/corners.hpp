@@ -7,7 +7,7 @@
 
 namespace deadpoint::drift {
 
-/// How the closing of the linkage turns the slide, crank held.
+/// Rotation of the slide by the closing of the linkage, with the crank held.
 struct SlideTurn {
     std::vector<Vec2> weight;  ///< per joint and shift d_b - d_a of its centre [rad/m]
     double about = 0;          ///< place to the right of the slide's point that moves by the chain's travel [m]
@@ -25,10 +25,11 @@ struct Corner {
 ///
 ///   gap = u_s(corner) - u_s(table below) + travel + theta_z (x - x_0) + tilt about the direction of x
 ///
-/// travel is that of the chain (chain_functionals). theta_z: where the ground guides the slide's rotation, by the faces
-/// of that guide (fit_tilt of both sides), about the pins that carry the slide; else by `turn`, which is 0 in a guide.
-/// Tilt about x: by TiltClosure, with the heights that the tilts of all bodies give the joints; nothing where no joint
-/// holds it. Half model: the corners at x < 0; the others are their mirror images.
+/// travel is that of the chain (chain_functionals). theta_z: if the ground guides the slide's
+/// rotation, from the faces of that guide (fit_tilt of both sides), about the pins that carry the
+/// slide; else from `turn`, which is 0 in a guide. Tilt about x: from TiltClosure, with the heights
+/// that the tilts of all bodies give the joints; 0 if no joint holds it. Half model: the corners at
+/// x < 0; the others are their mirror images.
 ///
 /// @param dimensions  chain_functionals()
 std::vector<Corner> corner_gaps(const Machine& machine, const Linkage& linkage,

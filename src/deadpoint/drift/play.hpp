@@ -4,12 +4,12 @@
 
 namespace deadpoint::drift {
 
-/// How far the crank follows the growth of its bearings' radial clearance.
+/// Motion of the crank due to the growth of its bearings' radial clearance.
 struct BearingPlay {
     enum class Kind {
-        none,     ///< not at all: the bearings run without play
-        limited,  ///< as far as the play at the start goes: what closes further only strains the bearing
-        whole     ///< all the way, however much the bearing closes
+        none,     ///< no motion: the bearings run without play
+        limited,  ///< limited by the play at the start: further closing only strains the bearing
+        whole     ///< full motion for any closing
     };
     Kind kind = Kind::whole;
     double initial = 0;  ///< radial play at the start, of `limited`, >= 0 [m]

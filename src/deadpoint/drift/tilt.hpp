@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-/// Internal to drift/: how joints hold a body's tilt.
+/// Internal to drift/: the tilt of bodies, held by joints.
 namespace deadpoint::drift {
 
-/// How a body's surfaces of one joint turn about an axis as the body deforms.
+/// Rotation about an axis of a body's surfaces of one joint as the body deforms.
 struct TiltFit {
     Functional angle;        ///< [rad]
-    double information = 0;  ///< how firmly they hold that angle: mean square mismatch per rad^2, times the area [m4]
+    double information = 0;  ///< stiffness of the fit: mean square mismatch per rad^2, times the area [m4]
 };
 
 /// Least squares over the surfaces: the displacement along the normal is taken as that of a rigid body (three shifts,
@@ -33,7 +33,7 @@ public:
     TiltClosure(const Machine& machine, const Linkage& linkage, const BottomDeadPointSensitivity& sensitivity,
                 const ChainDescription& chain);
 
-    /// Whether the joints hold a body's tilt at all.
+    /// True if the joints hold a body's tilt.
     [[nodiscard]] bool holds(int body) const;
     /// sum over bodies of factor . tilt; factors of bodies that nothing holds are left out.
     [[nodiscard]] Functional combine(const std::vector<double>& factors) const;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// What happens over one turn of the crank: motion, joint forces and bearing loads, never averaged.
+/// Motion, joint forces and bearing loads over one turn of the crank, not averaged.
 namespace deadpoint {
 
 /// Mass of a body of the linkage; of the ground and of massless bodies all zero.
@@ -16,14 +16,14 @@ struct BodyMass {
     double inertia = 0;  ///< about the centre of mass [kg m2]
 };
 
-/// What a body does over the turn; one entry per crank position.
+/// Motion of a body over the turn, one entry per crank position.
 struct BodyCycle {
     std::vector<PlanarPose> pose;
     std::vector<PlanarPose> velocity;      ///< of the pose [m/s], [rad/s]
     std::vector<PlanarPose> acceleration;  ///< [m/s2], [rad/s2]
 };
 
-/// What a joint carries and how it rubs over the turn; one entry per crank position.
+/// Load and sliding speed of a joint over the turn, one entry per crank position.
 struct JointCycle {
     std::vector<Vec2> centre;  ///< as carried by body_a [m]
     std::vector<Vec2> force;   ///< net, on body_a by body_b, at the centre, in machine coordinates [N]
@@ -58,7 +58,8 @@ struct BearingCycle {
     Vec2 mean{};                ///< of the force [N]
     double mean_magnitude = 0;  ///< [N]
     double rms = 0;             ///< of the magnitude [N]
-    /// Mean of F^1.33 [N^1.33], which the load part of rolling friction follows (rolling_load_exponent).
+    /// Mean of F^1.33 [N^1.33], to which the load part of rolling friction is proportional
+    /// (rolling_load_exponent).
     double mean_rolling_load = 0;
 };
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What passes between the deformation solver and the drift stage. SI units.
+/// Data between the deformation solver and the drift stage. SI units.
 namespace deadpoint {
 
 /// A weight on the displacement of one point of an exterior face.
@@ -18,16 +18,17 @@ struct PointWeight {
     Vec3 weight{};
 };
 
-/// A linear functional of the displacement field: the sum of weight . u(position). What an adjoint is solved for.
+/// A linear functional of the displacement field: the sum of weight . u(position). An adjoint is
+/// solved for each.
 struct Functional {
     std::string name;
     std::vector<PointWeight> points;
 };
 
-/// How the feet stand on the ground.
+/// Supports of the feet.
 struct Foundation {
-    /// free: held across the feet's plane, along which they slide; clamped: u = 0; elastic: pads of the stiffnesses
-    /// below.
+    /// free: held normal to the feet's plane, in which they slide; clamped: u = 0; elastic: pads of
+    /// the stiffnesses below.
     enum class Kind { free, clamped, elastic };
     int surface = -1;  ///< index into Machine::surfaces; -1: no feet
     Kind kind = Kind::free;
@@ -35,10 +36,10 @@ struct Foundation {
     double horizontal = 0;  ///< along it [N/m3]
 };
 
-/// What strains the machine besides heat, the same at all times.
+/// Loads besides heat that strain the machine; constant in time.
 struct RestLoads {
     Vec3 gravity{};                       ///< on the bodies that stand on the feet [m/s2]
-    std::vector<Tensor6> initial_strain;  ///< per part, without stress if nothing hinders it; empty: none
+    std::vector<Tensor6> initial_strain;  ///< per part; a free part has no stress from it; empty: none
 };
 
 /// A force within the machine or on its feet, linear in deformation and temperature [N].

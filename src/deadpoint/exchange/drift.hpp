@@ -21,8 +21,9 @@ struct DriftSeries {
     std::vector<std::vector<double>> by_part;  ///< [part][step], parts of E_SW; they sum to it
 };
 
-/// What has moved the gap until one time, by cause [m]: each the change that its heat, or its temperature above the
-/// initial one, alone would have made with everything else as the run had it. All of them sum to the gap's change.
+/// Contributions to the change of the gap until one time, by heat source [m]. A contribution is the
+/// change that this heat, or this temperature above the initial one, would make alone, with
+/// everything else as in the run. All contributions sum to the gap's change.
 struct DriftCauses {
     double time = 0;                                           ///< [s]
     double gap = 0;                                            ///< E_SW
@@ -32,7 +33,7 @@ struct DriftCauses {
     double oil = 0;                                            ///< oil that was not at the initial temperature
     double air = 0;                                            ///< the same of the ambient
     double start = 0;                                          ///< temperatures from which the run started
-    double remainder = 0;  ///< what is left: films that follow the temperature, and the error of the solvers
+    double remainder = 0;  ///< remainder: coefficients that depend on temperature, and the error of the solvers
 };
 
 }  // namespace deadpoint

@@ -18,7 +18,8 @@ std::vector<FacePoint> face_points(const Machine& machine, const Face& face);
 
 /// Area of an exterior face [m2]: of its points where its edges are round, else of its triangles.
 double face_area(const Machine& machine, const Face& face);
-/// What an exterior face adds to its part's volume, int x . n dA / 3 [m3]: exact, round edges included.
+/// Contribution of an exterior face to its part's volume, int x . n dA / 3 [m3]: exact, round edges
+/// included.
 double face_volume(const Machine& machine, const Face& face);
 
 }  // namespace deadpoint

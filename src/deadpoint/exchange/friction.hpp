@@ -1,6 +1,6 @@
 #pragma once
 
-/// What kinds of rubbing joints there are: said by a case, used by the laws of friction.
+/// Kinds of joints with friction: a case states them, the friction laws use them.
 namespace deadpoint {
 
 enum class BearingType {
@@ -13,14 +13,16 @@ enum class BearingType {
     spherical_roller
 };
 
-/// How a bearing gets its oil: mist halves, a jet (or a vertical shaft) doubles the viscous torque of an oil bath.
+/// Oil supply of a bearing. Relative to an oil bath, mist halves the viscous torque, and a jet (or
+/// a vertical shaft) doubles it.
 enum class OilSupply { mist, bath, jet };
 
-/// How the rows of a pair stand: back to back (O), the inner rings' growth in length relieves them; face to face (X),
-/// it loads them.
+/// Arrangement of a pair of ball rows. Growth of the inner rings in length relieves a back-to-back
+/// pair (O) and loads a face-to-face pair (X).
 enum class PairArrangement { back_to_back, face_to_face, single };
 
-/// Which load a law is given: its own mean over the turn (physics), or the turn's largest load throughout.
+/// Load that a friction law uses: the course over the turn, averaged by the law, or the turn's
+/// largest load at all times.
 enum class LoadMeasure { mean, peak };
 
 /// How the two parts of a calibrated heat scale with speed and load.
@@ -30,7 +32,8 @@ enum class FrictionKind {
     guide     ///< load part ~ n F; viscous part ~ n^2, usually zero
 };
 
-/// Of the load in the load part of rolling friction: Palmgren's load torque with f1 ~ P0^0.33.
+/// Exponent of the load in the load part of rolling friction: Palmgren's load torque with f1 ~
+/// P0^0.33.
 inline constexpr double rolling_load_exponent = 1.33;
 
 }  // namespace deadpoint

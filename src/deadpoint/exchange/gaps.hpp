@@ -16,7 +16,7 @@ struct CornerSeries {
     Series gap;  ///< [m], > 0 opens
 };
 
-/// How the slide stays parallel to the table.
+/// Parallelism of slide and table.
 struct Parallelism {
     std::vector<CornerSeries> corners;  ///< front left, front right, back left, back right
     Series left_right;                  ///< gap on the right less that on the left, over their distance along x [m/m]
@@ -29,17 +29,17 @@ struct ClearanceSeries {
     std::string name;
     Kind kind = Kind::bearing;
     Series change;                  ///< since the start, < 0 closes; on the diameter, or of both faces together [m]
-    std::optional<double> initial;  ///< what the case states for the start [m]
+    std::optional<double> initial;  ///< at the start, if the case states it [m]
     std::optional<double> used_up;  ///< when initial + change first reaches 0 [s]
 };
 
-/// What follows the deformation besides the dimension chain.
+/// Results of the deformation besides the dimension chain.
 struct GapSeries {
     std::optional<Parallelism> parallelism;
     std::vector<ClearanceSeries> clearances;
-    std::vector<std::string> left_out;  ///< joints whose clearance cannot be followed, with the reason
+    std::vector<std::string> left_out;  ///< joints whose clearance cannot be computed, with the reason
     std::optional<Series> force;        ///< change of the force at a fixed die height [N]
-    double press_stiffness = 0;         ///< that it is computed with [N/m]
+    double press_stiffness = 0;         ///< stiffness used for `force` [N/m]
 };
 
 }  // namespace deadpoint

@@ -9,13 +9,14 @@
 #include <string>
 #include <vector>
 
-/// What the heat stage is given besides the machine, and what it hands on. SI units, temperatures in kelvin.
+/// Input of the heat stage besides the machine, and its results. SI units, temperatures in kelvin.
 namespace deadpoint {
 
 using TimeCourse = std::function<double(double time)>;
 
-/// How an interface conducts. A film without thickness at T_f receives friction heat q and conducts to both sides and
-/// to the oil:  q + film_a (T_a - T_f) + film_b (T_b - T_f) + oil (T_oil - T_f) = 0.
+/// Contact conductance of an interface. A contact layer without thickness, at T_f, receives
+/// friction heat q and conducts to both sides and to the oil:  q + film_a (T_a - T_f) + film_b
+/// (T_b - T_f) + oil (T_oil - T_f) = 0.
 struct InterfaceLaw {
     double film_a = 0;           ///< [W/m2/K]
     double film_b = 0;           ///< [W/m2/K]
@@ -24,8 +25,9 @@ struct InterfaceLaw {
     bool turns_fully = false;    ///< each side sees the other's mean around the circumference
     int source = -1;             ///< index into HeatProblem::sources, or none
     double heat_weight = 1;      ///< heat per area, relative to the other interfaces of that source
-    int heat_part = -1;          ///< the friction heat goes into this part's volume, not into the film
-    /// Where the load part of the friction heat falls, relative to its mean; empty: evenly. Not where a joint turns.
+    int heat_part = -1;          ///< the friction heat goes into this part's volume, not into the contact layer
+    /// Density of the load part of the friction heat, relative to its mean; empty: uniform. Not for
+    /// interfaces that rotate.
     std::function<double(const Vec3&)> load_zone;
 };
 
@@ -35,24 +37,27 @@ struct InterfaceSide {
     bool b = false;
 };
 
-/// Friction heat shared by the interfaces that name it, even over their (weighted) area.
+/// Friction heat of a friction law, uniform over the (weighted) area of the interfaces that name
+/// it.
 struct HeatSource {
     std::string name;
-    double share = 1;  ///< of the whole press's heat that falls into this model (0.5 in a half model)
+    double share = 1;  ///< of the whole press's heat that enters this model (symmetry factor, 0.5 in a half model)
     /// Sides whose mean temperatures differ by the ring temperature difference, inner less outer.
     std::vector<InterfaceSide> inner_rings, outer_rings;
 };
 
-/// Heat of another kind, of a motor or a clutch, even over the volume of parts or over a surface.
+/// Heat of another kind, from a motor or a clutch, uniform over the volume of parts or over a
+/// surface.
 struct BodyHeat {
     std::string name;
     std::vector<int> parts;
     int surface = -1;  ///< index into Machine::surfaces; instead of parts
 };
 
-/// Oil that serves joints one after the other and warms on its way: it reaches the interfaces of a joint at one
-/// temperature and leaves warmer by their heat over `flow`. Their InterfaceLaw::oil is the effective coefficient
-/// against the oil that arrives (its warming within the joint included).
+/// Oil that flows through joints one after the other and warms. It reaches all interfaces of a
+/// joint at one temperature and leaves warmer by their heat divided by the flow. Their
+/// InterfaceLaw::oil is the effective coefficient against the oil that arrives (its warming within
+/// the joint included).
 struct OilCourse {
     std::string name;
     std::vector<std::vector<int>> joints;  ///< their interfaces, in the order of the oil
@@ -79,21 +84,22 @@ struct SurfaceCondition {
     Kind kind = Kind::film;
     double coefficient = 0;       ///< film [W/m2/K]
     std::vector<FilmLawAt> laws;  ///< film: one per segment, convection only; empty: the constant coefficient
-    double emissivity = 0;  ///< film: radiates to its ambient, or to the other surfaces of its HeatProblem::radiation
-    TimeCourse ambient;     ///< film: if empty, the segment's
-    int enclosure = -1;     ///< film: index into HeatProblem::enclosures, whose air it faces instead
+    double emissivity =
+        0;  ///< convection: emissivity to its ambient, or to the other surfaces of its HeatProblem::radiation
+    TimeCourse ambient;  ///< film: if empty, the segment's
+    int enclosure = -1;  ///< film: index into HeatProblem::enclosures, whose air it faces instead
     std::function<double(const Vec3&, double time)> temperature;
     TimeCourse flux;  ///< [W/m2] into the part
 };
 
-/// Surfaces that radiate to each other only: heat i gives off = sum over j of exchange_ij sigma (mean of T_i^4 - mean
-/// of T_j^4), whose irradiation is even over each surface.
+/// Surfaces that radiate to each other only. Surface i emits the net power sum over j of
+/// exchange_ij sigma (mean of T_i^4 - mean of T_j^4). The irradiation is uniform over each surface.
 struct RadiantRoom {
     std::vector<int> surfaces;     ///< indices into HeatProblem::surfaces, films
     std::vector<double> exchange;  ///< row after row; symmetric, row i sums to emissivity times area of i [m2]
 };
 
-/// A stretch of operation during which the laws hold.
+/// A segment of the operation with constant laws.
 struct HeatSegment {
     double duration = 0;
     std::vector<LawTable> heat;               ///< per source [W] over its temperature [K]; empty: none
@@ -123,7 +129,7 @@ struct HeatProblem {
     std::vector<HeatSegment> segments;
     std::vector<HeatProbe> probes;
     std::function<double(int part, const Vec3&)> initial_temperature;
-    double time_tolerance = 0.005;   ///< wanted of the run at probes, interfaces, sumps and enclosed air [K]
+    double time_tolerance = 0.005;   ///< target error of the run at probes, interfaces, sumps and enclosed air [K]
     double initial_step = 1;         ///< [s]
     double max_step = 1800;          ///< [s]
     double fixed_step = 0;           ///< [s]; > 0 switches the step control off
@@ -189,8 +195,8 @@ struct ThermalHistory {
     bool interrupted = false;
 };
 
-/// Whether a run has no heat of its own and all its temperatures stay together within `tolerance` [K]: its balance then
-/// consists of what solvers and rounding leave.
+/// True if a run has no heat and all its temperatures stay within `tolerance` [K] of each other.
+/// Its balance then consists of errors of solvers and rounding.
 bool nothing_happens(const ThermalHistory& history, double tolerance);
 
 /// Value of a series at any time within the history (cubic Hermite between the steps).

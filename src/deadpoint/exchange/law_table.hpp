@@ -11,21 +11,23 @@
 
 namespace deadpoint {
 
-/// Where a law is tabulated, and how well.
+/// Range and tolerance of a table.
 struct LawTableRange {
     double from = 213.15;      ///< -60 degC [K]
     double to = 573.15;        ///< 300 degC [K]
     double tolerance = 1e-10;  ///< largest error of the table between its points, of the law's value there
 };
 
-/// A law of one variable as data: values and slopes at points, cubic between them, straight beyond.
+/// A law of one variable as data: values and slopes at points, cubic between them, linear beyond
+/// them.
 ///
-/// Any law becomes a table to a stated tolerance: intervals are halved until the cubic through value and slope of both
-/// ends meets the law at three places between them. A law that is straight has two points. An interval at a kink or a
-/// jump is halved down to 1e-9 of the range; there the table is steep and continuous, and misses the tolerance. A law
-/// that is not finite at an end of the range is tabulated as far as it is finite.
+/// Any law becomes a table to a stated tolerance: intervals are halved until the cubic through
+/// value and slope of both ends meets the law at three places between them. A linear law has two
+/// points. An interval at a kink or a jump is halved down to 1e-9 of the range; there the table is
+/// steep and continuous, and misses the tolerance. A law that is not finite at an end of the range
+/// is tabulated as far as it is finite.
 ///
-/// In contrast to a function a table can be printed, stored, compared, and handed to another program.
+/// Unlike a function, a table can be printed, stored, compared, and passed to another program.
 class LawTable {
 public:
     /// No law.
@@ -41,7 +43,7 @@ public:
     }
 
     [[nodiscard]] explicit operator bool() const { return !at_.empty(); }
-    /// Flagged out of range beyond the table and where the law was.
+    /// Flagged as out of range beyond the table, and where the law was out of range.
     [[nodiscard]] LawValue operator()(double at) const;
 
     /// Ascending.

@@ -17,12 +17,14 @@ struct LawValue {
 
 /// Friction heat of a joint, of the whole press [W], over its temperature [K].
 using HeatLaw = std::function<LawValue(double temperature)>;
-/// What the ring temperature difference (inner less outer) [K] adds to it through the preload, of the whole press [W].
+/// Additional friction heat due to the ring temperature difference (inner less outer) [K] through
+/// the preload, of the whole press [W].
 using RingHeatLaw = std::function<double(double difference)>;
 /// Heat transfer coefficient of a surface [W/m2/K] over its temperature [K].
 using FilmLaw = std::function<LawValue(double surface_temperature)>;
 
-/// A law by the name of its formula and its parameters, in SI units: what another program needs to evaluate it.
+/// A law as the name of its formula and its parameters, in SI units. Another program can evaluate
+/// it from these.
 struct LawFormula {
     std::string name;
     std::vector<std::pair<std::string, double>> parameters;  ///< in the order of the formula
@@ -33,12 +35,12 @@ std::string text_of(const LawFormula& formula);
 /// Of its name and all numbers: equal on every machine.
 std::string hash_of(const LawFormula& formula);
 
-/// The film of a surface at an ambient temperature [K].
+/// The convection law of a surface at an ambient temperature [K].
 struct FilmLawAt {
     FilmLawAt(LawFormula formula_, std::function<FilmLaw(double)> curve_)
         : formula(std::move(formula_)), curve(std::move(curve_))
     {}
-    /// A film without a name.
+    /// A convection law without a name.
     template <std::invocable<double> Curve>
     FilmLawAt(Curve curve_) : curve(std::move(curve_))
     {}

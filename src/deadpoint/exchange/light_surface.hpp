@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-/// The outside of the machine with few triangles, for looking at results.
+/// The decimated surface of the machine, to show results.
 namespace deadpoint {
 
 /// A node of the mesh, named as a corner of one of its cells (numbered as in Cell::nodes).
@@ -16,7 +16,7 @@ struct CellCorner {
     std::uint32_t corner = 0;
 };
 
-/// The share of one part in a LightSurface.
+/// One part of a LightSurface.
 struct LightPart {
     std::size_t first_vertex = 0;
     std::size_t vertex_count = 0;
@@ -24,7 +24,7 @@ struct LightPart {
     std::size_t triangle_count = 0;
     std::size_t symmetry_triangles = 0;  ///< the last so many lie on the symmetry plane
     double area = 0;                     ///< of the triangles [m2]
-    double full_area = 0;                ///< of the faces they stand for [m2]
+    double full_area = 0;                ///< of the faces that they replace [m2]
 };
 
 /// Triangles between nodes of the mesh, counter-clockwise seen from outside. No vertex is shared between parts.

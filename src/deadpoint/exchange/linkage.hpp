@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// The planar linkage as the mechanism stage sees it, and what the drift stage needs of it.
+/// The planar linkage of the mechanism stage, and its results for the drift stage.
 namespace deadpoint {
 
 /// Position of a body in the plane: its frame coincides with the machine's at the assembled position of the case file.
@@ -34,7 +34,7 @@ struct Linkage {
     Vec2 stroke_direction{0, 1};  ///< bottom dead point is where the slide is lowest along this direction
 };
 
-/// How the slide moves when joint centres shift, at bottom dead point with the crank held.
+/// Motion of the slide when joint centres shift, at bottom dead point with the crank held.
 ///
 /// A centre of joint j that shifts by d_a in body_a and d_b in body_b (machine coordinates, seen from each body)
 /// moves the slide along the stroke direction by  dot(weight[j], d_b - d_a); for a slide joint the shift counts
@@ -46,7 +46,8 @@ struct BottomDeadPointSensitivity {
     std::vector<Vec2> weight;         ///< per joint [-]
 };
 
-/// How the slide moves at bottom dead point, crank held, when a body grows between two of its joint centres.
+/// Motion of the slide at bottom dead point, with the crank held, when a body grows between two of
+/// its joint centres.
 struct LengthSensitivity {
     std::string body;
     std::string from;             ///< joint whose centre stays in the body

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-/// What goes into the machine stage (a description of solids, surfaces and contacts) and what comes out of it
-/// (a mesh with contact points). SI units; coordinates of the machine at bottom dead point.
+/// Input of the machine stage (a description of solids, surfaces and contacts) and its output (a
+/// mesh with contact points). SI units; coordinates of the machine at bottom dead point.
 namespace deadpoint {
 
 enum class Axis : int { x = 0, y = 1, z = 2 };
@@ -78,11 +78,12 @@ struct PartDescription {
     std::string name;
     std::string body;
     std::variant<std::vector<Shape>, StepSource, MeshSource> source;
-    double size = 0;          ///< wanted cell size [m]; 0 takes the machine's
+    double size = 0;          ///< target cell size [m]; 0: that of the machine
     double density = 0;       ///< [kg/m3], for masses only
     Vec3 translation{};       ///< applied to STEP and mesh sources after scaling [m]
     bool tetrahedra = false;  ///< mesh with tetrahedra even where hexahedra would do
-    /// Its elements are: its edges on cylinders are round then, and its contacts get the points that these need.
+    /// True for elements of second order: edges on cylinders are then round, and contacts get the
+    /// integration points that these need.
     bool second_order = false;
 };
 
@@ -98,7 +99,7 @@ struct SurfaceSelector {
     Vec2 centre{};                   ///< cylinder: across its axis [m]
     double diameter = 0;             ///< cylinder [m]
     std::string group;               ///< name of a physical surface of a mesh or STEP source
-    /// Only what lies in this box: shares of faces, and contacts clipped to it.
+    /// Selects only what is inside this box: shares of faces, and contacts clipped to it.
     std::optional<BoxShape> within;
 };
 
@@ -107,13 +108,14 @@ struct SurfaceDescription {
     SurfaceSelector selector;
 };
 
-/// One of the places that a slide stands for over a turn.
+/// One of the positions that represent the travel of a slide over a turn.
 struct TravelStop {
     Vec3 offset{};     ///< of the moving body from where it is drawn, as seen from the standing one [m]
     double share = 0;  ///< of the time; at 0 it counts for the least coverage only
 };
 
-/// How one body slides along another, over times long against a turn. The shares of its stops sum to 1.
+/// Travel of one body along another, over times much longer than a turn. The shares of its stops
+/// sum to 1.
 struct Travel {
     std::string moving;    ///< body
     std::string standing;  ///< body
@@ -125,8 +127,8 @@ struct InterfaceDescription {
     SurfaceSelector a;  ///< the integrated side
     SurfaceSelector b;
     double gap = 0;  ///< largest distance between the two sides that still counts as contact [m]; 0: automatic
-    /// Spreads the contact over what the bodies sweep on each other; for a contact of these two bodies, whichever of
-    /// them has side a. Without stops the contact is that of the bodies as drawn.
+    /// Distributes a contact of these two bodies over the swept areas; either body may have side a.
+    /// Without stops the contact is that of the drawn bodies.
     Travel travel{};
     bool partial = false;  ///< side a may reach beyond side b; else most of it must be covered
 };
@@ -135,11 +137,11 @@ struct MachineDescription {
     std::vector<PartDescription> parts;
     std::vector<SurfaceDescription> surfaces;
     std::vector<InterfaceDescription> interfaces;
-    double size = 0.03;                 ///< wanted cell size where a part gives none [m]
+    double size = 0.03;                 ///< target cell size of parts that state none [m]
     double size_scale = 1;              ///< scales every size
-    double seam_tolerance = 1e-5;       ///< surfaces of shapes of one part that are this close are made one [m]
+    double seam_tolerance = 1e-5;       ///< surfaces of shapes of one part that are this close are joined [m]
     bool half_model = false;            ///< keep x <= 0 only; the cut faces become the symmetry plane
-    std::vector<std::string> unbonded;  ///< pairs "a|b" (patterns) of one body that touch without being bonded
+    std::vector<std::string> unbonded;  ///< pairs "a|b" (patterns) of one body that touch but are not bonded
 };
 
 // ---------------------------------------------------------------- output
@@ -187,7 +189,7 @@ struct MeshPart {
     bool cut = false;          ///< cut by the symmetry plane
     double exterior_area = 0;  ///< [m2], without the symmetry plane
     double exposed_area = 0;   ///< [m2], without symmetry plane, contacts and bonds
-    std::uint32_t pieces = 1;  ///< that no face of two cells joins
+    std::uint32_t pieces = 1;  ///< pieces without a common face of two cells
     double min_quality = 0;    ///< smallest scaled Jacobian (hexahedra) or scaled inradius ratio (tetrahedra), 0..1
     double mean_quality = 0;
 };
@@ -202,10 +204,12 @@ struct ContactPoint {
     double weight = 0;  ///< area [m2], times the share of time it is in contact; sums to Contact::area
 };
 
-/// Two surfaces in contact: an interface of a joint, or a bond.
+/// Two surfaces in contact: an interface of a joint, or a bond (perfect contact of two parts of one
+/// body).
 ///
-/// Where one body travels along the other, `points` hold the contact at every stop. The two positions of a point are
-/// then those that meet there, each where its own body is drawn, so that the fields of both are read where they are.
+/// Where one body travels along the other, `points` hold the contact at every stop. The two
+/// positions of a point then meet at that stop. Each is given on its own body as drawn, where the
+/// field of that body is defined.
 struct Contact {
     std::string name;       ///< of the interface, or "part|part" for a bond
     FaceGeometry geometry;  ///< of side a
@@ -223,7 +227,7 @@ struct Contact {
     /// Share of the integrated side in contact as drawn, and the least over the travel.
     [[nodiscard]] double coverage() const { return area_a > 0 ? drawn_area / area_a : 0.0; }
     [[nodiscard]] double least_coverage() const { return area_a > 0 ? least_area / area_a : 0.0; }
-    /// The contact as drawn, for what belongs to bottom dead point.
+    /// The contact as drawn, for results at bottom dead point.
     [[nodiscard]] const std::vector<ContactPoint>& points_as_drawn() const
     {
         return drawn_points.empty() ? points : drawn_points;
@@ -233,7 +237,7 @@ struct Contact {
 struct SurfaceFace {
     std::uint32_t face = 0;
     double fraction = 1;  ///< share of the face's area that is exposed, or in the selection
-    bool central = true;  ///< its centre is in the selection: for what goes by nodes and not by area
+    bool central = true;  ///< its centre is in the selection: for conditions at nodes
 };
 
 struct MeshSurface {
@@ -270,7 +274,7 @@ struct Machine {
     std::vector<Contact> bonds;
     std::vector<double> exposed_fraction;  ///< per face, mean over time, 0..1; 0 on the symmetry plane
     std::vector<Overlap> overlaps;
-    std::vector<std::string> floating_parts;  ///< tied to nothing: no bond, no interface
+    std::vector<std::string> floating_parts;  ///< not connected: no bond, no interface
     std::vector<std::string> dropped_parts;   ///< wholly on the far side of the symmetry plane
     bool half_model = false;
 };

@@ -2,13 +2,14 @@
 
 #include "deadpoint/core/linear_curve.hpp"
 
-/// A solid as heat and deformation see it. SI units, temperatures in kelvin.
+/// Properties of a solid for heat and deformation. SI units, temperatures in kelvin.
 namespace deadpoint {
 
-/// Constants, and tables over temperature that replace them: linear between their points, held beyond.
+/// Constants, and tables over temperature that replace them: linear between their points, constant
+/// beyond.
 struct Material {
     double density = 0;         ///< [kg/m3]
-    double conductivity = 0;    ///< [W/m/K]; beside a table its value at the start, which scales the matrices
+    double conductivity = 0;    ///< [W/m/K]; with a table, its value at the start, which scales the matrices
     double specific_heat = 0;   ///< [J/kg/K]; likewise
     double expansion = 0;       ///< [1/K]; likewise
     double youngs_modulus = 0;  ///< [Pa]
@@ -20,8 +21,9 @@ struct Material {
     double expansion_reference = 293.15;  ///< of a mean coefficient [K]
 };
 
-/// Temperature that would hold as much heat at the constant specific heat c_0:  T_0 + integral from T_0 of c / c_0 [K],
-/// T_0 the table's first point; the temperature itself without a table. Strictly increasing.
+/// Temperature with the same heat content at the constant specific heat c_0:  T_0 + integral from
+/// T_0 of c / c_0 [K], T_0 the table's first point; the temperature itself without a table.
+/// Strictly increasing.
 double heat_temperature(const Material& material, double temperature);
 /// Its derivative c / c_0.
 double heat_temperature_slope(const Material& material, double temperature);
@@ -32,10 +34,11 @@ double flux_temperature(const Material& material, double temperature);
 /// Its derivative k / k_0.
 double flux_temperature_slope(const Material& material, double temperature);
 
-/// Coefficient with which the deformation is computed [1/K], not 0 where a table is given: the constant, or the largest
-/// of the table.
+/// Coefficient with which the deformation is computed [1/K]: the constant, or the largest value of
+/// the table. Not 0 with a table.
 double expansion_scale(const Material& material);
-/// The rise that would strain as much with expansion_scale(): (eps(T) - eps(T_start)) / scale  [K], with
+/// The rise that gives the same strain with expansion_scale(): (eps(T) - eps(T_start)) / scale
+/// [K], with
 ///   eps = alpha(T) (T - T_reference)          of a mean coefficient,
 ///   eps = integral of alpha dT                of an instantaneous one.
 /// T - T_start without a table.

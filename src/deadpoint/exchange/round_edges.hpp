@@ -2,8 +2,9 @@
 
 #include "deadpoint/exchange/machine.hpp"
 
-/// The shape of faces and cells whose edges are round: bilinear or linear between the nodes, with each edge's bulge
-/// added by the function of its middle node in an element of eight or twenty (six or ten) nodes.
+/// The shape of faces and cells whose edges are round: bilinear or linear between the nodes, with
+/// the bulge of each edge added by the shape function of its middle node in an element of eight or
+/// twenty (six or ten) nodes.
 namespace deadpoint {
 
 /// From the middle of the chord between two nodes to the middle of their edge; zero where it is straight [m].

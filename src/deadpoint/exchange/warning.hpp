@@ -4,9 +4,9 @@
 
 namespace deadpoint {
 
-/// A warning that may come again with other numbers.
+/// A warning that may occur again with other numbers.
 struct Warning {
-    std::string about;  ///< what it is about, without numbers that change: equal for the same cause
+    std::string about;  ///< its subject, without numbers that change: equal for the same cause
     std::string text;
 };
 

@@ -11,7 +11,7 @@ namespace deadpoint::fem {
 struct Field {
     std::vector<double> owned;
 };
-/// All that a later run needs to go on from here.
+/// State from which a later run can continue.
 struct ThermalState {
     Field temperature;
     std::vector<double> sumps;       ///< temperature of each oil circuit's sump [K]
@@ -21,14 +21,16 @@ struct ThermalState {
 struct Displacement {
     std::vector<double> owned;
 };
-/// A functional of the deformation as weights on the temperature field: value = sum of weight (T - T_reference), or
-/// where a material's expansion follows the temperature, of weight times the rise of Model::expansion_rise().
+/// A functional of the deformation as weights on the temperature field: value = sum of weight (T -
+/// T_reference), or if a material's expansion depends on temperature, of weight times the rise of
+/// Model::expansion_rise().
 struct Adjoint {
     std::string name;
     std::vector<double> owned;
 };
 
-/// Which of the adjoints handed to Model::heat() are split by part: `count` from `first` on, or none (-1).
+/// Which of the adjoints passed to Model::heat() are split by part: `count` from `first` on, or
+/// none (-1).
 struct Attribution {
     constexpr Attribution(int first_adjoint, int adjoints = 1)
         : first(first_adjoint), count(first_adjoint < 0 ? 0 : adjoints)
@@ -56,7 +58,8 @@ struct ModelSize {
     long long deformation_unknowns = 0;
 };
 
-/// Unknowns of a deformation up to which it is solved by a sparse factor; what takes about 8 GB.
+/// Largest number of unknowns of a deformation that is solved by a sparse factor, which then needs
+/// about 8 GB.
 inline constexpr long long largest_factor = 1'500'000;
 
 }  // namespace deadpoint::fem

@@ -18,16 +18,18 @@ namespace deadpoint::fem {
 
 struct CheckpointPlan;  // checkpoint.hpp
 
-/// Finite elements on the whole machine: transient heat conduction with joint films, and the thermo-elastic
-/// deformation of each body by itself.
+/// Finite elements on the whole machine: transient heat conduction with contact layers in joints,
+/// and the thermo-elastic deformation of each body by itself.
 ///
-/// Every part has its own mesh and shares no unknown with another: interfaces couple by their films. Bonds conduct by
-/// Nitsche's method (symmetric, consistent: a linear field passes exactly whatever the two meshes) and hold by ties:
-/// the finer side's nodes follow the coarser side's cells. Bodies are free but for the symmetry plane and the feet;
-/// what rigid motion is left is held without force and taken out of all results.
+/// Every part has its own mesh and shares no unknown with another: interfaces couple parts by their
+/// contact conductances. Bonds (perfect contact) conduct by Nitsche's method (symmetric and
+/// consistent: a linear field passes exactly on any two meshes) and hold by mortar ties: the finer
+/// side's nodes follow the coarser side's cells. Bodies are free except for the symmetry plane and
+/// the feet; remaining rigid motions are held without force and removed from all results.
 ///
-/// The deformation may live on a mesh of its own. Temperatures then reach it by a least-squares fit, and displacements
-/// come back by their values; functionals and feet belong to its machine, all else to that of the heat.
+/// The deformation may have a separate mesh. Temperatures are then transferred by a least-squares
+/// fit, and displacements return by their values. Functionals and feet belong to the machine of the
+/// deformation, everything else to that of the heat.
 ///
 /// Every member function is collective: all ranks call it with the same arguments.
 class Model {
@@ -36,7 +38,8 @@ public:
     /// @param orders     of the elements, 1 or 2, per part of the machine
     /// @param deformation  the same parts meshed for the deformation; none: the same mesh. Outlives the model.
     /// @param deformation_orders  of the elements on that mesh; empty: those of the heat
-    /// @throws InputError where ranks built different meshes or a material constant is not positive and finite
+    /// @throws InputError if ranks built different meshes or a material constant is not positive
+    /// and finite
     Model(const Machine& machine, std::vector<Material> materials, std::vector<int> orders, Observer& observer,
           const Machine* deformation = nullptr, std::vector<int> deformation_orders = {});
     Model(const Machine& machine, std::vector<Material> materials, int order, Observer& observer,
@@ -46,35 +49,37 @@ public:
 
     [[nodiscard]] ModelSize size() const;
 
-    /// Builds the matrices of a heat problem, which must outlive the next heat(). Matrices that were built before and
-    /// not used yet are kept where they serve this problem too.
+    /// Builds the matrices of a heat problem, which must outlive the next heat(). Matrices that
+    /// were built before and not used yet are kept if they can be used for this problem too.
     void assemble_heat(const HeatProblem& problem);
     /// Temperature field of the assembled problem over the operation's segments: TR-BDF2 (second order, L-stable, error
     /// estimate of third order; Hosea and Shampine 1996), each stage by Newton with the joint heat's dependence on the
     /// joint temperature included. The fluxes of the stages close the energy balance exactly.
     /// @param attribution  the adjoints whose values are split by part, or -1
-    /// @param checkpoints  where the run keeps its state, and whether it goes on from there; none: nowhere
+    /// @param checkpoints  where the run saves its state, and whether it continues from there;
+    /// null: nowhere
     /// @throws ConvergenceError, DomainError for a non-finite temperature; as open_checkpoint where it resumes
     ThermalHistory heat(const std::vector<Adjoint>& adjoints, double reference_temperature, Attribution attribution,
                         Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
                         const CheckpointPlan* checkpoints = nullptr);
 
-    /// What has made a functional of the last heat()'s temperatures, by running backward over its steps. Its problem
-    /// must still be there, and release_heat() not called.
+    /// Contributions of the heat sources to a functional of the last heat()'s temperatures, by
+    /// running backward over its steps. Its problem must still exist, and release_heat() must not
+    /// have been called.
     /// @param weights  need not be an adjoint of heat(): value = sum of weight (T - T_reference)
     /// @param row      of the history that heat() returned: the time
     HeatCauses heat_causes(const Adjoint& weights, std::size_t row);
     /// Frees matrices and steps of the last heat().
     void release_heat();
 
-    /// Starts the assembled problem from a state that write_state() wrote, also on another number of ranks.
+    /// Starts the assembled problem from a state that write_state() wrote, on any number of ranks.
     /// @throws IoError if the file cannot be read or is cut short; InputError if it belongs to another mesh
     void start_from(const std::string& file);
-    /// Where the last heat() ended, as a file.
+    /// Writes the final state of the last heat() to a file.
     void write_state(const std::string& file) const;
 
-    /// How the machine stands; a surface alone stays in its plane, along an axis. To be called before the functions
-    /// below.
+    /// Sets the supports of the machine; a surface without more stays in its plane, whose normal is
+    /// along an axis. Call it before the functions below.
     void support(const Foundation& foundation);
     void support(int feet_surface) { support(Foundation{feet_surface}); }
     /// Temperature weights of displacement functionals, one elastic solve each.
@@ -86,14 +91,16 @@ public:
     /// The deformation by weights and initial strain.
     Displacement displacement(const RestLoads& loads);
     std::vector<double> evaluate(const std::vector<Functional>& functionals, const Displacement& displacement);
-    /// Forces of the deformation by those loads [N], of the whole machine where the symmetry plane cuts it.
+    /// Forces due to those loads [N], of the whole machine if the symmetry plane cuts it.
     std::vector<double> forces(const std::vector<ForceGauge>& gauges, const RestLoads& loads,
                                const Displacement& displacement);
     double apply(const Adjoint& adjoint, const Field& temperature, double reference_temperature);
-    /// Whether the deformation is linear in the temperature: no material has a table of its expansion.
+    /// True if the deformation is linear in the temperature: no material has a table of its
+    /// expansion.
     [[nodiscard]] bool expands_linearly() const;
-    /// The rise [K] in which the deformation is linear: T - T_reference where the expansion is constant, else what
-    /// strains as much with the part's expansion_scale() (exchange/material).
+    /// The rise [K] in which the deformation is linear: T - T_reference if the expansion is
+    /// constant, else the rise that gives the same strain with the part's expansion_scale()
+    /// (exchange/material).
     [[nodiscard]] Field expansion_rise(const Field& temperature, double reference_temperature) const;
     /// The deformation for such a rise.
     Displacement displacement_of_rise(const Field& rise);
@@ -113,9 +120,10 @@ public:
     void release_elasticity();
     [[nodiscard]] int elastic_iterations() const;
 
-    /// What a watt anywhere, as long as the run has lasted, does to functionals of the temperature at a time of it: z
-    /// of (M / time + K) z = weights, per functional [its unit / W]. Joints, films and the slopes of their laws count
-    /// as at that time, oil as it starts.
+    /// Adjoint (DWR) solutions: change of functionals of the temperature at a time by one watt at
+    /// any place since the start of the run, z of (M / time + K) z = weights, per functional [its
+    /// unit / W]. Joints, convection coefficients and the slopes of their laws are those at that
+    /// time; the oil has its initial temperatures.
     /// @param time  since the start of the run, > 0 [s]
     std::vector<Field> heat_duals(const HeatProblem& problem, double time, const Field& temperature,
                                   const std::vector<Adjoint>& weights);
@@ -123,7 +131,8 @@ public:
     Adjoint probe_weights(const HeatProbe& probe);
     /// Displacement under the weights of a functional as forces [m/N].
     Displacement deformation_dual(const Functional& functional);
-    /// What finer parts would add to functionals, per dual and part (error_estimate.hpp).
+    /// Estimated change of functionals by finer parts, per adjoint solution and part
+    /// (error_estimate.hpp).
     std::vector<std::vector<double>> conduction_errors(const Field& temperature, const std::vector<Field>& duals);
     std::vector<std::vector<double>> deformation_errors(const Displacement& displacement,
                                                         const std::vector<Displacement>& duals);

@@ -10,8 +10,8 @@
 
 namespace deadpoint::heat {
 
-/// What the adjoint of the steps asks of a system besides HeatSystem: its matrices with films as constant coefficients,
-/// and the shares of prescribed temperatures.
+/// Interface that the adjoint of the steps needs besides HeatSystem: matrices with constant
+/// convection coefficients, and the shares of prescribed temperatures.
 // clang-format off
 template <class S>
 concept AdjointSystem = HeatSystem<S> && requires(S& s, const S& c, typename S::Vector& v,
@@ -30,27 +30,29 @@ concept AdjointSystem = HeatSystem<S> && requires(S& s, const S& c, typename S::
 
 /// Runs the discrete adjoint of the time steps backward over the steps of a finished run.
 ///
-/// With t = T - T_reference and the scalars of each step as booked, a step of length dt is linear, d = diagonal dt:
+/// With t = T - T_reference and the recorded scalars of each step, a step of length dt is linear,
+/// d = diagonal dt:
 ///
 ///     (M + d K_m) t_m = M t_0 + d (f_0 - K_0 t_0) + d f_m
 ///     (M + d K_1) t_1 = M (bdf_middle t_m - bdf_now t_0) + d f_1
 ///
-/// K_0, K_m and K_1 differ only in films that follow the temperature: each takes the mean coefficient of its surface at
-/// that stage. Materials that follow it have their constants, enclosed air its temperature as booked. For weights l_1
-/// on t_1 the transposed step gives those on its loads, d y_2 on f_1 and d y_1 on f_m and f_0, and those on t_0:
+/// K_0, K_m and K_1 differ only in convection coefficients that depend on temperature: each uses
+/// the mean coefficient of its surface at that stage. Materials over temperature use their
+/// constants, enclosed air its recorded temperature. For weights l_1 on t_1 the transposed step
+/// gives the weights on its loads, d y_2 on f_1 and d y_1 on f_m and f_0, and those on t_0:
 ///
 ///     (M + d K_1) y_2 = l_1
 ///     (M + d K_m) y_1 = bdf_middle M y_2
 ///     l_0 = M y_1 - d K_0 y_1 - bdf_now M y_2
 ///
-/// Prescribed unknowns have no equation: y is 0 there, and what stands against their temperature is the rest of the
-/// right side, l_1 - (M + d K_1) y_2 and bdf_middle M y_2 - (M + d K_m) y_1.
+/// Prescribed unknowns have no equation: y is 0 there, and the weight of their temperature is the
+/// residual of the right side, l_1 - (M + d K_1) y_2 and bdf_middle M y_2 - (M + d K_m) y_1.
 template <class System>
 class HeatAdjoint {
 public:
     using Vector = typename System::Vector;
 
-    /// The run cannot go on afterwards.
+    /// The run cannot continue afterwards.
     HeatAdjoint(HeatRun<System>& run, double reference)
         : run_(run), system_(run.system()), reference_(reference), weights_(system_.make_vector()),
           solution_(system_.make_vector()), middle_weights_(system_.make_vector()),
@@ -60,7 +62,8 @@ public:
         system_.begin_adjoint();
     }
 
-    /// Of a functional, to be set before causes():  value = sum of weight (T - T_reference).
+    /// Weights of a functional, to be set before causes():  value = sum of weight (T -
+    /// T_reference).
     [[nodiscard]] Vector& weights() { return weights_; }
     /// @param row  of the run's history: the time of the functional
     HeatCauses causes(std::size_t row)
@@ -156,8 +159,8 @@ private:
         return condition.enclosure >= 0 && condition.emissivity > 0;
     }
 
-    // Of what a surface faces. Where it radiates to other surfaces and gives heat to enclosed air too: the temperature
-    // against which its coefficient makes what it lost.
+    // Temperature that a surface faces. If it radiates to other surfaces and also gives heat to
+    // enclosed air, this is the temperature with which its coefficient gives its total heat loss.
     [[nodiscard]] double surroundings(std::size_t surface, const StageRecord& stage) const
     {
         if (radiates_inside(surface))
@@ -174,7 +177,8 @@ private:
     }
     [[nodiscard]] double area(std::size_t surface) const { return system_.geometry().surface_area[surface]; }
 
-    // The coefficient with which a film would give off what it gave at that stage, if that is near the law's.
+    // The coefficient with which a surface gives off its recorded heat of that stage, if it is near
+    // the law's.
     [[nodiscard]] double mean_coefficient(std::size_t surface, const StageRecord& stage) const
     {
         const auto& condition = run_.problem().surfaces[surface];

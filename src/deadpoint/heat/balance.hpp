@@ -4,7 +4,7 @@
 #include <tuple>
 #include <vector>
 
-/// The scalars of a heat balance at one time, and what is kept of them.
+/// The scalars of a heat balance at one time, and the records of accepted steps.
 namespace deadpoint::heat {
 
 /// An oil circuit at one time.
@@ -36,15 +36,15 @@ constexpr auto members(const AirFlow*)
     return std::tuple{&AirFlow::temperature, &AirFlow::from_surfaces, &AirFlow::power, &AirFlow::to_room};
 }
 
-/// The scalars with which the balance of a stage is linear in the temperatures. All in the model.
+/// The scalars with which the balance of a stage is linear in the temperatures, all of the model.
 struct StageRecord {
     double time = 0;                      ///< [s]
-    std::vector<double> source_heat;      ///< per source, as booked [W]
+    std::vector<double> source_heat;      ///< per source, as in the energy balance [W]
     std::vector<double> body_heat;        ///< [W]
-    std::vector<double> oil_temperature;  ///< per interface, as the solve took it [K]
+    std::vector<double> oil_temperature;  ///< per interface, as used in the solve [K]
     std::vector<double> film_mean;        ///< per surface condition: mean temperature; 0 where it is prescribed [K]
     std::vector<double>
-        variable_to_air;       ///< per surface condition whose film follows the temperature: all it loses [W]
+        variable_to_air;       ///< per surface condition whose coefficient depends on temperature: total heat loss [W]
     std::vector<AirFlow> air;  ///< per enclosure
 };
 constexpr auto members(const StageRecord*)

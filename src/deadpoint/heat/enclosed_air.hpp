@@ -21,9 +21,10 @@ struct AirState {
 };
 constexpr auto members(const AirState*) { return std::tuple{&AirState::start, &AirState::slope, &AirState::now}; }
 
-/// The air of enclosures, one unknown T_e each beside the field of temperatures.
+/// The air of enclosures, one unknown T_e each in addition to the temperature field.
 ///
-/// With the slopes b [W/K] of its films by its temperature and f = d dt, a stage of TR-BDF2 solves
+/// With the slopes b [W/K] of its surfaces' heat by its temperature and f = d dt, a stage of
+/// TR-BDF2 solves
 ///   [ A       -f b              ] [ change of T   ]     [ R   ]
 ///   [ -f b^T   C + f (sum b + G) ] [ change of T_e ] = - [ R_e ]
 /// T_e is eliminated (Schur complement): A - f^2 b b^T / c_e stays positive definite, c_e = C + f (sum b + G).
@@ -76,7 +77,7 @@ public:
 
     /// b of an enclosure, to be filled before complete_load().
     [[nodiscard]] Vector& load(std::size_t enclosure) { return air_[enclosure].load; }
-    /// Makes b of a system's loads for stages of length `factor`.
+    /// Builds b from a system's loads for stages of length `factor`.
     void complete_load(std::size_t enclosure, double factor)
     {
         auto& air = air_[enclosure];
@@ -85,7 +86,7 @@ public:
         air.conductance = system_->total(air.load);
         system_->clear_prescribed(air.load);
     }
-    /// What the stage's matrix has less for it.
+    /// Adds the terms that the air subtracts from the stage's matrix.
     void add_terms(std::vector<RankOne<Vector>>& terms) const
     {
         for (std::size_t k = 0; k < air_.size(); ++k)

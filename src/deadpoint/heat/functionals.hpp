@@ -7,16 +7,18 @@
 /// The functionals of the temperature field that a heat balance knows, by number.
 namespace deadpoint::heat {
 
-/// Where each functional stands in the list of a system. The transposed functional is a load: watts by unknown.
+/// Index of each functional in the list of a system. The transposed functional is a load: watts by
+/// unknown.
 struct FunctionalLayout {
     std::size_t interfaces = 0, parts = 0, surfaces = 0, bodies = 0, probes = 0;
 
-    /// Mean temperature of a side of an interface; as a load one watt spread evenly over it.
+    /// Mean temperature of a side of an interface; as a load, one watt uniform over it.
     [[nodiscard]] std::size_t mean(std::size_t interface, bool side_b) const
     {
         return 2 * interface + (side_b ? 1 : 0);
     }
-    /// As a load: one watt by load zone less one watt spread evenly. In the volume of a part it is side a's.
+    /// As a load: one watt by load zone less one watt uniform. If the heat enters a part's volume,
+    /// it is that of side a.
     [[nodiscard]] std::size_t zone(std::size_t interface, bool side_b) const
     {
         return 2 * interfaces + 2 * interface + (side_b ? 1 : 0);
@@ -55,7 +57,7 @@ inline void add_watts(std::vector<double>& by_functional, const Loads& loads, do
         by_functional[load.functional] += watts * load.factor;
 }
 
-/// What the balance must know of a mesh.
+/// Data of a mesh that the balance needs.
 struct HeatGeometry {
     FunctionalLayout layout;
     std::vector<std::string> interface_names;

@@ -8,7 +8,7 @@
 
 namespace deadpoint::heat {
 
-/// What a run remembers of its steps.
+/// Records the steps of a run.
 class HistoryRecorder {
 public:
     /// @param functionals    values that a system observes besides those of the layout, with their slopes
@@ -19,7 +19,7 @@ public:
     /// Functionals of the layout whose values record() takes, in order: probes, sides a, sides b, parts.
     [[nodiscard]] const std::vector<std::size_t>& watched() const { return watched_; }
 
-    /// Takes up a time.
+    /// Records a time.
     /// @param values  of the watched functionals, then what the system observes
     /// @param slopes  the same of the slope; empty where it is not known yet
     /// @param middle  balance at the middle of the step of length `dt` that ends here; with dt 0 there was none
@@ -27,7 +27,7 @@ public:
                 const HeatBalance& balance, const HeatBalance& middle, double dt);
     /// Gives the first time of a segment the slopes of the secant through the step that follows it.
     void fill_first_slopes(std::size_t row);
-    /// Books the heat of a step by the weights of its stages.
+    /// Adds the heat of a step to the energy balance, with the weights of its stages.
     void add_energy(double dt, const HeatBalance& start, const HeatBalance& middle, const HeatBalance& end,
                     double from_prescribed, double stored);
 

@@ -12,9 +12,10 @@ namespace deadpoint::heat {
 /// A number with six digits, for messages.
 std::string short_text(double value);
 
-/// The largest term of a heat balance in words: what each quantity of the case comes to for a kelvin, or at the present
-/// temperatures. One that is not finite counts as the largest. It names the key behind a solve that failed.
-/// @param of_system  what the matrices consist of
+/// The largest term of a heat balance in words: the heat of each quantity of the case for one
+/// kelvin, or at the present temperatures. A term that is not finite counts as the largest. The
+/// text names the key behind a failed solve.
+/// @param of_system terms of the matrices
 /// @param balance    at temperatures that are finite
 std::string largest_term(const HeatProblem& problem, const HeatSegment& segment, const HeatGeometry& geometry,
                          const JointBalance& joints, const HeatBalance& balance, double time,

@@ -8,7 +8,8 @@
 
 namespace deadpoint::heat {
 
-/// Circulating oil, marched from joint to joint, and its sumps, one unknown each beside the field.
+/// Circulating oil, marched from joint to joint, and its sumps, one unknown each in addition to the
+/// field.
 ///
 /// Oil that reaches a joint at t leaves it at t + heat / flow. A sump of capacity C has
 ///   C ds/dt = flow (outlet - s) - loss (s - ambient),
@@ -23,16 +24,18 @@ public:
     [[nodiscard]] const std::vector<double>& sumps() const { return sump_; }
     void set_sumps(std::vector<double> temperature) { sump_ = std::move(temperature); }
 
-    /// Lets the oil flow past the films of a balance at the end of a stage of length `factor`: sets the balance's
-    /// circuits and returns where the oil reaches each interface [K].
-    /// @param known  what the stage knows of each sump: C s = C known + factor (gains) [K]
+    /// Marches the oil past the contact layers of a balance at the end of a stage of length
+    /// `factor`: sets the circuits of the balance and returns the temperature at which the oil
+    /// reaches each interface [K].
+    /// @param known right-hand side of each sump in the stage: C s = C known + factor (gains) [K]
     std::vector<double> march(const JointBalance& joints, HeatBalance& balance, double time, double factor,
                               const std::vector<double>& known) const;
-    /// What is known of the sumps in the two stages of a step.
+    /// Right-hand sides of the sumps in the two stages of a step.
     [[nodiscard]] std::vector<double> known_in_first_stage(double factor, const HeatBalance& start) const;
     [[nodiscard]] std::vector<double> known_in_second_stage(const HeatBalance& middle) const;
-    /// Largest error of the sumps in a step [K]. A sump forgets an error with its own relaxation only: those of as
-    /// many steps add up, and together they must keep to the time tolerance.
+    /// Largest error of the sumps in a step [K]. A sump forgets an error only with its own
+    /// relaxation. The errors of 1 / (1 - exp(-relaxation dt)) steps add up, and their sum must
+    /// keep to the time tolerance.
     /// @param slope_known  false in the first step of a segment, whose estimate is filtered by the stage's equation
     [[nodiscard]] double step_error(double dt, bool slope_known, const HeatBalance& start, const HeatBalance& middle,
                                     const HeatBalance& end) const;

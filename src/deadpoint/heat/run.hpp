@@ -15,20 +15,20 @@
 
 namespace deadpoint::heat {
 
-/// What a run tells while it runs. Empty functions are not called.
+/// Callbacks of a run. Empty functions are not called.
 template <class Vector>
 struct RunHooks {
     std::function<void(double time)> on_step;                  ///< after each accepted step
     std::function<void(double time, const Vector&)> on_field;  ///< for each of HeatProblem::field_times, in order
-    std::function<void(bool interrupted)> on_between_steps;    ///< when state() and vectors() are sound
+    std::function<void(bool interrupted)> on_between_steps;    ///< when state() and vectors() are valid
 };
 
-/// Warns where steps stay so short that a run would not end in a sensible time.
+/// Warns if steps stay so short that a run would not end in a reasonable time.
 /// @param done      steps so far
 /// @param duration  of the last one [s]
 void warn_of_many_steps(const HeatProblem& problem, std::size_t done, double time, double duration, Observer& observer);
 
-/// Where the steps of a problem begin: the length that is tried first [s].
+/// Length of the first step that is tried [s].
 inline double first_step(const HeatProblem& problem)
 {
     return problem.fixed_step > 0 ? problem.fixed_step : problem.initial_step;
@@ -71,7 +71,7 @@ public:
         system_.copy(temperature(), start_);
     }
 
-    /// Goes on to the end of the operation, or until the observer is cancelled.
+    /// Continues to the end of the operation, or until the observer is cancelled.
     /// @throws ConvergenceError, DomainError
     const ThermalHistory& go(const RunHooks<Vector>& hooks, Observer& observer)
     {
@@ -101,7 +101,7 @@ public:
     /// The temperatures from which the run started.
     [[nodiscard]] const Vector& start() const { return start_; }
 
-    /// Between two steps: the scalars, and the vectors from which a step starts.
+    /// State between two steps: the scalars, and the vectors from which a step starts.
     [[nodiscard]] RunState state() const
     {
         return {place_,
@@ -123,8 +123,8 @@ public:
         auto& now = stepper_.now();
         return {&before.temperature, &now.temperature, &before.slope, &now.slope, &now.rate.watts};
     }
-    /// Goes on from a state that fits (misfit()), after begin() and once vectors() hold what belongs to it. The
-    /// preconditioner of its origin is the caller's to make again.
+    /// Continues from a state that fits (see misfit()). Call it after begin(), when vectors() hold
+    /// the vectors of that state. The caller must build the preconditioner of its origin again.
     void restore(const RunState& state)
     {
         place_ = state.place;
@@ -153,7 +153,8 @@ private:
         record(0);
     }
 
-    // One step towards the end of the segment; false where it was too long and a shorter one is wanted.
+    // One step towards the end of the segment; false if it was too long and must be repeated with a
+    // shorter one.
     bool try_step(double end, const RunHooks<Vector>& hooks)
     {
         const double dt = fit_step(place_.wanted, end - place_.time);
@@ -186,7 +187,7 @@ private:
                                    " s; loosen numerics.time_tolerance or look for a law that jumps");
     }
 
-    // Books a step and makes its end the present.
+    // Records a step and makes its end the present.
     void accept(double dt, double from_prescribed)
     {
         const auto& start = stepper_.now().rate.balance;

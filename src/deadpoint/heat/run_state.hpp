@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-/// What a run in time consists of between two steps, but for its vectors: with both it goes on bit by bit.
+/// State of a run between two steps, without its vectors. With both, the run continues bit by bit.
 namespace deadpoint {
 
 constexpr auto members(const Series*) { return std::tuple{&Series::value, &Series::rate}; }
@@ -92,8 +92,8 @@ constexpr auto members(const RunState*)
                       &RunState::origin, &RunState::balance,     &RunState::history,         &RunState::steps};
 }
 
-/// Why a state that was read does not belong to a problem; empty where it does. What fits cannot keep the time steps
-/// from ending.
+/// Reason why a state that was read does not belong to a problem; empty if it does. With a state
+/// that fits, the time steps always end.
 /// @param like  a state of the problem's run before its first step
 std::string misfit(const RunState& read, const RunState& like, const HeatProblem& problem);
 

@@ -44,7 +44,7 @@ public:
         return static_cast<std::size_t>(segment_ - problem_.segments.data());
     }
 
-    /// Takes the laws of a segment.
+    /// Sets the laws of a segment.
     void enter(const HeatSegment& segment)
     {
         segment_ = &segment;
@@ -59,7 +59,7 @@ public:
         system_.set_laws(joints.laws(), loads);
     }
 
-    /// The sources at a time and a temperature; oil and air as they were set last.
+    /// The sources at a time and a temperature, with the oil and air that were set last.
     Rate<Vector> at(double time, const Vector& temperature) const
     {
         const auto values = functionals(temperature);
@@ -87,7 +87,7 @@ public:
         system_.add_loads(watts, rate.watts);
     }
 
-    /// The oil at the start of a segment, for a field as it is, and the sources with it.
+    /// Equilibrates the oil with the present field at the start of a segment; returns the sources.
     /// @throws ConvergenceError if oil and joints do not agree
     Rate<Vector> equilibrate_oil(double time, const Vector& temperature)
     {
@@ -108,7 +108,7 @@ public:
                                " s; look at the flow and the coefficients of the oil circuits");
     }
 
-    /// Largest difference to where the oil reaches the interfaces now [K].
+    /// Largest difference to the temperatures at which the oil now reaches the interfaces [K].
     [[nodiscard]] double oil_change(const std::vector<double>& reaches) const
     {
         double change = 0;
@@ -117,7 +117,8 @@ public:
         return change;
     }
 
-    /// Slopes of the films by the temperature of the air they face, at a field's temperature, for stages of a length.
+    /// Builds the slopes of the surfaces' heat by the temperature of the air, at the temperature of
+    /// a field, for stages of a given length.
     void build_air_loads(double time, double factor, const Vector& temperature)
     {
         for (std::size_t k = 0; k < air.count(); ++k) {

@@ -15,7 +15,8 @@
 
 namespace deadpoint::heat {
 
-/// Of what the preconditioner at hand was made, which outlasts its step: with it the same one can be made again.
+/// Inputs of the present preconditioner, which outlives its step. The same preconditioner can be
+/// built again from them.
 struct PreconditionerOrigin {
     std::size_t segment = 0;
     double time = 0;          ///< [s]
@@ -30,8 +31,9 @@ constexpr auto members(const PreconditionerOrigin*)
 
 /// Newton's method for a stage:  M h(T) - factor (sources(T) - K T) = known.
 ///
-/// Joint heat enters by its tangent, terms of rank one; what the solve took of it is booked, so that the stage's heat
-/// balance is exact. If the oil temperatures have converged, those used in the solve are kept for the same reason.
+/// Joint heat enters by its tangent, as terms of rank one. The energy balance uses the heat of the
+/// tangent, so that the stage's heat balance is exact. If the oil temperatures have converged,
+/// those used in the solve are kept for the same reason.
 template <class System>
 class StageSolver {
 public:
@@ -81,7 +83,7 @@ public:
                                " s; a heat law or film coefficient probably jumps, smooth it or shorten max_step");
     }
 
-    /// Makes the matrix of stages of a length at a time and a temperature.
+    /// Builds the matrix for stages of a given length, at a time and a temperature.
     void build(double time, double factor, const Vector& temperature)
     {
         time_ = time;
@@ -125,10 +127,11 @@ private:
     static constexpr double settled = 1e-7;  // [K]
     // Joint heat may differ from its tangent within a stage by this share.
     static constexpr double largest_curvature = 1e-5;
-    // The oil's temperatures within a stage agree with the films' to this share of the step's tolerance.
+    // The temperatures of the oil within a stage must agree to this share of the step's tolerance.
     static constexpr double oil_share_of_tolerance = 1e-3;
 
-    // One linear solve; returns the largest change where the matrix follows the temperature, else 0 [K].
+    // One linear solve; returns the largest change if the matrix depends on temperature, else 0
+    // [K].
     double update(double time, double factor, const Rate<Vector>& current, Vector& temperature)
     {
         build(time, factor, temperature);
@@ -159,8 +162,8 @@ private:
         system_.clear_prescribed(residual_);
     }
 
-    // The heat stored at the end, and the sources made the rate: by the stage's own formula (stored - known) / factor
-    // where it holds for every unknown.
+    // Computes the stored heat at the end, and turns the sources into the rate: by the stage's
+    // formula (stored - known) / factor if it holds for every unknown.
     void finish(double factor, const Vector& temperature, Rate<Vector>& rate, Vector& stored)
     {
         system_.store(temperature, stored);

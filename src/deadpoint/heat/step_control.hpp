@@ -5,7 +5,7 @@ namespace deadpoint::heat {
 /// Ratio of two neighbouring step sizes: the same few stage matrices serve a whole run.
 inline constexpr double step_ratio = 2;
 
-/// Length of the next step [s]: the wanted one, or an end that leaves no sliver for a last step.
+/// Length of the next step [s]: the wanted one, adjusted so that no tiny last step remains.
 /// @param remaining  to the end of the segment [s], > 0
 double fit_step(double wanted, double remaining);
 

@@ -10,7 +10,7 @@
 
 namespace deadpoint::heat {
 
-/// All that is known of the field at one time.
+/// The field at one time, with its slope and stored heat.
 template <class Vector>
 struct Level {
     Vector temperature;  ///< [K]
@@ -26,7 +26,7 @@ class Stepper {
 public:
     using Vector = typename System::Vector;
     struct Outcome {
-        double error = 0;            ///< largest at what is watched, in sumps and enclosed air [K]
+        double error = 0;            ///< largest error of the watched functionals, sumps and enclosed air [K]
         double from_prescribed = 0;  ///< heat that entered through prescribed temperatures [J]
     };
 
@@ -41,9 +41,10 @@ public:
     [[nodiscard]] const Level<Vector>& middle() const { return middle_; }
     [[nodiscard]] const Level<Vector>& next() const { return next_; }
     [[nodiscard]] Level<Vector>& before() { return before_; }
-    /// Whether now().slope is known; it is not where a segment starts.
+    /// True if now().slope is known; false at the start of a segment.
     [[nodiscard]] bool slope_known() const { return slope_known_; }
-    /// Length of the last step, between before() and now(); 0 where the slope of before() is not known [s].
+    /// Length of the last step, between before() and now(); 0 if the slope of before() is not known
+    /// [s].
     [[nodiscard]] double previous_step() const { return previous_step_; }
     void set_past(bool slope_known, double previous_step)
     {
@@ -52,7 +53,7 @@ public:
         system_.store(now_.temperature, now_.stored);
     }
 
-    /// Starts a segment from the temperatures as they are.
+    /// Starts a segment from the present temperatures.
     void begin_segment(const HeatSegment& segment, double time)
     {
         sources_.enter(segment);
@@ -85,7 +86,7 @@ public:
         return result;
     }
 
-    /// Gives now() the slope of the step's secant where it is not known.
+    /// Sets the slope of now() to the secant of the step if it is not known.
     void complete_first_slope(double dt)
     {
         if (!slope_known_)
@@ -142,7 +143,8 @@ private:
                           middle_.temperature, middle_.stored);
     }
 
-    // Its guess goes through the first stage; the slope at the end is that of the stage's own formula.
+    // Its guess uses the result of the first stage; the slope at the end follows from the formula
+    // of the stage.
     void second_stage(double time, double dt, double factor)
     {
         system_.combine({{bdf_middle, &middle_.stored}, {-bdf_now, &now_.stored}}, stages_.known);
@@ -165,10 +167,11 @@ private:
                         next_.slope);
     }
 
-    // Of the step, into error_, and the enclosures' largest returned [K]: the difference to the companion method. The
-    // slopes of both stages come from their own formulas. Where the first slope is not known, as at the start of a
-    // segment, the difference of the rates is filtered by the step's matrix, which takes out stiff transients; the
-    // second stage damps them in every later step.
+    // Writes the error of the step into error_ and returns the largest error of the enclosures [K].
+    // The error is the difference to the companion method, with the slopes of both stages from
+    // their formulas. If the first slope is not known, as at the start of a segment, the difference
+    // of the rates is filtered with the step's matrix, which removes stiff transients; in every
+    // later step the second stage damps them.
     double estimate_error(double dt)
     {
         const auto by_weights = [&](const Vector& start, const Vector& middle, const Vector& end, Vector& result) {
@@ -185,7 +188,7 @@ private:
         const auto of_air =
             sources_.air.first_error(dt, {&now_.rate.balance, &middle_.rate.balance, &next_.rate.balance});
         sources_.air.eliminate(of_air, work_);
-        // sharp enough that all numbers of ranks take the same steps
+        // tight enough that any number of ranks takes the same steps
         const double sharp = 1e-4 * step_tolerance(sources_.problem().time_tolerance);
         stages_.solve_linear(work_, error_, {1e-4, sharp}, "the error of a time step");
         double largest = 0;
@@ -194,7 +197,8 @@ private:
         return largest;
     }
 
-    // What entered through unknowns of prescribed temperature: their stored heat less their other gains [J].
+    // Heat that entered through unknowns of prescribed temperature: their stored heat less their
+    // other gains [J].
     double prescribed_heat(double dt)
     {
         if (!system_.some_prescribed())

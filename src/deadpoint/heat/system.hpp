@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// What the time integration asks of a system of temperatures.
+/// Interface of a system of temperatures for the time integration.
 ///
 /// The same integrator runs on the finite elements of a machine (fem/conduction) and on a small dense system
 /// (reduce/online). Scalars of joints, oil, films and air stay on this side; the system knows matrices, functionals,
@@ -22,7 +22,7 @@ namespace deadpoint::heat {
 template <class Vector>
 using Scaled = std::pair<double, const Vector*>;
 
-/// coefficient load load^T, which a stage's matrix has less.
+/// coefficient load load^T, a term that is subtracted from a stage's matrix.
 template <class Vector>
 struct RankOne {
     double coefficient = 0;
@@ -36,17 +36,17 @@ struct LowRank {
     std::vector<RankOne<Vector>> others;
 };
 
-/// Wanted of a linear solve: residual below relative times the right-hand side, or a root mean square error below
-/// `absolute` [K].
+/// Tolerance of a linear solve: residual below `relative` times the right-hand side, or a root mean
+/// square error below `absolute` [K].
 struct SolveTolerance {
     double relative = 0;
     double absolute = 0;
 };
 
-/// One line of what the heat balance consists of, for error messages.
+/// One term of the heat balance, for error messages.
 struct Term {
     std::string text;
-    double size = 0;  ///< what it comes to, roughly [W]
+    double size = 0;  ///< its approximate magnitude [W]
 };
 
 // clang-format off
@@ -67,7 +67,7 @@ concept HeatSystem = requires(S& s, const S& c, typename S::Vector& v, const typ
     { c.is_finite(x) } -> std::convertible_to<bool>;
     { c.any(true) } -> std::convertible_to<bool>;                 // of all ranks
 
-    // functionals, whose transposed are loads
+    // functionals, whose transposes are loads
     { c.geometry() } -> std::same_as<const HeatGeometry&>;
     { c.evaluate(which, x) } -> std::same_as<std::vector<double>>;
     c.add_loads(numbers, v);                                      // watts by functional
@@ -75,13 +75,13 @@ concept HeatSystem = requires(S& s, const S& c, typename S::Vector& v, const typ
     // terms: set by coefficients, never integrated again
     s.set_laws(std::declval<const std::vector<InterfaceLaw>&>(), std::declval<const std::vector<Loads>&>());
     { c.is_linear() } -> std::convertible_to<bool>;               // the stage's matrix is M + factor K for all unknowns
-    { c.follows_temperature() } -> std::convertible_to<bool>;     // the stage's matrix does
+    { c.follows_temperature() } -> std::convertible_to<bool>;     // the stage's matrix depends on temperature
     c.store(x, v);                                                // M h(T)  [J]
-    c.conduct(x, v);                                              // K T, without films that follow the temperature  [W]
+    c.conduct(x, v);                                              // K T, without coefficients that depend on temperature [W]
     c.apply_stage(x, v);                                          // (M + factor K) T of the last build(), if is_linear()
     { c.stored_between(x, x) } -> std::convertible_to<double>;    // [J]
 
-    // films that follow the temperature of their surface
+    // convection coefficients that depend on the temperature of their surface
     { c.add_films(films, x, v) } -> std::same_as<FilmHeat>;
     c.add_film_slopes(films, x, v);                               // d(heat into the air) / d(air), as a load
     c.finish_load(v);
@@ -97,7 +97,7 @@ concept HeatSystem = requires(S& s, const S& c, typename S::Vector& v, const typ
     { s.solve(x, v, low_rank, SolveTolerance{}, std::string()) } -> std::convertible_to<int>;  // iterations
     { c.terms() } -> std::same_as<std::vector<Term>>;
 
-    // what a run watches besides
+    // further values that a run records
     { c.observe(x, x, true) } -> std::same_as<std::vector<double>>;
     c.widen(x, std::declval<std::vector<double>&>(), std::declval<std::vector<double>&>());
 };

@@ -16,14 +16,14 @@ inline const double bdf_now = (1 - gamma_stage) * (1 - gamma_stage) / (gamma_sta
 inline const std::array<double, 3> error_weights{(1 - outer_weight) / 3 - outer_weight,
                                                  (3 * outer_weight + 1) / 3 - outer_weight, diagonal / 3 - diagonal};
 
-/// Slope of a scalar at the end of a step, from its values at the three times of the step: the second stage's own
-/// formula, and that of the parabola through them.
+/// Slope of a scalar at the end of a step, from its values at the three times of the step: the
+/// formula of the second stage, which is also that of the parabola through them.
 inline double end_slope(double start, double middle, double end, double dt)
 {
     return (end - bdf_middle * middle + bdf_now * start) / (diagonal * dt);
 }
 
-/// Error of a step by the slopes at its three times: the difference to the companion method.
+/// Error of a step from the slopes at its three times: the difference to the companion method.
 inline double step_error(double dt, double start_slope, double middle_slope, double end_slope)
 {
     return dt * (error_weights[0] * start_slope + error_weights[1] * middle_slope + error_weights[2] * end_slope);

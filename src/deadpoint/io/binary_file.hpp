@@ -14,13 +14,14 @@
 #include <utility>
 #include <vector>
 
-/// Values as bytes in a file of ours, for this kind of machine: numbers as they are in memory, a text or list behind
-/// its count, a struct as its members. Which these are, a struct says once for writing and reading:
+/// Values as bytes in a binary file of deadpoint, for this kind of machine: a number as in memory,
+/// a text or list after its count, a struct as its members. A struct lists its members once for
+/// writing and reading:
 ///
 ///     constexpr auto members(const Series*) { return std::tuple{&Series::value, &Series::rate}; }
 ///
-/// The file begins with its kind and ends with its length and a checksum of all before, so that one that was cut short
-/// or changed is known before anything of it is believed.
+/// The file begins with its kind and ends with its length and a checksum of all before, so that a
+/// truncated or changed file is detected before any of its contents is used.
 namespace deadpoint {
 
 template <class Value>
@@ -28,7 +29,7 @@ inline constexpr bool is_number = std::is_arithmetic_v<Value> && !std::is_same_v
 
 class BinaryWriter {
 public:
-    /// @param out  whose failures are its owner's
+    /// @param out the stream; its owner checks for failures
     BinaryWriter(std::ostream& out, std::string_view kind);
     /// Numbers, bools, texts, lists, and structs with members().
     template <class... Values>
@@ -79,10 +80,11 @@ private:
 class BinaryReader {
 public:
     /// Opens a file and checks all of it.
-    /// @param help  what a user can do where it is of no use, for the messages
+    /// @param help remedy if the file cannot be used, for the messages
     /// @throws IoError if it cannot be read, is of another kind, was cut short or changed
     BinaryReader(std::filesystem::path file, std::string_view kind, std::string help);
-    /// Reads what a writer was given in the same order. No count is believed that the file is too short for.
+    /// Reads values in the order in which they were written. A count that exceeds the rest of the
+    /// file is refused.
     /// @throws IoError if the file is at its end
     template <class... Values>
     void operator()(Values&... values)

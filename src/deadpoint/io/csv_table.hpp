@@ -14,7 +14,7 @@ namespace deadpoint {
 struct CsvTable {
     struct Column {
         std::string name;
-        std::string unit;  ///< empty where the heading has none
+        std::string unit;  ///< empty if the heading has none
     };
     std::string file;  ///< for messages
     std::vector<Column> columns;
@@ -25,7 +25,7 @@ struct CsvTable {
     /// @throws InputError if there is none of that name
     [[nodiscard]] std::size_t column(std::string_view name) const;
     /// The numbers of a column.
-    /// @throws InputError with file and line if a cell is empty, no number or not finite
+    /// @throws InputError with file and line if a cell is empty, not a number or not finite
     [[nodiscard]] std::vector<double> numbers(std::size_t column) const;
 };
 

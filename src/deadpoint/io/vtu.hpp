@@ -44,7 +44,7 @@ struct VtuArray {
     VtuValues values;
 };
 
-/// What stands in a file besides grid and arrays.
+/// Contents of a file besides grid and arrays.
 struct VtuNotes {
     std::optional<double> time;         ///< [s], becomes the field "TimeValue"
     std::vector<std::string> comments;  ///< version, case hash, warnings: one XML comment each

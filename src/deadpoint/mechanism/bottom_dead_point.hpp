@@ -6,7 +6,7 @@
 
 namespace deadpoint::mechanism {
 
-/// Finds bottom dead point and how the slide moves there when joint centres shift.
+/// Finds bottom dead point and the motion of the slide there when joint centres shift.
 ///
 /// The driver is turned once around in steps of two degrees from the assembled position; the lowest slide position
 /// along the stroke direction is then refined to a zero of the slide's velocity (to 1e-12 rad). The weights follow from
@@ -18,9 +18,10 @@ namespace deadpoint::mechanism {
 ///         does not return to where it started, or its slide does not move
 BottomDeadPointSensitivity bottom_dead_point(const Linkage& linkage);
 
-/// What a longer or shorter distance between two joint centres of one body does to the slide at bottom dead point,
-/// driver held: d(height)/d(length) = +-dot(weight of `to`, direction from `from` to `to`), where the centre `to` moves
-/// away from `from` in the body while the body's other centres stay.
+/// Motion of the slide at bottom dead point due to a change of the distance between two joint
+/// centres of one body, driver held: d(height)/d(length) = +-dot(weight of `to`, direction from
+/// `from` to `to`), where the centre `to` moves away from `from` in the body while the body's other
+/// centres stay.
 ///
 /// A body with two joints gives one entry; one with more, and the ground, gives one for each order of the two, since
 /// it then matters which of them stays. Pairs whose centres coincide are left out. For a slide joint only the shift

@@ -9,7 +9,7 @@
 
 namespace deadpoint::mechanism {
 
-/// What drives and loads the linkage over one turn.
+/// Drive and loads of the linkage over one turn.
 struct CycleRequest {
     /// One per body of the linkage. A body may be without mass if its inertia is zero too (a massless link); a body
     /// with mass needs an inertia > 0 if its rotation speeds up or slows down anywhere in the turn. The ground's is
@@ -60,13 +60,13 @@ struct StrokeFigures {
     double largest_acceleration = 0;  ///< magnitude along the stroke [m/s2]
 };
 
-/// Finds the figures from the linkage itself, not from the samples: the dead points as zeros of the slide's velocity to
-/// 1e-12 rad, the ends of the dwell to 1e-12 rad, the largest values to rounding. The history tells where to look, so
-/// that it must be fine enough to have a sample near each of them.
+/// Finds the figures from the linkage itself, not from the samples: the dead points as zeros of the
+/// slide's velocity to 1e-12 rad, the ends of the dwell to 1e-12 rad, the largest values to
+/// rounding. The history gives the starting points, so it must have a sample near each of them.
 /// @param history  of the same linkage and request
 StrokeFigures stroke_figures(const Linkage& linkage, const CycleRequest& request, const CycleHistory& history);
 
-/// What the drive has to give.
+/// Torque and power of the drive.
 struct DriveFigures {
     double mean_power = 0;   ///< work of the drive over the turn by the period [W]
     double mean_torque = 0;  ///< over time [N m]
@@ -75,7 +75,7 @@ struct DriveFigures {
 };
 DriveFigures drive_figures(const CycleHistory& history);
 
-/// How a slide force shows at the crank, without friction and inertia, at one position.
+/// Ratio of slide force and crank load, without friction and inertia, at one position.
 struct ForceRatio {
     double past_bottom = 0;      ///< angle of the driver past bottom dead point, -pi..pi [rad]
     double height = 0;           ///< of the slide above bottom dead point [m]

@@ -5,7 +5,7 @@
 
 namespace deadpoint::mechanism {
 
-/// Speed of the driver over its angle past bottom dead point, as CycleRequest takes it.
+/// Speed of the driver over its angle after bottom dead point, for CycleRequest.
 struct DriverSpeed {
     std::function<double(double past_bottom)> speed;  ///< [rad/s]
     std::function<double(double past_bottom)> slope;  ///< its derivative by the angle [1/s]; empty: steady

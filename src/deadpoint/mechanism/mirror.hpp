@@ -5,10 +5,10 @@
 
 #include <vector>
 
-/// Linkages of which one half is given.
+/// Full linkages from one given half.
 namespace deadpoint::mechanism {
 
-/// Where each body or joint of a full linkage comes from.
+/// Origin of each body or joint of a full linkage.
 struct MirrorOrigin {
     int original = 0;    ///< index in the given linkage
     bool image = false;  ///< at the plane x = 0
@@ -27,10 +27,10 @@ struct MirroredLinkage {
 /// connects the images of its bodies (a single body is its own), with centre and direction reflected. Single bodies
 /// must be symmetric to the plane themselves.
 ///
-/// The two halves hold a single body's rotation by themselves where it carries a pair of pins that lie off the plane.
-/// A slide that also guides its rotation would hold it once more than needed, with no unique reaction; there
-/// guides_rotation becomes false, and the joint is listed in `freed`. A body whose pins lie on the plane keeps its
-/// guide.
+/// The two halves hold the rotation of a single body if it carries a pair of pins off the plane. A
+/// slide that also guides its rotation would constrain it once too often, without a unique
+/// reaction; guides_rotation of that slide becomes false, and the joint is listed in `freed`. A
+/// body whose pins lie on the plane keeps its guide.
 ///
 /// @param exists_twice  one per body
 /// @throws InputError if the sizes differ, the ground, the slide or the driven body is doubled, or a name is taken

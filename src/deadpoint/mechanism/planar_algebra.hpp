@@ -21,13 +21,13 @@ inline Vec2 turned(const Vec2& v) { return {-v[1], v[0]}; }
 Vec2 rotated(const Vec2& v, double angle);
 int equations_of(const LinkageJoint& joint);
 
-/// The equations in a given position: what they leave open, their Jacobian, and what is wrong with it.
+/// The equations in a given position: their residual, their Jacobian, and its faults.
 struct PlanarAlgebra {
     const PlanarLayout& layout;
     const std::vector<PlanarPose>& poses;
     std::span<const CentreShift> shifts = {};
 
-    /// A joint in this position: the arms from the bodies' origins to its centre, and what they leave open.
+    /// A joint in this position: the arms from the bodies' origins to its centre, and their gap.
     struct Joint {
         const LinkageJoint& joint;
         const PlanarPose& a;
@@ -45,14 +45,14 @@ struct PlanarAlgebra {
     /// Right-hand side of J q'' = gamma: all terms of the second derivative of the constraints without q''.
     [[nodiscard]] Eigen::VectorXd gamma(const std::vector<PlanarPose>& v, double driver_acceleration) const;
     [[nodiscard]] std::vector<PlanarPose> spread(const Eigen::VectorXd& q) const;
-    /// Distance by which a joint is not closed [m].
+    /// Gap of a joint that is not closed [m].
     [[nodiscard]] double opening(int joint) const;
 
     /// @throws InputError if the matrix is singular
     [[nodiscard]] Eigen::PartialPivLU<Eigen::MatrixXd> factorised(const Eigen::MatrixXd& matrix,
                                                                   double driver_angle) const;
 
-    /// What is wrong with constraints that do not determine the position.
+    /// Fault of constraints that do not determine the position.
     struct Fault {
         std::string text;  ///< empty: nothing
         std::string help;
@@ -74,16 +74,18 @@ struct PlanarWalk {
 
     /// Factors the Jacobian at closed poses and finds their derivatives. @throws InputError if it is singular
     [[nodiscard]] PlanarPosition located(std::vector<PlanarPose> poses) const;
-    /// Newton's method with a factor that is renewed when it no longer serves; false if it does not converge.
+    /// Newton's method with a factor that is renewed when convergence is slow; false if it does not
+    /// converge.
     bool close(std::vector<PlanarPose>& guess, double angle, Eigen::PartialPivLU<Eigen::MatrixXd> lu) const;
-    /// As far towards `to` as the linkage closes. @throws InputError if it passes a singular position
+    /// The furthest position towards `to` at which the linkage closes. @throws InputError if it
+    /// passes a singular position
     [[nodiscard]] PlanarPosition furthest(PlanarPosition from, double to) const;
-    /// What stands in the way at the last closed position, for a driver on its way to `to`.
+    /// The obstacle at the last closed position, for a driver that turns to `to`.
     [[nodiscard]] std::string obstacle(const PlanarPosition& last, double to) const;
 
 private:
     /// The closed position at another angle, if it can be found.
-    /// @param far  the Jacobian at `from` does not serve there
+    /// @param far the Jacobian at `from` cannot be used there
     [[nodiscard]] std::optional<PlanarPosition> stepped(const PlanarPosition& from, double to, bool far) const;
     [[nodiscard]] int jammed_joint(const PlanarPosition& last) const;
     struct Miss {

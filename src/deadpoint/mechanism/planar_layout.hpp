@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/// Where the coordinates and constraints of a planar linkage stand in its system of equations.
+/// Indices of the coordinates and constraints of a planar linkage in its system of equations.
 namespace deadpoint::mechanism {
 
 struct PlanarLayout {
@@ -17,7 +17,7 @@ struct PlanarLayout {
     int driven_body = 0;
     double length = 1;  ///< size of the linkage [m]
 
-    /// All bodies where the case file has them.
+    /// Poses of all bodies at the assembled position of the case file.
     [[nodiscard]] std::vector<PlanarPose> assembled() const { return std::vector<PlanarPose>(linkage.bodies.size()); }
 };
 

@@ -21,7 +21,7 @@ struct PlanarMotion {
     std::vector<PlanarPose> accelerations;  ///< [m/s2], [rad/s2]
 };
 
-/// A closed position: where the bodies are and how their poses change with the driver's angle.
+/// A closed position: poses of the bodies and their derivatives by the driver's angle.
 struct PlanarPosition {
     struct Factors;                          ///< of the Jacobian here; internal
     double angle = 0;                        ///< of the driver [rad]
@@ -31,7 +31,7 @@ struct PlanarPosition {
     std::shared_ptr<const Factors> factors;  ///< shared by copies, since it never changes
 };
 
-/// What acts on a body besides its joints; an inertia force (-m a) counts as one of these.
+/// Load on a body besides its joints; an inertia force (-m a) counts as a load.
 struct PlanarLoad {
     Vec2 force{};       ///< [N]
     double moment = 0;  ///< about the body's own origin, which lies at the translation of its pose [N m]
@@ -44,14 +44,14 @@ struct PlanarLoad {
     }
 };
 
-/// What the joints and the drive carry.
+/// Reactions of the joints and the drive.
 struct PlanarReactions {
     std::vector<Vec2> force;     ///< on body_a by body_b at the joint's centre, in machine coordinates, per joint [N]
     std::vector<double> moment;  ///< on body_a by body_b; not zero only where a slide guides rotation [N m]
     double drive_torque = 0;     ///< on the driven body, counter-clockwise [N m]
 };
 
-/// Where a point of a body lies that has coordinates `point` in the assembled position [m].
+/// Position of the point of a body whose coordinates in the assembled position are `point` [m].
 Vec2 place(const PlanarPose& pose, const Vec2& point);
 /// Velocity of that point [m/s].
 Vec2 velocity_of(const PlanarPose& pose, const PlanarPose& velocity, const Vec2& point);

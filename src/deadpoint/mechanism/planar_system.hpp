@@ -29,16 +29,16 @@ public:
     explicit PlanarSystem(const Linkage& linkage);
 
     [[nodiscard]] const Linkage& linkage() const { return layout_.linkage; }
-    /// All bodies where the case file has them.
+    /// Poses of all bodies at the assembled position of the case file.
     [[nodiscard]] std::vector<PlanarPose> assembled() const;
 
     /// The closed position with these poses; the driver's angle is that of its body.
     /// @throws InputError if it is singular
     [[nodiscard]] PlanarPosition position(std::vector<PlanarPose> poses) const;
 
-    /// Turns the driver to another angle [rad] in steps of at most two degrees, each predicted to second order and
-    /// closed by Newton's method. The sign of the Jacobian's determinant must not change on the way, so that the
-    /// linkage keeps its way of closing.
+    /// Turns the driver to another angle [rad] in steps of at most two degrees, each predicted to
+    /// second order and closed by Newton's method. The sign of the Jacobian's determinant must not
+    /// change on the way, so that the linkage stays in its assembly mode.
     /// @throws InputError if the linkage cannot close on the way: says from which angle to which, and which joint stays
     ///         open by how much when all others are closed; or if it passes a singular position
     [[nodiscard]] PlanarPosition moved(const PlanarPosition& from, double to) const;
@@ -68,11 +68,11 @@ public:
     /// @param loads  one per body; that on the ground is ignored
     [[nodiscard]] PlanarReactions reactions(const PlanarPosition& position, std::span<const PlanarLoad> loads) const;
 
-    /// Where the joint's centre lies, as carried by its first body [m].
+    /// Centre of the joint, as carried by its first body [m].
     [[nodiscard]] Vec2 joint_centre(int joint, const std::vector<PlanarPose>& poses) const;
 
-    /// Point of the slide whose travel counts: the centre of the joint that guides it, else the mean of its joints'
-    /// centres; in the assembled position [m].
+    /// Reference point of the slide's travel: the centre of the joint that guides it, else the mean
+    /// of its joints' centres; in the assembled position [m].
     [[nodiscard]] Vec2 slide_point() const;
 
     /// Motion of the slide along the stroke direction per unit shift of every joint's centre, driver held: solves

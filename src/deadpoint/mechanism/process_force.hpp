@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-/// Force laws of the process between slide and table.
+/// Laws of the process (piling, blanking, forming) force between slide and table.
 namespace deadpoint::mechanism {
 
 /// Process force on the slide [N], positive along the stroke direction (up, away from the table), from the angle of the

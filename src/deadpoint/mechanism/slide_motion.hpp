@@ -4,7 +4,7 @@
 
 #include <functional>
 
-/// Internal: the slide's height over the driver's angle and where it is extreme.
+/// Internal: the slide's height over the driver's angle and its extrema.
 namespace deadpoint::mechanism {
 
 /// Travel of the slide along the stroke direction.
@@ -19,7 +19,7 @@ public:
     [[nodiscard]] double slope(const PlanarPosition& position) const;      ///< by the driver's angle [m/rad]
     [[nodiscard]] double curvature(const PlanarPosition& position) const;  ///< [m/rad2]
 
-    /// Where a function of the position is zero, between two positions at which it has different signs.
+    /// Zero of a function of the position, between two positions at which it has different signs.
     [[nodiscard]] PlanarPosition zero(const std::function<double(const PlanarPosition&)>& of,
                                       const PlanarPosition& first, const PlanarPosition& second) const;
     enum class Extremum { lowest, highest };

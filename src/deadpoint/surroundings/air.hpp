@@ -3,7 +3,7 @@
 /// Dry air at atmospheric pressure.
 namespace deadpoint::surroundings {
 
-/// Standard gravity as the convection formulas use it [m/s2].
+/// Gravity in the convection formulas [m/s2].
 inline constexpr double gravity = 9.81;
 /// Pressure at which the properties of air hold [Pa].
 inline constexpr double air_pressure = 101325;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Nusselt numbers of the surfaces of a machine in air. All properties are meant at the film temperature, the mean of
-/// surface and ambient. A number outside the tested range is computed and flagged; a negative or non-finite argument
-/// throws DomainError.
+/// Nusselt numbers of the surfaces of a machine in air. All properties are those at the film
+/// temperature, the mean of surface and ambient temperature. A number outside the tested range is
+/// computed and flagged; a negative or non-finite argument throws DomainError.
 ///
 /// Textbook pairs of a laminar and a turbulent law jump where one takes over (24 % on a vertical wall, 6 % on a plate
 /// facing up, 15 % on a disk). Here the second takes over smoothly just above the printed limit; below it and above the
@@ -46,7 +46,7 @@ enum class RotatingLaw {
     kays_bjorklund  ///< 0.135 ((Re^2/2 + Re_c^2 + Gr) Pr)^(1/3); flagged as Becker's (Kays and Bjorklund 1958)
 };
 
-/// A horizontal cylinder turning in air at rest; L is the diameter d, Re = omega d^2 / (2 nu).
+/// A horizontal cylinder rotating in air at rest; L is the diameter d, Re = omega d^2 / (2 nu).
 ///
 /// The four laws agree within about 20 %. With the surface's rotation the coefficient grows as omega^(2/3) d^(1/3)
 /// (Becker) or omega^0.7 d^0.4. Left out: the effect of walls and cranks nearby, eccentric motion of a crank pin.
@@ -55,13 +55,14 @@ enum class RotatingLaw {
 Nusselt nusselt_rotating_cylinder(RotatingLaw law, double reynolds, double prandtl, double grashof = 0,
                                   double cross_flow = 0);
 
-/// Reynolds number of a turning cylinder, omega d^2 / (2 nu), from speed of any sign [rad/s], diameter [m] and
-/// kinematic viscosity [m2/s]. That of a disk on its radius, omega R^2 / nu, is half of it at equal diameter.
+/// Reynolds number of a rotating cylinder, omega d^2 / (2 nu), from speed of any sign [rad/s],
+/// diameter [m] and kinematic viscosity [m2/s]. That of a disk on its radius, omega R^2 / nu, is
+/// half of it at equal diameter.
 double rotating_reynolds(double speed, double diameter, double kinematic_viscosity);
 
-/// A disk turning in air at rest, mean over the face; L is the radius R, Re = omega R^2 / nu.
-/// 0.36 Re^(1/2) for Re < 2.4e5, then 0.015 Re^0.8 - 100 (2.4e5/Re)^(1/2), tested to 4e6; transition 2.4e5..3e5
-/// (Kreith, Convection heat transfer in rotating systems, 1968; Cobb and Saunders 1956).
+/// A disk rotating in air at rest, mean over the face; L is the radius R, Re = omega R^2 / nu. 0.36
+/// Re^(1/2) for Re < 2.4e5, then 0.015 Re^0.8 - 100 (2.4e5/Re)^(1/2), tested to 4e6; transition
+/// 2.4e5..3e5 (Kreith, Convection heat transfer in rotating systems, 1968; Cobb and Saunders 1956).
 Nusselt nusselt_rotating_disk(double reynolds);
 
 /// A flat plate in parallel flow, mean over the length, here a link or slide moving through air at rest with its root

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-/// Internal to surroundings: forward differentiation, so that a film coefficient and its slope come from one formula.
+/// Internal to surroundings: forward differentiation, so that a convection coefficient and its
+/// slope come from one formula.
 namespace deadpoint::surroundings::detail {
 
 /// A value and its derivative by one variable (here always the surface temperature).

@@ -48,8 +48,8 @@ inline constexpr Range range_dropkin_carmi{1.5e4, 4.33e5};
 inline constexpr Range range_disk{0, 4e6};
 inline constexpr Range range_moving_plate{0, 1e8};
 
-/// From `before` to `after` while x grows from `begin` to `end`, with a continuous slope: the textbook pairs of laws
-/// jump where they meet, which no solver of temperatures should see.
+/// From `before` to `after` while x grows from `begin` to `end`, with a continuous slope: the
+/// textbook pairs of laws jump where they meet, which would disturb the solver.
 template <class S>
 S crossover(S x, double begin, double end, S before, S after)
 {

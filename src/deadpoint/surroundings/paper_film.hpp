@@ -4,9 +4,8 @@
 
 #include <span>
 
-/// Convection as Zheng et al. 2018 print it: offered by name for comparison with that paper, not as a default.
-///
-/// What is wrong there, against dry air and the correlations of convection.hpp:
+/// Convection as printed by Zheng et al. 2018: available by name to compare with that paper, not as
+/// a default. Errors of the paper, relative to dry air and the correlations of convection.hpp:
 /// - Table 7 lists as kinematic viscosity the dynamic one (18.1, 18.6, 19.1 at 20..40 C, in 1e-6 Pa s) and the thermal
 ///   diffusivity (25.7, 27.2, 28.6 at 50..70 C, in 1e-6 m2/s): 20, 16, 13, 43, 43 and 43 % above the true values. Its
 ///   unit "mm2/s" beside "x 1e-6" is read here as m2/s.
@@ -18,7 +17,7 @@
 ///   surfaces is about twice the natural convection. 9.7 on the crankshaft is forced convection and grows as n^(2/3).
 namespace deadpoint::surroundings {
 
-/// The paper's film coefficients [W/m2/K].
+/// The paper's convection coefficients [W/m2/K].
 inline constexpr double paper_frame_coefficient = 5;
 inline constexpr double paper_crankshaft_coefficient = 9.7;
 

@@ -23,19 +23,20 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// @throws DomainError if the emissivity leaves 0..1 or a temperature is not positive
 LawValue radiation_coefficient(double emissivity, double surface_temperature, double ambient_temperature);
 
-/// Radiation among the grey, diffuse surfaces of a closed room, as areas X_ij by which they exchange it: surface i
-/// gives off
+/// Radiation among the grey, diffuse surfaces of a closed room, as exchange areas X_ij. Surface i
+/// emits the net power
 ///
 ///   Q_i = sum over j of X_ij sigma (T_i^4 - T_j^4)        [W]
 ///   X = diag(eps A) (1 - F diag(1 - eps))^-1 F diag(eps)                                   (net radiosities)
 ///   F_ij = S u_i u_j / A_i,    u_i (1 - u_i) S = A_i,    sum of u_i = 1                    (view factors)
 ///
-/// X is symmetric and its row i sums to eps_i A_i (Hottel and Sarofim, Radiative Transfer, ch. 3). The view factors are
-/// those of Carroll (ASHRAE Trans. 86, 1980): reciprocal, and those of a surface sum to 1. They count surfaces as plane
-/// and spread around the room; where each is is not asked. Where one is larger than all others together, these see
-/// nothing but it, and it sees itself by what is left. Exact for two large parallel plates, two concentric spheres or
-/// long cylinders, any surface that does not see itself inside one other, and surfaces of equal size that see each
-/// other alike.
+/// X is symmetric and its row i sums to eps_i A_i (Hottel and Sarofim, Radiative Transfer, ch. 3).
+/// The view factors are those of Carroll (ASHRAE Trans. 86, 1980): reciprocal, and those of a
+/// surface sum to 1. They treat surfaces as plane and distributed around the room, and need no
+/// positions. If one surface is larger than all others together, the others see only it, and it
+/// sees itself with the remaining share. Exact for two large parallel plates, two concentric
+/// spheres or long cylinders, any surface that does not see itself inside one other, and surfaces
+/// of equal size that see each other equally.
 ///
 /// @param areas         A_i > 0 [m2]
 /// @param emissivities  eps_i of each, above 0 and at most 1 [-]

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-/// Checks that every friction law makes of its arguments. The text names the quantity with its owner and unit, as in
-/// "pin radius [m]".
+/// Checks of the arguments of friction laws. The text names the quantity with its owner and unit,
+/// as in "pin radius [m]".
 namespace deadpoint::tribology {
 
 /// @throws InputError unless the value is finite and greater than zero
@@ -12,7 +12,7 @@ void require_positive(std::string_view what, double value);
 /// @throws InputError unless the value is finite and not negative
 void require_not_negative(std::string_view what, double value);
 
-/// For what changes while a law is evaluated, not for what a user states.
+/// For values that change while a law is evaluated, not for user input.
 /// @throws DomainError unless the value is finite and greater than zero
 void require_positive_state(std::string_view what, double value);
 

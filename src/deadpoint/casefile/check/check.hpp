@@ -7,8 +7,8 @@
 
 namespace deadpoint::casefile {
 
-/// Checks every name that refers to something else, and the rules that span sections. Does not look at geometry.
-/// Names left empty are passed over: that they are missing is found on reading.
+/// Checks every name that refers to something else, and the rules that span sections. It does not
+/// check geometry. It skips empty names, since reading reports missing names.
 std::vector<Finding> check_references(const Case& c);
 
 }  // namespace deadpoint::casefile

@@ -4,7 +4,7 @@
 
 namespace deadpoint::casefile {
 
-/// Foundation, preload, and what stress is asked for.
+/// Checks foundation, preload, and the names in output.stress.
 std::vector<Finding> check_elastic(const Case& c);
 
 }  // namespace deadpoint::casefile

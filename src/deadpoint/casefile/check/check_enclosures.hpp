@@ -4,8 +4,8 @@
 
 namespace deadpoint::casefile {
 
-/// Surfaces of enclosures: each faces one enclosure at most, and has a film that leaves its air to the enclosure.
-/// Passes over surfaces that the case does not have.
+/// Surfaces of enclosures: each faces at most one enclosure, and has a `film` without an ambient of
+/// its own. Skips surfaces that the case does not have.
 std::vector<Finding> check_enclosures(const Case& c);
 
 }  // namespace deadpoint::casefile

@@ -9,19 +9,20 @@
 /// The directions of a case: of gravity and of the stroke.
 namespace deadpoint::casefile {
 
-/// Unit direction of the slide's stroke, from the table towards the slide: `mechanism.stroke_direction`; without it
-/// along the guide that holds the slide on the ground, against gravity; without such a guide straight against gravity.
-/// A finding where these say nothing or contradict each other.
+/// Unit direction of the slide's stroke, from the table towards the slide:
+/// `mechanism.stroke_direction`; without it along the guide that holds the slide on the ground,
+/// against gravity; without such a guide straight against gravity. Returns a finding if these are
+/// missing or contradict each other.
 std::variant<Vec2, Finding> find_stroke_direction(const Case& c);
 
-/// The same of a case that was checked.
+/// The same for a case that was checked.
 /// @throws InputError with that finding's message
 Vec2 stroke_direction(const Case& c);
 
 /// Gravity in the plane of the linkage, 9.81 m/s2 along `machine.gravity_direction` [m/s2].
 Vec2 plane_gravity(const Case& c);
 
-/// Stroke and gravity, and whether they fit a half model or bodies with mirror images.
+/// Checks stroke and gravity, also against a half model or bodies with mirror images.
 std::vector<Finding> check_directions(const Case& c);
 
 }  // namespace deadpoint::casefile

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-/// What is found wrong in a case, and how checks gather it.
+/// Mistakes found in a case, and the list that collects them.
 namespace deadpoint::casefile {
 
-/// No press is colder; what a formula gives below was meant in degC [K].
+/// No press is colder [K]; a formula with a lower result was probably meant in degC.
 inline constexpr double coldest_meant = 150;
 
 /// A mistake in how the sections of a case refer to each other.
@@ -24,7 +24,7 @@ struct Finding {
     bool warning = false;
 };
 
-/// Findings about names in a case, gathered one after the other.
+/// Collects findings about names in a case.
 class Findings {
 public:
     explicit Findings(const Case& c) : c_(c) {}

@@ -4,7 +4,8 @@
 #include <string>
 #include <variant>
 
-/// The key `numerics.accuracy`: by how much a further refinement may still change the result.
+/// The key `numerics.accuracy`: the largest change of the result that a further refinement may
+/// cause.
 namespace deadpoint::casefile {
 
 struct Case;
@@ -16,7 +17,7 @@ struct Accuracy {
     double tolerance = 0;  ///< [K] or [m], > 0
 };
 
-/// Why a text is no accuracy.
+/// Reason why a text is not an accuracy.
 struct AccuracyProblem {
     std::string message;
     std::string help;
@@ -25,10 +26,11 @@ struct AccuracyProblem {
 /// "0.1 K" is an accuracy of the rises, "0.2 um" one of the gap.
 std::variant<Accuracy, AccuracyProblem> parse_accuracy(const std::string& text);
 
-/// The accuracy that a checked case asks for, if any.
+/// The accuracy that a checked case requests, if any.
 std::optional<Accuracy> wanted_accuracy(const Case& input);
 
-/// A mistake where the case has nothing of which it states an accuracy: a gap without [chain], rises without probes.
+/// A mistake if the case lacks the figure of its accuracy: a gap without [chain], or rises without
+/// probes.
 std::optional<Finding> check_accuracy(const Case& input);
 
 }  // namespace deadpoint::casefile

@@ -25,7 +25,7 @@ struct Material {
     enum class Expansion { mean, instantaneous };
     std::string library;  ///< name in the shipped library; given keys override it
     double density = 0;
-    double conductivity = 0;  ///< of a table its first value; likewise below
+    double conductivity = 0;  ///< for a table, its first value; likewise below
     double specific_heat = 0;
     double expansion = 0;
     Table conductivity_table;  ///< over temperature [W/m/K over K]; empty: constant
@@ -55,9 +55,9 @@ struct Body {
     std::optional<Vec2> centre_of_mass;
     std::optional<double> inertia;
     bool ground = false;
-    bool mirror = false;                        ///< exists twice: its image at x = 0 takes part in the loads
+    bool mirror = false;                        ///< exists twice: the loads include its image at x = 0
     std::optional<double> initial_temperature;  ///< else the machine's [K]
-    bool thermal_only = false;  ///< bearing rings: part of the heat problem, but of no dimension chain link
+    bool thermal_only = false;  ///< bearing rings: part of the heat problem, but not a link of the dimension chain
 };
 
 struct Part {
@@ -91,9 +91,9 @@ struct Interface {
     std::optional<double> diameter;  ///< of the cylinder about the joint's centre; else both sides are surfaces
     Conductance conductance;
     double oil = 0;             ///< oil coefficient per area of the joint [W/m2/K]
-    double heat_share = 1;      ///< relative share per area of the friction heat of its row
-    std::string heat_into;      ///< part whose volume takes that heat; empty: the film between the sides
-    bool load_zone = false;     ///< the load part of that heat falls where the joint is pressed
+    double heat_share = 1;      ///< relative share per area of the heat of its friction law
+    std::string heat_into;      ///< part whose volume receives that heat; empty: the contact layer between the sides
+    bool load_zone = false;     ///< the load part of that heat is distributed over the pressed zone
     bool stands_still = false;  ///< does not turn, although the joint turns fully (outer rings)
     bool seat = false;          ///< its fitted centre on the ground body is the joint's centre there (bearing seats)
     bool journal = false;       ///< its fitted centre on the moving body is the joint's centre there
@@ -107,9 +107,9 @@ struct Joint {
     Vec2 centre{};
     Vec2 direction{0, 1};
     bool guides_rotation = true;
-    bool swept = true;                   ///< slide: its contact is spread over what the bodies sweep on each other
+    bool swept = true;                   ///< slide: its contact is distributed over the swept length
     double preload = 0;                  ///< slide: force that presses each of its two faces together [N]
-    std::optional<double> guide_length;  ///< slide: of the guide's two ends from each other, along the travel [m]
+    std::optional<double> guide_length;  ///< slide: distance of the guide's two ends, along the travel [m]
     bool turns_fully = false;
     bool driver = false;
     std::string friction;
@@ -120,7 +120,7 @@ struct Joint {
 };
 
 struct Surface {
-    /// exposed: what nothing touches and no other surface claims.
+    /// exposed: faces that nothing touches and no other surface claims.
     enum class Select { exposed, all, plane, cylinder, box, group };
     std::vector<std::string> parts;
     Select select = Select::exposed;
@@ -154,7 +154,7 @@ struct Probe {
 };
 
 struct Chain {
-    /// How far the crank follows when heat opens or closes its bearings.
+    /// Motion of the crank when heat opens or closes its bearings.
     enum class Play { limited, none, paper };
     std::string slide_body;
     std::string slide_surface;
@@ -224,7 +224,7 @@ struct Case {
     std::map<std::string, Body> bodies;
     std::map<std::string, Part> parts;
     std::map<std::string, Friction> friction;
-    std::map<std::string, double> oil;  ///< oil coefficient per area of the joints, by friction row [W/m2/K]
+    std::map<std::string, double> oil;  ///< oil coefficient per area of the joints, by friction law [W/m2/K]
     std::map<std::string, OilCircuit> oil_circuits;
     std::map<std::string, Joint> joints;
     std::map<std::string, Surface> surfaces;

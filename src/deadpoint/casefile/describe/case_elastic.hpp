@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-/// The part of a case that says how the machine stands and what strains it besides heat.
+/// The part of a case about supports of the machine and loads other than heat.
 namespace deadpoint::casefile {
 
 struct Foundation {
-    /// free: held in their plane, in which they slide; elastic: on pads that give way.
+    /// free: the feet slide in their plane; elastic: they stand on elastic pads.
     enum class Kind { free, clamped, elastic };
     Kind kind = Kind::free;
     std::string surface;                         ///< the feet; empty: that of the dimension chain
@@ -23,13 +23,13 @@ struct Foundation {
     double gravity = 0;                          ///< [m/s2]; 0: weights are left out
 };
 
-/// Rods that are stretched when the machine is assembled and press parts of it together.
+/// Rods that are stretched at assembly and press parts together.
 struct Preload {
     std::vector<std::string> parts;   ///< names or patterns; each part is one rod
     Axis axis = Axis::y;              ///< along the rods
     double force = 0;                 ///< of each rod at the start, weights acting [N]
     double process_share = 0;         ///< of the process force, that each rod has to hold
-    std::vector<std::string> closes;  ///< pairs of parts that nothing but the preload holds together
+    std::vector<std::string> closes;  ///< pairs of parts that only the preload holds together
 };
 
 template <>

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <variant>
 
-/// The part of a case that says how interfaces conduct and what surfaces give to the air.
+/// The part of a case about contact conductances of interfaces and convection of surfaces.
 namespace deadpoint::casefile {
 
 /// mean + amplitude cos(2 pi (t - time_of_maximum) / period), t on the clock of the run.
@@ -28,18 +28,18 @@ struct Course {
     std::optional<DailyCourse> daily;  ///< of temperatures only
 };
 
-/// A known resistance of the whole contact, shared evenly by both sides.
+/// A known resistance of the whole contact, split equally between the sides.
 struct ContactResistance {
     double value = 0;  ///< 0: no conduction [m2 K/W]
 };
 
-/// A known film to each side.
+/// A known conductance to each side.
 struct SideFilms {
     double a = 0;  ///< [W/m2/K]
     double b = 0;  ///< [W/m2/K]
 };
 
-/// What two rough surfaces are pressed with and what fills their gaps.
+/// Pressure, hardness and gap fluid of two rough surfaces.
 struct PressedSurfaces {
     std::optional<double> pressure;  ///< else the joint's mean load over its area [Pa]
     double hardness = 0;             ///< of the softer side [Pa]
@@ -70,7 +70,7 @@ struct OilFilm {
     std::optional<double> eccentricity;  ///< share of the clearance
 };
 
-/// Ring to ring through balls or rollers.
+/// Conductance from ring to ring through balls or rollers.
 struct RollingElements {
     std::optional<double> fluid_conductivity;  ///< of the lubricant in the contacts [W/m/K]
     std::optional<double> thickness;           ///< of that lubricant [m]
@@ -82,7 +82,7 @@ struct RollingElements {
     std::string material;  ///< of rings and elements; else that of side a
 };
 
-/// Known values, or a law with its parameters. Conductivities and elasticity are the parts' own.
+/// Known values, or a law with its parameters. Conductivity and elasticity are those of the parts.
 using Conductance = std::variant<ContactResistance, SideFilms, FractalContact, RoughContact, OilFilm, RollingElements>;
 
 /// Empty for known values.
@@ -97,7 +97,7 @@ struct FilmCoefficient {
 struct PlateFilm {
     enum class Facing { sideways, up, down };
     Facing facing = Facing::sideways;
-    bool as_printed = false;       ///< by the correlation of the paper with its Table 7, errors included
+    bool as_printed = false;       ///< by the paper's correlation with its Table 7, errors included
     std::optional<double> length;  ///< height, or area over perimeter; else from the geometry [m]
 
     [[nodiscard]] bool is_same_law(const PlateFilm& other) const
@@ -125,7 +125,7 @@ struct MovingFilm {
     std::optional<double> speed;   ///< root mean square; else from the loads [m/s]
 };
 
-/// A wall around air that exchanges little with the room.
+/// A wall around air that exchanges little heat with the room.
 struct EnclosedFilm {
     std::optional<double> length;  ///< height; else from the geometry [m]
     double exchange = 0;           ///< of the air with the room [W/K]

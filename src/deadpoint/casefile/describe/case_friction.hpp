@@ -9,10 +9,11 @@
 #include <string_view>
 #include <variant>
 
-/// The laws of friction heat, as a case states them: each law has a struct of its own, with the keys that it uses.
+/// The laws of friction heat, as a case states them: each law has its own struct with the keys that
+/// it uses.
 namespace deadpoint::casefile {
 
-/// H(T) = c0 + c1 (nu(T) / (1 mm2/s))^p, from a machine that was measured or computed.
+/// H(T) = c0 + c1 (nu(T) / (1 mm2/s))^p, fitted to a measured or computed machine.
 struct CalibratedFriction {
     FrictionKind kind = FrictionKind::rolling;  ///< how heat scales with speed and load
     double load_part = 0;                       ///< c0 [W]
@@ -49,18 +50,18 @@ struct SkfFriction {
     double axial_preload = 0;     ///< [N]
 };
 
-/// Pins in bushes: Coulomb friction and, with a clearance, the shear of the film (Petroff).
+/// Pins in bushes: Coulomb friction and, with a clearance, the shear of the oil film (Petroff).
 struct PinFriction {
     double coefficient = 0;           ///< of Coulomb friction
     std::optional<double> diameter;   ///< else that of the joint's elements or interface [m]
     std::optional<double> length;     ///< else the width of the joint's elements [m]
-    std::optional<double> clearance;  ///< radial [m]; none: no film
+    std::optional<double> clearance;  ///< radial [m]; none: no oil film
 };
 
-/// Guides: Coulomb friction and the shear of the film.
+/// Guides: Coulomb friction and the shear of the oil film.
 struct GuideFriction {
     double coefficient = 0;                ///< of Coulomb friction
-    std::optional<double> film_thickness;  ///< [m]; none: no film
+    std::optional<double> film_thickness;  ///< [m]; none: no oil film
     std::optional<double> film_area;       ///< of a joint, all faces [m2]
 };
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// The part of a case that loads are computed from, besides bodies and joints.
+/// The part of a case about loads, besides bodies and joints.
 namespace deadpoint::casefile {
 
 /// A quantity over another one, linear between the points, constant beyond them.
@@ -79,7 +79,7 @@ struct Crankshaft {
     double modal_damping = 0.02;
     double shear_factor = 0.9;  ///< 0: no shear deformation
     double axial_load = 0;
-    int critical_speeds = 4;  ///< how many are looked for
+    int critical_speeds = 4;  ///< number to compute
 };
 
 struct ProcessForce {

@@ -9,14 +9,15 @@
 #include <variant>
 #include <vector>
 
-/// Internal to casefile/: laws that are chosen by a key and have their own keys beside it.
+/// Internal to casefile/: laws that are chosen by a key and have further keys of their own.
 namespace deadpoint::casefile {
 
 /// The laws of one kind: the name that chooses each, and its struct with nothing stated yet.
 template <class Variant>
 using LawTable = std::vector<std::pair<std::string_view, Variant>>;
 
-/// Whether two values are the same law, whatever their parameters. Structs that serve several laws say so themselves.
+/// True if two values are the same law with any parameters. Structs that serve several laws define
+/// this themselves.
 template <class Variant>
 bool is_same_law(const Variant& one, const Variant& other)
 {
@@ -61,7 +62,7 @@ void describe_law(Visitor& v, Variant& value)
         value);
 }
 
-/// What a visitor needs of each law; `value` must outlive it.
+/// Data of each law for a visitor; `value` must outlive it.
 template <class Variant>
 std::vector<Law> laws_of(const LawTable<Variant>& table, Variant& value)
 {

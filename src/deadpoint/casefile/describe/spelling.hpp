@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-/// How a case file spells the values of an enumeration.
+/// Names of the values of an enumeration in a case file.
 namespace deadpoint::casefile {
 
 /// Names of the values of E in their order: a std::array of texts, stated beside each enumeration.

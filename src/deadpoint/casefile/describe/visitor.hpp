@@ -18,7 +18,7 @@ namespace deadpoint::casefile {
 enum class Need {
     optional,
     required,
-    of_law  ///< required where the law is chosen that the key belongs to
+    of_law  ///< required if the law of the key is chosen
 };
 
 /// One key of a table in the case file.
@@ -49,12 +49,12 @@ struct CurveKeys {
 
 class Visitor;
 
-/// One of the laws that a key of a table chooses; its own keys lie in the same table.
+/// One of the laws that a key of a table chooses; the keys of the law are in the same table.
 struct Law {
     std::string_view name;  ///< value of the key
     /// Describes the case's law, which becomes this one.
     std::function<void(Visitor&)> describe;
-    /// Describes a law with nothing stated, the same to all visitors in turn.
+    /// Describes an empty law, the same object to all visitors in turn.
     std::function<void(std::initializer_list<Visitor*>)> describe_fresh;
 };
 
@@ -114,11 +114,11 @@ class Visitor {
 public:
     virtual ~Visitor() = default;
 
-    /// What the table that is being described is for.
+    /// Purpose of the table that is being described.
     virtual void about(std::string_view sentences) { (void)sentences; }
     /// One of several forms of the table follows (after tagged()).
     virtual void alternative(std::string_view name) { (void)name; }
-    /// A rule between keys of the table: where it fails, `key` is wrong.
+    /// A rule between keys of the table: if it fails, `key` is wrong.
     virtual void expect(bool holds, std::string_view key, std::string_view message, std::string_view help)
     {
         (void)holds, (void)key, (void)message, (void)help;
@@ -151,7 +151,7 @@ public:
     virtual void curve(const Key& key, Table& value, const CurveKeys& keys) = 0;
     /// A constant quantity, or a table over temperature, whose first value then is the constant.
     virtual void property(const Key& key, double& constant, Table& table, Dimension dimension, const Range& range) = 0;
-    /// A value for any key of a case, as --set takes it. Study files only.
+    /// A value for any key of a case, as for --set. Study files only.
     virtual void setting(const Key& key, std::string& value) { (void)key, (void)value; }
     /// A list of them; an item may be a list of its own.
     virtual void settings(const Key& key, std::vector<std::vector<std::string>>& value) { (void)key, (void)value; }
@@ -166,8 +166,8 @@ public:
                                             std::span<const std::string_view> values, std::size_t value,
                                             std::string_view meaning) = 0;
 
-    /// The keys of the law that the key `tag` chose, which was described before.
-    /// @param chosen  its name; empty where the case names none
+    /// The keys of the law that the key `tag` chose, which was described before. @param chosen its
+    /// name; empty if the case names none
     virtual void laws(std::string_view tag, std::string_view chosen, std::span<const Law> laws) = 0;
 
     /// A table below this one.

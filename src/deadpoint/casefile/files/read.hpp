@@ -17,12 +17,12 @@ struct ReadResult {
 
 /// Reads a case file with its includes, checks it, and fills in the shipped library.
 ///
-/// What is checked: syntax, every key and its unit, ranges, and every name that refers to something else. Geometry is
-/// not looked at. All mistakes are reported together.
+/// It checks syntax, every key and its unit, ranges, and every name that refers to something else.
+/// It does not check geometry. All mistakes are reported together.
 ///
 /// @param path       the case file (TOML, format = 1)
 /// @param overrides  "path=value", applied after reading: "operation.0.speed=400 rpm", "parts.link_9.size=8 mm"
-/// @param files      where the STEP, mesh and included files may lie
+/// @param files      allowed locations of STEP, mesh and included files
 /// @return the case, in SI units; paths of STEP and mesh files are absolute
 /// @throws InputError whose text lists every mistake with file:line:column, the line and a remedy
 /// @throws IoError if the case file cannot be read

@@ -9,21 +9,22 @@
 #include <string_view>
 #include <vector>
 
-/// Measured or published values to compare a result with, as plain data in SI units. They never enter the model.
+/// Measured or published values to compare a result with, as plain data in SI units. The model does
+/// not use them.
 namespace deadpoint::casefile {
 
 class Visitor;
 
-/// What every value and claim of a reference file may say besides.
+/// Keys that every value and claim of a reference file may have.
 struct ReferenceNote {
     std::string point;  ///< operating point it belongs to; empty: the case as it stands
     std::string note;
 };
 
-/// What every value may say besides.
+/// Further keys that every value may have.
 struct ReferenceValue : ReferenceNote {
-    std::string group;        ///< values whose errors are summed up together; empty: those of its list without a group
-    bool calibrated = false;  ///< some parameter was fitted to it, whatever the case says
+    std::string group;  ///< values with the same group form a separate set; empty: values of its list without a group
+    bool calibrated = false;  ///< some parameter was fitted to it, even if the case does not say so
 };
 
 struct ReferenceRises : ReferenceValue {
@@ -41,7 +42,7 @@ struct ReferenceCurve : ReferenceValue {
     std::string measures;   ///< "temperature", "rise", "E_SW", ...
     std::string probe;
     std::optional<double> until;  ///< later rows are left out [s]
-    bool opposite_sign = false;   ///< of a dimension: the file counts it the other way round
+    bool opposite_sign = false;   ///< for a dimension: the file has the opposite sign
     std::vector<double> time;     ///< read from the file [s]
     std::vector<double> value;    ///< [K], or [m] in the sign of the program
 };
@@ -51,7 +52,7 @@ struct ReferenceChain : ReferenceValue {
     std::string at;         ///< "time", "largest", "end"
     std::optional<double> time;
     double value = 0;            ///< in the sign of the source [m]
-    bool opposite_sign = false;  ///< the source counts it the other way round
+    bool opposite_sign = false;  ///< the source has the opposite sign
 };
 
 struct ReferenceTime : ReferenceValue {
@@ -66,7 +67,7 @@ struct ReferenceLoad : ReferenceValue {
     std::optional<double> force, length, power, number;
 };
 
-/// A statement in words with a form that can be checked.
+/// A statement in words, in a form that can be checked.
 struct ReferenceClaim : ReferenceNote {
     std::string text;
     std::string kind;
@@ -108,7 +109,7 @@ void describe(Visitor& v, ReferenceTime& t);
 void describe(Visitor& v, ReferenceLoad& l);
 void describe(Visitor& v, ReferenceClaim& c);
 
-/// What a result offers for comparison.
+/// Contents of a result that can be compared.
 struct ResultContents {
     std::vector<std::string> probes;
     std::vector<std::string> dimensions;  ///< of the chain, empty without one
@@ -125,18 +126,18 @@ struct LoadUnit {
 };
 LoadUnit load_unit(std::string_view path);
 
-/// Reads and checks a reference file with the curves it names, and keeps what belongs to one operating point.
+/// Reads and checks a reference file with its curves, and keeps the values of one operating point.
 ///
 /// @param path    TOML, format = 1
-/// @param point   name of one of its points, or empty for what belongs to none
-/// @param result  checks that the result has what is compared; may be null
+/// @param point   name of one of its points, or empty for values without one
+/// @param result  to check that the result has the compared figures; may be null
 /// @throws InputError whose text lists every mistake with file:line:column, the line and a remedy
 /// @throws IoError if the file cannot be read
 ReferenceFile read_reference(const std::filesystem::path& path, const std::string& point = "",
                              const ResultContents* result = nullptr);
 
 /// The operating points of a reference file.
-/// @throws InputError, IoError as read_reference, but for what concerns a result or a curve's file
+/// @throws InputError, IoError as read_reference, except errors about a result or a curve's file
 std::map<std::string, ReferencePoint> reference_points(const std::filesystem::path& path);
 
 }  // namespace deadpoint::casefile

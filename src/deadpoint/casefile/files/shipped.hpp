@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-/// What the program brings along: compiled into it, so that it never looks for files of its own.
+/// Files that are compiled into the program, so that it needs no files at run time.
 namespace deadpoint::casefile {
 
 /// Text of the commented starter case (cases/starter/case.toml); reads without errors.

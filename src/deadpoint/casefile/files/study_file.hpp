@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// A study of many runs as its file states it: what `deadpoint sweep` reads.
+/// A study file, as `deadpoint sweep` reads it.
 namespace deadpoint::casefile {
 
 class Visitor;
@@ -42,7 +42,7 @@ struct StudyFile {
     std::vector<std::string> set;
     std::vector<StudySet> sets;
     std::optional<StudyLimits> limits;
-    FileAccess files = FileAccess::below;  ///< what the base case may name
+    FileAccess files = FileAccess::below;  ///< files that the base case may name
 };
 
 void describe(Visitor& v, StudyFile& f);
@@ -56,7 +56,7 @@ inline constexpr std::size_t most_study_points = 10000;
 /// by the base case.
 ///
 /// @param path   TOML, format = 1; its base case may lie anywhere
-/// @param files  what that case may name
+/// @param files files that this case may name
 /// @throws InputError whose text lists every mistake with file:line:column, the line and a remedy; mistakes of the
 ///         base case itself are listed as for a run
 /// @throws IoError if a file cannot be read

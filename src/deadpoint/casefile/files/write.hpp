@@ -10,8 +10,8 @@ namespace deadpoint::casefile {
 /// Reading it back gives the same case bit by bit.
 std::string write_case(const Case& c);
 
-/// Hash of the resolved case, 16 hexadecimal digits: equal for cases that mean the same, however they are written.
-/// The contents of STEP and mesh files do not enter, only their paths.
+/// Hash of the resolved case, 16 hexadecimal digits: equal for equal cases in any notation. It
+/// includes the paths of STEP and mesh files, not their contents.
 std::string case_hash(const Case& c);
 
 }  // namespace deadpoint::casefile

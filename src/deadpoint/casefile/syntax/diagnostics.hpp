@@ -8,7 +8,7 @@
 
 namespace deadpoint::casefile {
 
-/// A stretch of one line of one source text.
+/// A range of one line of a source text.
 struct Place {
     int file = -1;   ///< index into Sources, -1: nowhere
     int line = 0;    ///< from 1
@@ -41,24 +41,24 @@ struct Diagnostic {
     std::string code;            ///< short kebab-case name of the kind of mistake
     Place place;                 ///< where
     std::string path;            ///< of the key: "joints.crank_pin.centre"
-    std::string message;         ///< what is wrong
-    std::string help;            ///< what to do about it; may be empty
-    std::optional<Place> other;  ///< a second place that takes part ("first stated here")
+    std::string message;         ///< the mistake
+    std::string help;            ///< the remedy; may be empty
+    std::optional<Place> other;  ///< a related second place ("first stated here")
     std::string other_note;
 };
 
-/// Collects everything that is wrong with a case, to be shown at once.
+/// Collects all mistakes and warnings of a case, to show them together.
 class Diagnostics {
 public:
     Sources sources;
 
-    /// Beyond some hundred of a severity they are only counted.
+    /// Beyond a few hundred of one severity they are only counted.
     void add(Diagnostic diagnostic);
     [[nodiscard]] std::size_t error_count() const { return errors_; }
     [[nodiscard]] std::size_t size() const { return errors_ + warnings_; }
     [[nodiscard]] const std::vector<Diagnostic>& items() const { return items_; }
     /// All errors in order of place, then a line that counts them; ends without a line break.
-    /// @param outcome  end of that line: which file they are in, and what did not happen
+    /// @param outcome  end of that line: the kind of file, and the work that was not done
     [[nodiscard]] std::string render_errors(std::string_view outcome = "the case file; nothing was computed") const;
     /// Each warning as a text of its own.
     [[nodiscard]] std::vector<std::string> render_warnings() const;

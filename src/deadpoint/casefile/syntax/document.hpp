@@ -33,7 +33,7 @@ struct Node {
     [[nodiscard]] const Node* find(std::string_view name) const;
 };
 
-/// What a kind of value is called: "a table", "text", ...
+/// Name of a kind of value: "a table", "text", ...
 std::string_view kind_name(Node::Kind kind);
 
 /// Parses one TOML text, already in `diagnostics.sources` as `file`.
@@ -43,26 +43,27 @@ Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics);
 /// A case file with everything it includes, as one tree.
 struct Document {
     Node root;
-    std::filesystem::path folder;  ///< files must lie below it, but for those that an override names; empty: anywhere
+    std::filesystem::path folder;  ///< files must lie below it, except those that an override names; empty: anywhere
     int first_override = 1 << 30;  ///< index of the first source that is one
-    std::vector<std::filesystem::path> paths;  ///< of each source, by its index; empty for texts that are no files
+    std::vector<std::filesystem::path> paths;  ///< of each source, by its index; empty for texts that are not files
 };
 
-/// Whether `path` lies in `folder` or below, after following links.
+/// True if `path` lies in `folder` or below, after following links.
 bool lies_below(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// Reads a case file and its includes, and applies the overrides.
 ///
 /// Includes are relative to the file that names them and must be allowed by `files`; tables of
-/// several files are merged, a key stated twice is an error. An override is "path=value" with numbers for items of
-/// lists ("operation.0.speed=400 rpm"); a value that is not TOML is taken as text. Every text and every name is checked
-/// to be one line of printable characters of a sensible length, so that files and terminals can show it.
+/// several files are merged, a key stated twice is an error. An override is "path=value" with
+/// numbers for items of lists ("operation.0.speed=400 rpm"); a value that is not TOML is taken as
+/// text. Every text and every name is checked to be one line of printable characters of limited
+/// length, so that files and terminals can show it.
 ///
 /// @throws IoError if the case file itself cannot be read; all else goes to `diagnostics`
 Document load_document(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                        Diagnostics& diagnostics, FileAccess files = FileAccess::below);
 
-/// Place of the value at a path such as "joints.crank.bodies.1", or of the nearest thing above it that exists.
+/// Place of the value at a path such as "joints.crank.bodies.1", or of its nearest existing parent.
 Place place_of(const Node& root, const std::string& path);
 
 }  // namespace deadpoint::casefile

@@ -2,11 +2,11 @@
 
 namespace deadpoint::casefile {
 
-/// Which files a case may name. A case that came from somewhere else must not read what lies elsewhere on the machine
-/// unless its user says so.
+/// Which files a case may name. A case from elsewhere must not read other files of the machine
+/// unless the user allows it.
 enum class FileAccess {
     below,    ///< those in its own folder and below, after following links
-    anywhere  ///< all that the user may read
+    anywhere  ///< all files that the user may read
 };
 
 }  // namespace deadpoint::casefile

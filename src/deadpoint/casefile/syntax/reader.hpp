@@ -6,7 +6,8 @@
 
 namespace deadpoint::casefile {
 
-/// Fills a described struct from a document; every mistake goes to the diagnostics and reading goes on.
+/// Fills a described struct from a document; every mistake goes to the diagnostics, and reading
+/// continues.
 class Reader final : public Visitor {
 public:
     /// @param library  may be null: then the key `library` is refused

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// Values of a case as the text that a case file states them with.
+/// Values of a case as text of a case file.
 namespace deadpoint::casefile {
 
 std::string in_quotes(std::string_view text);
@@ -18,7 +18,7 @@ std::string key_text(std::string_view key);
 /// A quantity with its unit, in quotes, or a bare number.
 std::string value_text(double value, Dimension dimension);
 
-/// Visits the keys of a table one by one; what they are done with is up to put(). Knows no tables below it.
+/// Visits the keys of a table one by one and passes each to put(). It does not visit nested tables.
 class ValueTexts : public Visitor {
 public:
     void number(const Key& key, double& value, const Range& range) override;
@@ -48,7 +48,7 @@ public:
     void laws(std::string_view tag, std::string_view chosen, std::span<const Law> laws) override;
 
 protected:
-    /// @param text  none where a case need not state the key
+    /// @param text none if a case need not state the key
     virtual void put(const Key& key, std::optional<std::string> text) = 0;
 
     bool begin_table(const Key& key, bool present) override;
@@ -63,22 +63,23 @@ protected:
     void end_list() override {}
 };
 
-/// A key of a law, and its value where it has one.
+/// A key of a law, and its value if it has one.
 struct LawKey {
     std::string name;
     std::optional<std::string> text;
 };
 
-/// The keys of a law with nothing stated; those without a default have no text.
+/// The keys of an empty law; those without a default have no text.
 /// @param reader  fills the law before, may be null
 std::vector<LawKey> fresh_keys(const Law& law, Visitor* reader = nullptr);
 
-/// The keys of all laws, each once, in an order that keeps that of each law. With the text of the chosen law where it
-/// has one, else of a law with nothing stated.
+/// The keys of all laws, each once, in an order that keeps that of each law. The text is that of
+/// the chosen law if it has one, else of an empty law.
 /// @param chosen  name of a law, or empty
 std::vector<LawKey> merged_keys(std::span<const Law> laws, std::string_view chosen);
 
-/// Adds items to a list: those that are there stay where they are, new ones come before the next one that is.
+/// Merges items into a list: existing items keep their positions, and a new item is inserted before
+/// its next existing successor.
 template <class Item>
 void merge(std::vector<Item>& list, const std::vector<Item>& items, std::string Item::*name)
 {

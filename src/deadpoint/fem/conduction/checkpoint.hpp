@@ -9,15 +9,16 @@
 #include <variant>
 #include <vector>
 
-/// What a run in time keeps of itself on disk, so that another process can go on from there.
+/// The state of a run on disk, from which another process can continue.
 ///
-/// A checkpoint holds all that the time steps have made: the field and its slopes, the scalars of every step, the
-/// history, and the fields that were handed on. Mesh, matrices and the weights of functionals are computed again. It
-/// belongs to one case, mesh and start, and any number of ranks can write it and go on from it: with the number that
-/// wrote it the results are the same bit by bit, with another to the tolerance of the linear solver.
+/// A checkpoint holds all results of the time steps: the field and its slopes, the scalars of every
+/// step, the history, and the fields already passed on. Mesh, matrices and the weights of
+/// functionals are computed again. A checkpoint belongs to one case, mesh and start. Any number of
+/// ranks can write it and continue from it: with the same number the results are equal bit by bit,
+/// with another number to the tolerance of the linear solver.
 namespace deadpoint::fem {
 
-/// A field that was handed to FieldCallback, this rank's share: exactly or rounded.
+/// A field that was passed to FieldCallback, this rank's share: exactly or rounded.
 struct HandedField {
     double time = 0;  ///< [s]
     std::variant<std::span<const double>, std::span<const float>> owned;
@@ -27,12 +28,12 @@ struct CheckpointPlan {
     std::string file;       ///< of the checkpoint; its folder must exist
     std::string case_hash;  ///< of the case, casefile/files/write
     double interval = 600;  ///< least wall time from one to the next [s]; 0: after each step; infinite: never write
-    bool resume = false;    ///< go on from the file
-    /// All fields that were handed on so far, in order. They are handed on again when a run is resumed.
+    bool resume = false;    ///< continue from the file
+    /// All fields passed on so far, in order. A resumed run passes them on again.
     std::function<std::vector<HandedField>()> handed_on;
 };
 
-/// What a checkpoint says of itself.
+/// Head of a checkpoint.
 struct CheckpointHead {
     std::string version;    ///< of the program
     std::string case_hash;  ///< of the case, casefile/files/write

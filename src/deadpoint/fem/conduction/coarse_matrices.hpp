@@ -4,21 +4,23 @@
 
 #include <vector>
 
-/// Internal to fem/: a multigrid hierarchy that follows the step size.
+/// Internal to fem/: one multigrid hierarchy for all step sizes.
 namespace deadpoint::fem {
 
-/// What a multigrid for A(d) = M + d K needs at each d [s], found at two: the matrices on the coarse levels, P^T A(d) P
-/// with an interpolation P that stays, are linear in d; and the largest eigenvalue of D^-1 A(d), D the diagonal, which
-/// bounds what a smoother damps, lies between the two d nowhere above both ends. For x^T A x / x^T D x is a mean of
-/// the ratios at both ends with weights above zero.
+/// Coarse matrices and smoother bounds of a multigrid for A(d) = M + d K at any d [s], from those
+/// at two values of d. With a fixed interpolation P, the coarse matrices P^T A(d) P are linear in
+/// d. The largest eigenvalue of D^-1 A(d), D the diagonal, bounds the range of a smoother. Between
+/// the two d it never exceeds the larger end value, since x^T A x / x^T D x is a mean of the ratios
+/// at both ends with positive weights.
 class CoarseMatrices {
 public:
-    /// Keeps what a multigrid (PCMG or PCML, smoothed by Chebyshev polynomials of the diagonally scaled matrix) has
-    /// that is set up for `factor` [s]; with the second factor its smoothers get their bounds for good.
+    /// Keeps the coarse matrices and bounds of a multigrid that is set up for `factor` [s] (PCMG or
+    /// PCML, smoothed by Chebyshev polynomials of the diagonally scaled matrix). With the second
+    /// factor the bounds of its smoothers become final.
     void keep(PC multigrid, double factor);
     [[nodiscard]] bool complete() const { return slopes_.size() + 1 == bounds_.size(); }
-    /// Gives the coarse levels the matrices of M + factor K, whatever they had before. Needs two factors kept, and
-    /// bounds hold between them.
+    /// Sets the coarse levels to the matrices of M + factor K. Needs two kept factors; the bounds
+    /// are valid between them.
     void follow(PC multigrid, double factor) const;
 
 private:

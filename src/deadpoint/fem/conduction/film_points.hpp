@@ -10,10 +10,12 @@
 #include <memory>
 #include <vector>
 
-/// Internal to fem/: films that follow the temperature, point by point, and radiation among surfaces.
+/// Internal to fem/: convection coefficients that depend on temperature, point by point, and
+/// radiation among surfaces.
 namespace deadpoint::fem {
 
-/// Surfaces that radiate to each other. With E_i the mean of sigma T^4 over surface i, what reaches it is
+/// Surfaces that radiate to each other. With E_i the mean of sigma T^4 over surface i, its
+/// irradiation is
 ///   H_i = sum of X_ij E_j / (eps_i A_i)                                                      [W/m2]
 /// and each of its points gives off eps_i (sigma T^4 - H_i). The tangent of the first term is in the matrix, with that
 /// of the films; that of the second couples all points of all surfaces and is applied with vectors b_i of the sum 1,
@@ -26,15 +28,16 @@ public:
                const PrescribedTemperatures& prescribed, Vec pattern);
 
     void adopt(const HeatProblem& problem) { problem_ = &problem; }
-    /// Some film follows the temperature.
+    /// True if some coefficient depends on temperature.
     [[nodiscard]] bool some() const { return everywhere_ != nullptr; }
-    /// Adds what the films give off to the watts by unknown.
+    /// Adds the heat of these surfaces to the watts by unknown.
     [[nodiscard]] heat::FilmHeat add_heat(const std::vector<heat::FilmAt>& films, Vec temperature, Vec watts) const;
-    /// Adds the slopes of films by the temperature of the air they face, without radiation.
+    /// Adds the slopes of their heat by the temperature of the air, without radiation.
     void add_slopes(const std::vector<heat::FilmAt>& films, Vec temperature, Vec load) const;
-    /// Puts the films' tangents at a temperature into a matrix, and those of the rooms into multiply_rooms().
+    /// Writes the tangents at a temperature into a matrix, and those of the rooms for
+    /// multiply_rooms().
     void build_tangents(const std::vector<heat::FilmAt>& films, Vec temperature, Mat matrix);
-    /// Puts films of given coefficients, per surface condition, into a matrix.
+    /// Writes given coefficients, per surface condition, into a matrix.
     void build_constant(const std::vector<double>& coefficients, Mat matrix) const;
     /// No rooms until the next build_tangents().
     void forget_rooms();

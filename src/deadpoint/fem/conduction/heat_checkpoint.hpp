@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// Internal to fem/: writes the state of a run between two steps, and puts it back.
+/// Internal to fem/: writes and restores the state of a run between two steps.
 namespace deadpoint::fem {
 
 /// Every member function is collective.
@@ -20,10 +20,12 @@ public:
     HeatCheckpoint(heat::HeatRun<HeatSystem>& run, const CheckpointPlan& plan, const ThermalState& start,
                    Observer& observer);
 
-    /// Puts the plan's file back into a run that has begun. Hands on again what was handed on.
+    /// Restores a run that has begun from the plan's file, and passes on again the fields that it
+    /// had passed on.
     /// @throws IoError if it is broken; InputError if it belongs to another version, case, mesh or start
     void restore(const FieldCallback& on_field);
-    /// Writes a checkpoint if it is time, which the first rank's clock says, or `now`. What fails becomes a warning.
+    /// Writes a checkpoint if the interval has passed on the first rank's clock, or with `now`. A
+    /// failure becomes a warning.
     void offer(bool now);
 
 private:

@@ -13,16 +13,16 @@ namespace deadpoint::fem {
 
 /// Of all ranks' `values` by unknown, at a point.
 double value_at(const PointShape& shape, const double* values);
-/// The shape functions that do not vanish: on a face those of the nodes off it do.
+/// The shape functions that do not vanish; on a face, those of nodes off the face vanish.
 PointShape without_zeros(const PointShape& shape);
 
 class HeatFunctionals {
 public:
     HeatFunctionals(const Discretisation& space, const HeatProblem& problem);
 
-    /// Takes the probes of another problem on the same surfaces.
+    /// Adopts the probes of another problem on the same surfaces.
     void adopt(const HeatProblem& problem);
-    /// Makes the load zones of interfaces with these laws.
+    /// Builds the load zones of interfaces with these laws.
     /// @throws DomainError if a load zone covers nothing of its interface
     void set_zones(const std::vector<InterfaceLaw>& laws);
 

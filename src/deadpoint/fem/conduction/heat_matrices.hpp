@@ -12,26 +12,29 @@ namespace deadpoint::fem {
 
 /// The conduction matrix is affine,
 ///   K = K_solid + sum over joints of coefficients times their terms + sum over surfaces of h_f F_f,
-/// and all of one pattern, with zeros where a matrix has nothing, so that matrices are added as they lie in memory.
-/// Cells and contacts are integrated once; other laws of joints and films change coefficients only. Where all segments
-/// have the same laws, K alone is kept; the first other law integrates K_solid once more and keeps it from then on.
+/// All matrices share one sparsity pattern, with explicit zeros, so that sums of matrices are sums
+/// of their value arrays. Cells and contacts are integrated once; other laws of joints and
+/// convection change coefficients only. If all segments have the same laws, only K is kept. The
+/// first other law integrates K_solid once more and keeps it.
 class HeatMatrices {
 public:
     HeatMatrices(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem);
 
-    /// Whether the matrices serve another problem: the same surfaces by kind, and joints that turn as these do.
+    /// True if the matrices can be used for another problem with the same surfaces by kind and the
+    /// same turning joints.
     [[nodiscard]] bool serve(const HeatProblem& problem) const;
-    /// Takes the coefficients of its constant films.
+    /// Adopts its constant convection coefficients.
     void adopt(const HeatProblem& problem);
-    /// Makes K for these laws; returns whether it changed.
+    /// Builds K for these laws; returns true if it changed.
     bool set_laws(const std::vector<InterfaceLaw>& laws);
 
     [[nodiscard]] Mat mass() const { return mass_; }
-    /// K without what follows the temperature.
+    /// K without terms that depend on temperature.
     [[nodiscard]] Mat stiffness() const { return stiffness_; }
-    /// Films that follow the temperature, filled elsewhere; none where no film does.
+    /// Convection terms that depend on temperature, filled elsewhere; null if there are none.
     [[nodiscard]] Mat films() const { return films_; }
-    /// K_v, conduction of parts whose conductivity follows the temperature; none where no material has a table of it.
+    /// K_v, conduction of parts whose conductivity depends on temperature; null if no material has
+    /// such a table.
     [[nodiscard]] Mat conduction() const { return conduction_; }
     /// How often cells have been integrated.
     [[nodiscard]] int integrations() const { return integrations_; }

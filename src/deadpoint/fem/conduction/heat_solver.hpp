@@ -9,27 +9,29 @@
 #include <memory>
 #include <vector>
 
-/// Internal to fem/: transient heat conduction with joint films.
+/// Internal to fem/: transient heat conduction with contact layers.
 namespace deadpoint::fem {
 
 struct CheckpointPlan;  // checkpoint.hpp
 
-/// One heat problem on the finite elements of a machine: its system, its run, and what is asked of them.
+/// One heat problem on the finite elements of a machine: its system, its run, and their results.
 class HeatSolver {
 public:
     HeatSolver(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem);
 
-    /// Takes another problem over if the matrices serve it.
+    /// Adopts another problem if the matrices can be used for it.
     bool adopt(const HeatProblem& problem);
     void start_from(ThermalState state) { state_ = std::move(state); }
-    /// Where the run starts, or where it ended.
+    /// State at the start of the run, or at its end.
     [[nodiscard]] ThermalState state() const;
-    /// z of (M / time + K) z = weights per functional, with the films, joints and slopes of the heat laws at `time`.
+    /// z of (M / time + K) z = weights per functional, with the convection coefficients, joints and
+    /// slopes of the heat laws at `time`.
     std::vector<Field> duals(double time, const Field& temperature, const std::vector<Adjoint>& weights);
     ThermalHistory run(const std::vector<Adjoint>& adjoints, double reference_temperature, Attribution attribution,
                        Observer& observer, const StepCallback& on_step, const FieldCallback& on_field,
                        const CheckpointPlan* checkpoints = nullptr);
-    /// What has made a functional of the temperatures at a time of the run, which cannot go on afterwards.
+    /// Contributions of the heat sources to a functional of the temperatures at a time of the run.
+    /// The run cannot continue afterwards.
     HeatCauses causes(const std::vector<double>& weights, std::size_t row);
 
 private:

@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
-/// Internal to fem/: the temperatures of a machine as heat/ sees them.
+/// Internal to fem/: the temperatures of a machine as a system of heat/.
 namespace deadpoint::fem {
 
-/// What a run watches besides the functionals of the heat balance: functionals of the deformation.
+/// Values that a run records besides the functionals of the heat balance: functionals of the
+/// deformation.
 struct Observation {
     const std::vector<Adjoint>* adjoints = nullptr;
     double reference = 0;  ///< temperature without deformation [K]
@@ -28,7 +29,8 @@ public:
     HeatSystem(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem);
     HeatSystem(const HeatSystem&) = delete;
 
-    /// Takes another problem over if matrices and functionals serve it. Coefficients of joints and films may differ.
+    /// Adopts another problem if matrices and functionals can be used for it. Coefficients of
+    /// joints and convection may differ.
     bool adopt(const HeatProblem& problem);
     void observe_with(Observation observation) { observation_ = observation; }
     [[nodiscard]] const Discretisation& space() const { return space_; }
@@ -69,7 +71,7 @@ public:
         return maps_.stored_between(from, to);
     }
 
-    // films that follow the temperature
+    // convection coefficients that depend on temperature
     [[nodiscard]] heat::FilmHeat add_films(const std::vector<heat::FilmAt>& films, const OwnedVec& temperature,
                                            OwnedVec& watts) const
     {

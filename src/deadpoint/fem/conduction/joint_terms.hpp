@@ -6,11 +6,11 @@
 
 #include <vector>
 
-/// Internal to fem/: what joints and films add to the conduction matrix, term by term.
+/// Internal to fem/: contributions of joints and convection to the conduction matrix, term by term.
 namespace deadpoint::fem {
 
-/// The film of an interface conducts  c_aa J_aa + c_bb J_bb + c_ab J_ab  with coefficients of its law and integrals J
-/// of its two sides:
+/// The contact layer of an interface conducts  c_aa J_aa + c_bb J_bb + c_ab J_ab  with coefficients
+/// of its law and integrals J of its two sides:
 ///   c_aa = h_a (S - h_a) / S,   c_bb = h_b (S - h_b) / S,   c_ab = -h_a h_b / S,   S = h_a + h_b + g.
 /// J_ab couples opposite points, or, where a joint turns fully, the means of both sides around the circumference, strip
 /// by strip along the axis: sum over strips and modes m of moment_a moment_b^T / norm, with the modes 1 and z.
@@ -28,12 +28,13 @@ JointCoefficients coefficients_of(const InterfaceLaw& law);
 
 class JointTerms {
 public:
-    /// Integrates what the laws of any segment of the problem need.
+    /// Integrates the terms that the laws of all segments need.
     JointTerms(const Discretisation& space, const HeatProblem& problem);
 
     /// Adds the places of all entries.
     void add_pattern(dealii::DynamicSparsityPattern& pattern) const;
-    /// Whether the terms serve such laws: a joint may turn that did not when they were integrated.
+    /// True if the terms can be used for these laws; false if a joint turns that did not turn when
+    /// they were integrated.
     [[nodiscard]] bool serve(const std::vector<InterfaceLaw>& laws) const;
     void add_to(Mat stiffness, const std::vector<JointCoefficients>& coefficients) const;
 
@@ -53,7 +54,8 @@ private:
     std::vector<std::vector<Strip>> strips_;  ///< per interface; none where it does not turn
 };
 
-/// F_f of each surface whose film has a constant coefficient: integral of N N^T; empty for all others.
+/// F_f of each surface with a constant convection coefficient: integral of N N^T; empty for all
+/// others.
 std::vector<SparseTerm> film_terms(const Discretisation& space, const HeatProblem& problem);
 
 }  // namespace deadpoint::fem

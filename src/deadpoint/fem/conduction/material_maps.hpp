@@ -7,14 +7,14 @@
 #include <cstdint>
 #include <vector>
 
-/// Internal to fem/: materials that follow the temperature.
+/// Internal to fem/: materials that depend on temperature.
 namespace deadpoint::fem {
 
-/// By interpolated coefficients (product approximation; Christie et al. 1981, Larsson, Thomee and Zhang 1989): heat
-/// content and flux potential are known exactly at the unknowns and interpolated between them as the temperature is.
-/// The matrices of the constant materials then act on them,
+/// Interpolated coefficients (product approximation; Christie et al. 1981, Larsson, Thomee and
+/// Zhang 1989): heat content and flux potential are known exactly at the unknowns and interpolated
+/// between them as the temperature is. The matrices of the constant materials then act on them,
 ///   E = M h(T),   r = -K T - K_v theta(T),   tangent  M diag(h') + d (K + K_v diag(theta')),
-/// so that nothing is integrated anew within a run.
+/// so that a run integrates no cell again.
 class MaterialMaps {
 public:
     MaterialMaps(const Discretisation& space, const std::vector<Material>& materials, const HeatMatrices& matrices,

@@ -13,7 +13,7 @@ public:
     PrescribedTemperatures(const Discretisation& space, const HeatProblem& problem);
 
     void adopt(const HeatProblem& problem) { problem_ = &problem; }
-    /// Any, on any rank.
+    /// True if there are any on any rank.
     [[nodiscard]] bool some() const { return some_; }
     /// This rank's, by global number, ascending.
     [[nodiscard]] const std::vector<PetscInt>& unknowns() const { return unknowns_; }
@@ -27,7 +27,8 @@ public:
     [[nodiscard]] double total(Vec vector) const;
     /// Per surface condition: sum of (right - left) (prescribed temperature - reference), of all ranks.
     [[nodiscard]] std::vector<double> shares(Vec right, Vec left, double time, double reference) const;
-    /// Per surface condition: sum of weight (start - reference) of its unknowns; then that of all that are free.
+    /// Per surface condition: sum of weight (start - reference) of its unknowns; then the sum over
+    /// all free unknowns.
     [[nodiscard]] std::vector<double> start_shares(Vec weights, Vec start, double reference) const;
 
 private:

@@ -7,9 +7,9 @@
 
 /// Internal to fem/: a temperature field as a file, from which another run can start.
 ///
-/// The file (io/binary_file) holds a text with what it belongs to, then the temperatures of oil circuits, enclosures
-/// and unknowns; unknowns are numbered by their first appearance cell by cell, which does not depend on the number of
-/// ranks.
+/// The file (io/binary_file) holds a text that states mesh and elements, then the temperatures of
+/// oil circuits, enclosures and unknowns; unknowns are numbered by their first appearance cell by
+/// cell, which does not depend on the number of ranks.
 namespace deadpoint::fem {
 
 /// Collective; written by the first rank.

@@ -16,8 +16,8 @@ inline Lame lame(const Material& m)
             m.youngs_modulus / (2 * (1 + m.poissons_ratio))};
 }
 
-/// sigma = 2 mu eps + lambda tr(eps) 1 for the elastic strain, which is all strain less the thermal and the initial
-/// one.
+/// sigma = 2 mu eps + lambda tr(eps) 1 for the elastic strain, which is total strain less thermal
+/// and initial strain.
 inline Tensor6 hooke(const Material& m, const Tensor6& strain)
 {
     const auto [lambda, mu] = lame(m);

@@ -17,17 +17,18 @@ public:
     ElasticSolver(const Discretisation& space, const std::vector<Material>& materials, const Foundation& foundation);
 
     std::vector<Adjoint> adjoints(const std::vector<Functional>& functionals);
-    /// Forces as functionals of the temperature alone: what its deformation and its own strain make of them.
+    /// Forces as functionals of the temperature alone, including its deformation and its thermal
+    /// strain.
     std::vector<Adjoint> adjoints(const std::vector<ForceGauge>& gauges);
     /// @param rise  as Model::expansion_rise()
     Displacement displacement(const Field& rise);
-    /// The deformation by weights and initial strain.
-    /// @throws InputError where the feet leave the machine free to follow its weight
+    /// The deformation due to weights and initial strain.
+    /// @throws InputError if the feet leave the machine free to move under its weight
     Displacement displacement(const RestLoads& loads);
     /// The displacement under a functional's weights as forces [m/N].
     Displacement dual(const Functional& functional);
     std::vector<double> evaluate(const std::vector<Functional>& functionals, const Displacement& displacement);
-    /// Forces in the state at rest.
+    /// Forces due to weights and initial strain.
     std::vector<double> forces(const std::vector<ForceGauge>& gauges, const RestLoads& loads,
                                const Displacement& displacement);
     [[nodiscard]] int iterations() const { return iterations_; }
@@ -78,7 +79,7 @@ private:
     OwnedVec free_solution_, free_rhs_;
     std::unique_ptr<RigidPieces> pieces_;
     std::vector<PetscInt> held_;   ///< unknowns without displacement, on all ranks
-    std::vector<PetscInt> feet_;   ///< unknowns at the feet that are held or stand on pads, on all ranks
+    std::vector<PetscInt> feet_;   ///< unknowns at the feet that are held or on pads, on all ranks
     std::vector<PetscInt> fixed_;  ///< this rank's, as global numbers of free displacements
     int iterations_ = 0;
 };

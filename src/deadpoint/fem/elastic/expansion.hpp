@@ -7,15 +7,16 @@
 #include <cstdint>
 #include <vector>
 
-/// Internal to fem/: the thermal strain at the unknowns, as the rise that strains as much with the part's constant
-/// coefficient (exchange/material). It is interpolated between the unknowns as the temperature is.
+/// Internal to fem/: the thermal strain at the unknowns, as the rise that gives the same strain
+/// with the part's constant coefficient (exchange/material). It is interpolated between the
+/// unknowns like the temperature.
 namespace deadpoint::fem {
 
 class Expansion {
 public:
     Expansion(const Discretisation& space, const std::vector<Material>& materials);
 
-    /// Whether the rise is T - T_start everywhere.
+    /// True if the rise is T - T_start everywhere.
     [[nodiscard]] bool linear() const { return parts_.empty(); }
     /// @param unknown  counted from this rank's first
     /// @return [K]

@@ -10,10 +10,11 @@ namespace deadpoint::fem {
 
 /// Cells that share nodes or bonds make a piece; a body may consist of several (two plates of one link).
 ///
-/// A piece that its supports (symmetry plane, feet) leave free to move needs as many more unknowns held as it has free
-/// rigid motions. They are chosen far apart, one after the other, each where the motions left show most. Since thermal
-/// loads are in equilibrium these holds carry no force; functionals are freed of rigid motion by equilibrate(), so
-/// that nothing depends on the choice.
+/// If its supports (symmetry plane, feet) leave a piece free to move, as many of its unknowns are
+/// held as it has free rigid motions. They are chosen far apart, one after the other, each where
+/// the remaining motions are largest. Thermal loads are in equilibrium, so these constraints carry
+/// no force. equilibrate() removes rigid motion from functionals, so that no result depends on the
+/// choice.
 class RigidPieces {
 public:
     /// @param supported  unknowns (3 node + component) that are held anyway, the same on all ranks
@@ -23,7 +24,7 @@ public:
     [[nodiscard]] const std::vector<PetscInt>& holds() const { return holds_; }
     /// Number of the piece that a node belongs to.
     [[nodiscard]] int piece(PetscInt node) const { return piece_of_node_[static_cast<std::size_t>(node)]; }
-    /// Takes the mean rigid motion out of a displacement (this rank's share).
+    /// Removes the mean rigid motion from a displacement (this rank's share).
     void remove_rigid_motion(Vec displacement) const;
     /// The transpose of that: makes a load do no work in a free rigid motion.
     void equilibrate(Vec load) const;

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-/// Internal to fem/: stress at nodes out of a displacement field.
+/// Internal to fem/: stress at nodes from a displacement field.
 namespace deadpoint::fem {
 
 /// Fields of all ranks, by unknown.
@@ -19,14 +19,14 @@ struct StrainedState {
     std::vector<Tensor6> initial;          ///< initial strain per part; empty: none
 };
 
-/// Stress of one part by superconvergent patch recovery (Zienkiewicz and Zhu, Int. J. Numer. Meth. Engng 33, 1992):
-/// around each node a polynomial of the elements' own degree is fitted to the stress at the points of the cells where
-/// it is best (the middle of first-order cells, the Gauss points of second-order ones), and its value at the node is
-/// taken. A node whose own cells do not determine the polynomial (at faces and edges of the part) takes in their
-/// neighbours as well.
+/// Stress of one part by superconvergent patch recovery (Zienkiewicz and Zhu, Int. J. Numer. Meth.
+/// Engng 33, 1992): around each node a polynomial of the elements' degree is fitted to the stress
+/// at the most accurate points of the cells (the centres of first-order cells, the Gauss points of
+/// second-order cells), and evaluated at the node. If the cells of a node do not determine the
+/// polynomial (at faces and edges of the part), the fit includes their neighbours.
 ///
-/// Where the part is a single layer of first-order cells, the slope through that layer is the mean of the cells' own.
-/// The same on all ranks.
+/// Where the part is a single layer of first-order cells, the slope through that layer is the mean
+/// of the slopes within the cells. The same on all ranks.
 class StressRecovery {
 public:
     StressRecovery(const Discretisation& space, const Material& material, int part, const StrainedState& state);
@@ -58,7 +58,7 @@ private:
     void sample(const Material& material, const StrainedState& state);
     void find_slope(CellData& cell, std::span<const Sample> points) const;
     [[nodiscard]] std::vector<std::uint32_t> with_neighbours(const std::vector<std::uint32_t>& patch) const;
-    /// How the samples of a patch lie.
+    /// Moments of the sample positions of a patch.
     struct Spread {
         Eigen::Vector3d centre = Eigen::Vector3d::Zero();
         Six mean = Six::Zero();
@@ -69,7 +69,8 @@ private:
         Eigen::Array<bool, 3, 1> told_apart{};  ///< several cells lie along that direction
     };
     [[nodiscard]] Spread spread_of(const std::vector<std::uint32_t>& patch) const;
-    /// Linear where several cells tell the slope, with the cells' own where they do not.
+    /// Linear fit in directions in which several cells determine the slope; in the others, the
+    /// slopes within the cells.
     [[nodiscard]] Six fit_linear(const std::vector<std::uint32_t>& patch, const Spread& spread,
                                  const Eigen::Vector3d& where) const;
     [[nodiscard]] bool fit_quadratic(const std::vector<std::uint32_t>& patch, const Spread& spread,

@@ -9,7 +9,7 @@
 /// Internal to fem/: one node that follows others.
 namespace deadpoint::fem {
 
-/// By how much a node goes along where a bond opens by 1 along its normal, all else closed.
+/// Displacement of a node if a bond opens by 1 along its normal and all others stay closed.
 struct BondOpening {
     int bond = 0;  ///< index into Machine::bonds
     Vec3 normal{};

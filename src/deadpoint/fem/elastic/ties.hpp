@@ -11,28 +11,29 @@ namespace deadpoint::fem {
 
 /// Nodes of the finer part of a bond follow the coarser part: u(node) = sum of weights times displacements of others.
 ///
-/// First order: the displacements of both sides agree in the mean weighted with each dual function psi of the finer
-/// side (dual_functions.hpp), integral of psi_s (u_fine - u_coarse) = 0, which gives u_s explicitly, passes a uniform
-/// stress exactly, and keeps linear displacements: the coarser side's cells are continued to the finer side's points,
-/// which on faceted cylinders lie a little off. Nodes of the finer side that no psi belongs to, beside a bond's edge or
-/// on an edge between two bonds, stand in the mean of their neighbours' condition.
+/// First order: the displacements of both sides agree in the mean weighted with each dual function
+/// psi of the finer side (dual_functions.hpp), integral of psi_s (u_fine - u_coarse) = 0, which
+/// gives u_s explicitly, passes a uniform stress exactly, and keeps linear displacements: the
+/// coarser side's cells are extrapolated to the finer side's points, which on faceted cylinders lie
+/// slightly outside. Nodes of the finer side without a psi, beside a bond's edge or on an edge
+/// between two bonds, enter the conditions of their neighbours.
 ///
-/// Second order, and where a face is met by so little of the bond that its psi would swing widely: the node follows the
-/// coarser cell at its own place.
+/// With second order, and if the bond covers so little of a face that its psi would oscillate, the
+/// node follows the coarser cell at its own position.
 ///
-/// A node is tied where the other side's cell, continued by at most a tenth of its size, reaches it. The same on all
-/// ranks.
+/// A node is tied if the other side's cell, extrapolated by at most a tenth of its size, reaches
+/// it. The same on all ranks.
 class Ties {
 public:
     explicit Ties(const Discretisation& space);
 
-    /// All of them; a node stands behind all nodes that it follows.
+    /// All ties, sorted so that a node comes after all nodes that it follows.
     [[nodiscard]] const std::vector<Tie>& ties() const { return ties_; }
     [[nodiscard]] bool is_tied(PetscInt node) const { return tied_[static_cast<std::size_t>(node)]; }
 
-    /// Unknowns (3 node + component) that keep still whatever their node is tied to.
+    /// Holds unknowns (3 node + component), even if their node is tied.
     void hold(const std::vector<PetscInt>& unknowns);
-    /// Whether this component of the node's displacement follows others.
+    /// True if this component of the node's displacement follows others.
     [[nodiscard]] bool follows(PetscInt node, PetscInt component) const
     {
         return is_tied(node) && !held_[3 * static_cast<std::size_t>(node) + component];

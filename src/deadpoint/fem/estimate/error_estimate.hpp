@@ -6,20 +6,23 @@
 
 #include <vector>
 
-/// Internal to fem/: how far functionals of temperature and deformation are from those of a finer mesh, by part.
+/// Internal to fem/: error estimates of functionals of temperature and deformation, by part.
 namespace deadpoint::fem {
 
-/// Error of the functional J(T) whose dual is z, to be added to J: per dual and part
+/// Error of the functional J(T) with the adjoint solution z, to be added to J, per adjoint solution
+/// and part:
 ///
 ///     eta = sum over the part's cells of the integral of  k (G T - grad T) . (G z - grad z)         [unit of J]
 ///
-/// With the dual z of the discrete problem, J(T) - J(T_h) = A(T - T_h, z - z_h) exactly for a symmetric form A (Becker
-/// and Rannacher, Acta Numerica 10, 2001); the gradients of T and z are replaced by recovered ones (Zienkiewicz and
-/// Zhu, Int. J. Numer. Meth. Eng. 33, 1992). G is a polynomial of the elements' order per vertex, fitted to the
-/// gradients at the superconvergent points of the cells around it (and their neighbours at the part's surface), blended
-/// within a cell by the vertices' shape functions. Parts are recovered each by itself.
+/// With the discrete adjoint solution z_h, J(T) - J(T_h) = A(T - T_h, z - z_h) exactly for a
+/// symmetric form A (Becker and Rannacher, Acta Numerica 10, 2001); the gradients of T and z are
+/// replaced by recovered ones (Zienkiewicz and Zhu, Int. J. Numer. Meth. Eng. 33, 1992). G is a
+/// polynomial of the elements' order per vertex, fitted to the gradients at the superconvergent
+/// points of the cells around it (and their neighbours at the part's surface), blended within a
+/// cell by the vertices' shape functions. Parts are recovered each by itself.
 ///
-/// Not seen: what a part of a single cell across does across, and facets in place of curved faces.
+/// Not included: errors across a part that is a single cell thick, and facets in place of curved
+/// faces.
 ///
 /// @param temperature  [K]
 /// @param duals        [unit of J / W]
@@ -35,12 +38,13 @@ std::vector<std::vector<double>> deformation_errors(const Discretisation& space,
                                                     const Displacement& displacement,
                                                     const std::vector<Displacement>& duals);
 
-/// What interpolation within its cell leaves out of the temperature at a point, for elements of first order [K]:
+/// Interpolation error of the temperature at a point of a cell, for elements of first order [K]:
 ///
 ///     1/2 sum over the cell's vertices v of  N_v(x) G T(x_v) . (x - x_v)
 ///
-/// exact for a quadratic field whose values at the vertices are right. The dual of a point, a source in a single cell,
-/// is too sharp for its recovered gradient to show this part of the error. 0 for elements of second order.
+/// exact for a quadratic field with exact values at the vertices. The adjoint solution of a point,
+/// a source in a single cell, is too sharp for its recovered gradient to show this part of the
+/// error. 0 for elements of second order.
 std::vector<double> interpolation_errors(const Discretisation& space, const Field& temperature,
                                          const std::vector<HeatProbe>& probes);
 

@@ -12,14 +12,16 @@ struct FieldModes {
     Field base;                ///< of the first time [K]
     std::vector<Field> modes;  ///< [K], strongest first
     std::vector<std::vector<double>> coefficients;
-    std::vector<double> rest;  ///< rms, over unknowns and times, of what the modes before k miss, over that of the rise
+    std::vector<double> rest;  ///< residual energy: rms over unknowns and times of the field that the modes before k
+                               ///< miss, divided by that of the rise
     double largest_rise = 0;   ///< of any unknown against the first time, either sign [K]
     double error = 0;          ///< largest difference to any of the fields anywhere [K]
 };
 
-/// Proper orthogonal decomposition by the method of snapshots (Sirovich 1987): modes are the eigenvectors of the
-/// fields' inner products. As many are kept as bring the error below `tolerance` times the largest rise, but `at_most`.
-/// What depends linearly on the temperature, as the deformation does, has the same coefficients.
+/// Proper orthogonal decomposition by the method of snapshots (Sirovich 1987): modes are the
+/// eigenvectors of the fields' inner products. The function keeps as many modes as bring the error
+/// below `tolerance` times the largest rise, but at most `at_most`. Fields that depend linearly on
+/// the temperature, such as the deformation, have the same coefficients.
 ///
 /// Collective.
 /// @param snapshots  this rank's share of each field [K], at least one

@@ -56,18 +56,19 @@ public:
     void evaluate(std::uint32_t face, const Vec3& position, bool gradients, PointShape& shape) const;
     /// The same for the cell of `part` that holds `position` (the nearest one if none does).
     void evaluate_in_part(int part, const Vec3& position, PointShape& shape) const;
-    /// Shape functions of a cell continued to a point that may lie outside; returns by how much of the cell's size.
+    /// Shape functions of a cell extrapolated to a point that may lie outside; returns the distance
+    /// as a share of the cell's size.
     double continue_cell(std::uint32_t cell, const Vec3& position, PointShape& shape) const;
     [[nodiscard]] dealii::DynamicSparsityPattern cell_pattern() const;
     void add_bond_pattern(dealii::DynamicSparsityPattern& pattern) const;
     /// Couples the cells on both sides of each point.
     void add_pattern_across(const std::vector<ContactPoint>& points, dealii::DynamicSparsityPattern& pattern) const;
     [[nodiscard]] std::vector<dealii::types::global_dof_index> unknowns_of(std::uint32_t cell) const;
-    /// Where the owned unknowns sit.
+    /// Positions of the owned unknowns.
     [[nodiscard]] std::vector<Vec3> support_points() const;
     /// Part of each owned unknown.
     [[nodiscard]] std::vector<std::uint32_t> part_of_unknown() const;
-    /// Unknowns of a cell, and where they sit (written into `position` by unknown).
+    /// Unknowns of a cell, and their positions (written into `position` by unknown).
     void cell_nodes(std::uint32_t cell, std::vector<std::size_t>& unknowns, std::vector<Vec3>& position) const;
     /// Unknown at a node of a cell (node numbered as in Cell::nodes).
     [[nodiscard]] std::size_t vertex_unknown(std::uint32_t cell, unsigned node) const;
@@ -119,7 +120,7 @@ struct BondPoint {
     Vec3 normal{};
     double weight = 0;
 };
-/// The points that two cells share, with what Nitsche's method needs of either side.
+/// The points that two cells share, with the data of both sides for Nitsche's method.
 struct BondPair {
     std::vector<BondPoint> points;
     int part_a = 0;
@@ -130,7 +131,7 @@ struct BondPair {
 /// Calls visit for each pair of bonded cells of which this rank owns cell a.
 void for_each_bond_pair(const Discretisation& space, const std::function<void(const BondPair&)>& visit);
 
-/// A vector's entries of all ranks, on every rank.
+/// A gathered vector: the entries of all ranks, on every rank.
 class Everywhere {
 public:
     explicit Everywhere(Vec pattern) { DEADPOINT_PETSC(VecScatterCreateToAll(pattern, scatter_.out(), all_.out())); }

@@ -8,7 +8,7 @@
 /// Internal to fem/: fields in files, numbered so that any number of ranks can read what any other wrote.
 namespace deadpoint::fem {
 
-/// What mesh, elements and unknowns are, in words that others hardly share; the same on any number of ranks.
+/// A text that identifies mesh, elements and unknowns; the same on any number of ranks.
 std::string mesh_text(const Discretisation& space);
 
 /// Global numbers of the unknowns in the order of a file: by their first appearance cell by cell.

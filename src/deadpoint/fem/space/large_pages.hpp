@@ -4,21 +4,21 @@
 
 namespace deadpoint::fem {
 
-/// From now on PETSc's matrices ask the kernel for large pages (2 MiB), which products with hundreds of megabytes cross
-/// with fewer misses of the address tables. Only a request: kernels that give large pages always, or never, go on as
-/// before. Call it before PETSc starts.
+/// From now on PETSc's matrices ask the kernel for huge pages (2 MiB), with which products of
+/// hundreds of megabytes have fewer misses in the address tables. It is only a request: kernels
+/// that always or never give huge pages behave as before. Call it before PETSc starts.
 void ask_for_large_pages();
 
-/// To the kernel, what malloc keeps of freed arrays: large pages do not come from there.
+/// Returns freed arrays that malloc keeps to the kernel, since huge pages do not come from there.
 void give_back_freed_memory();
 
-/// Room for an array of so many bytes, from 32 MiB on at the start of a large page and zero. Null where there is none,
-/// or for no bytes. One thread calls these.
+/// Memory for an array of `size` bytes; from 32 MiB on it begins at a huge page and is zero. Null
+/// if there is no memory, or for 0 bytes. Only one thread may call these.
 void* allocate_array(std::size_t size);
-/// Takes what allocate_array() gave.
+/// Frees memory of allocate_array().
 void release_array(void* array);
-/// The array with another length, in its place or another, with what fits of its contents; null, with the array as it
-/// was, where there is no room.
+/// Resizes the array, in place or elsewhere, and keeps the contents that fit. Null, with the array
+/// unchanged, if there is no memory.
 void* resize_array(void* array, std::size_t size);
 
 }  // namespace deadpoint::fem

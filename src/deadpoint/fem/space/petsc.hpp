@@ -53,7 +53,7 @@ using OwnedScatter = Owned<VecScatter, VecScatterDestroy>;
 using OwnedNullSpace = Owned<MatNullSpace, MatNullSpaceDestroy>;
 
 /// Solves, checks that it converged, and returns the number of iterations.
-/// @throws ConvergenceError that says why it did not; NotFinite where a value is not finite
+/// @throws ConvergenceError with the reason; NotFinite if a value is not finite
 int solve(KSP solver, Vec rhs, Vec solution, const char* what);
 
 }  // namespace deadpoint::fem

@@ -9,9 +9,9 @@ struct FortranCommunicator {
     int handle = 0;
 };
 
-/// Holds MPI and PETSc open for the life of the program; make one in main() before anything else of this folder. It
-/// closes what it has opened: MPI and PETSc that ran before go on. All of this folder works on the ranks of
-/// PETSC_COMM_WORLD. Works without mpirun too (one rank).
+/// Keeps MPI and PETSc open for the life of the program; make one in main() before using anything
+/// else of this folder. It closes only what it opened: MPI or PETSc that ran before stay open. All
+/// of this folder works on the ranks of PETSC_COMM_WORLD. Works without mpirun too (one rank).
 class Session {
 public:
     /// On all ranks, or on those of a PETSc that already runs.
@@ -39,7 +39,7 @@ private:
     bool closes_petsc_ = false;
 };
 
-/// Whether MPI and PETSc are open.
+/// True if MPI and PETSc are open.
 bool is_open();
 
 /// This process's number among the ranks, and their count. 0 and 1 before a Session exists.
@@ -48,7 +48,7 @@ int ranks();
 
 /// The text of rank 0, on all ranks. Collective.
 std::string from_first_rank(std::string text);
-/// Ends all ranks at once; for an error that only this one has met.
+/// Ends all ranks at once, for an error that only this rank has found.
 [[noreturn]] void abort_ranks(int exit_code);
 
 /// Largest resident memory so far, summed over the ranks [byte]. Collective.

@@ -5,11 +5,12 @@
 #include <exception>
 #include <functional>
 
-/// Internal to fem/: a matrix that is known by its product with a vector only.
+/// Internal to fem/: a matrix defined only by its product with a vector.
 namespace deadpoint::fem {
 
-/// PETSc calls the product from frames of C, through which no exception may pass. What the product throws is kept,
-/// PETSc gets an error code, and use() throws what was kept once PETSc has returned.
+/// PETSc calls the product from C frames, through which no exception may pass. If the product
+/// throws, the exception is stored, PETSc receives an error code, and use() throws the exception
+/// again after PETSc has returned.
 class ShellMatrix {
 public:
     using Product = std::function<void(Vec in, Vec out)>;

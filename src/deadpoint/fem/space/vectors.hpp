@@ -4,7 +4,7 @@
 
 #include <span>
 
-/// Internal to fem/: PETSc's vectors as C++ sees them.
+/// Internal to fem/: access to PETSc's vectors from C++.
 namespace deadpoint::fem {
 
 /// A vector of the same layout, its entries not set.

@@ -5,18 +5,18 @@
 /// Internal to fem/: temperatures for the deformation's mesh.
 namespace deadpoint::fem {
 
-/// The field on a coarse mesh that meets a fine field best: T_c with the least  sum of w_i ((Q T_c)_i - T_i)^2  over
-/// the fine mesh's unknowns, where Q are the coarse shape functions at their places and w_i [m3] their shares of
-/// volume.
+/// The field on a coarse mesh that fits a fine field best: T_c with the least  sum of w_i ((Q
+/// T_c)_i - T_i)^2  over the fine mesh's unknowns, where Q are the coarse shape functions at their
+/// places and w_i [m3] their shares of volume.
 ///
-/// So each part keeps its mean and, over any few cells, its heat, which values at the coarse nodes alone do not. With
-/// the values I T there as the start,
+/// Each part therefore keeps its mean temperature and, over any few cells, its heat; values at the
+/// coarse nodes alone do not. Starting from the values I T at these nodes,
 ///
 ///   T_c = I T + (Q^T W Q + s V)^-1 Q^T W (T - Q I T)
 ///
-/// V are the coarse unknowns' volumes and s = 1e-3, which decides where no fine unknown lies in a coarse cell: there I
-/// T stays. Linear fields pass exactly, T = Q I T. Both meshes and both transfers outlive this; all functions
-/// collective.
+/// V are the volumes of the coarse unknowns. With s = 1e-3, I T remains where no fine unknown lies
+/// in a coarse cell. Linear fields pass exactly, T = Q I T. Both meshes and both transfers outlive
+/// this; all functions collective.
 class FittedTransfer {
 public:
     /// @param values  I, from the fine mesh to the coarse one

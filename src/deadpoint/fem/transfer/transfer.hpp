@@ -5,10 +5,10 @@
 #include <array>
 #include <limits>
 
-/// Internal to fem/: fields carried between two meshes of the same parts.
+/// Internal to fem/: transfer of fields between two meshes of the same parts.
 namespace deadpoint::fem {
 
-/// Where a point lies in a mesh.
+/// Cell of a point in a mesh.
 struct CellPlace {
     std::uint32_t cell = 0;
     dealii::Point<3> unit;                                     ///< in the reference cell, or beside it
@@ -20,7 +20,7 @@ class CellFinder {
 public:
     CellFinder(const Discretisation& space, std::uint32_t part);
 
-    /// The cell that holds a point; where none does, the one it is least outside of.
+    /// The cell that holds a point; if none does, the nearest one.
     [[nodiscard]] CellPlace find(const Vec3& position) const;
 
 private:
@@ -44,9 +44,10 @@ private:
     std::vector<std::uint32_t> cells_;
 };
 
-/// Values at the unknowns of a mesh from a field on another mesh of the same parts: the field's own shape functions in
-/// the same part, at the unknown's place. Where faceted curves leave a place outside, the nearest cell is continued, by
-/// at most half its size. Linear fields pass exactly.
+/// Values at the unknowns of a mesh from a field on another mesh of the same parts: the field's own
+/// shape functions in the same part, at the unknown's place. If a position lies outside all cells,
+/// because of faceted curves, the nearest cell is extrapolated by at most half its size. Linear
+/// fields pass exactly.
 ///
 /// Both meshes outlive this. All functions are collective.
 class Transfer {

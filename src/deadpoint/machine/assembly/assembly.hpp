@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// The machine while it is being put together.
+/// The machine during assembly.
 namespace deadpoint::machine {
 
 struct PartGroup {

@@ -4,12 +4,12 @@
 
 #include <vector>
 
-/// Finds cells by places.
+/// Finds cells by position.
 namespace deadpoint::machine {
 
-/// The box around nothing.
+/// An empty box.
 BoxShape empty_box();
-/// Makes a box reach to a point.
+/// Extends a box to a point.
 void include(BoxShape& box, const Vec3& point);
 
 /// Divides a box into equal bins.
@@ -18,7 +18,7 @@ public:
     /// @param per_axis  bins along each axis; 1 to 100 are made
     Bins(const BoxShape& box, double per_axis);
     [[nodiscard]] std::size_t size() const { return count_ * count_ * count_; }
-    /// The bin of a point; of the nearest place in the box for points outside.
+    /// The bin of a point; for points outside, that of the nearest point in the box.
     [[nodiscard]] std::size_t at(const Vec3& point) const
     {
         return number(place(point[0], 0), place(point[1], 1), place(point[2], 2));

@@ -13,11 +13,13 @@ struct Side {
     std::optional<BoxShape> within;
 };
 
-/// Where two sides touch, with integration points; `name`, and the parts where there are no points, are left open.
+/// The contact of two sides, with integration points. `name` is not set; the parts are not set if
+/// there are no points.
 ///
-/// Faces of both sides are unrolled into the parameters of the surface of side a and clipped against each other.
-/// Where side a travels, that is done again with its faces displaced to every stop, and weights and covered shares are
-/// those of the time. A stop that lifts a surface off the other by more than the gap has no contact there.
+/// Faces of both sides are unrolled into the parameters of the surface of side a and clipped
+/// against each other. If side a travels, this is repeated with its faces displaced to every stop;
+/// weights and covered shares are then time means. A stop that lifts a surface off the other by
+/// more than the gap has no contact there.
 /// @param gap      largest distance that counts as contact [m]
 /// @param covered  per face of the machine: the share of it in contact is added
 /// @param travel   of side a against side b; empty: none

@@ -5,9 +5,10 @@ namespace deadpoint::machine {
 
 /// Least share of the integrated side of an interface that must find a partner.
 inline constexpr double least_coverage = 0.98;
-/// Share of the integrated side that should touch all along a travel: less is warned about, since guides are longer.
+/// Share of the integrated side that should touch along the whole travel; below it the program
+/// warns, since guides are normally longer.
 inline constexpr double least_guided = 0.5;
-/// Largest distance between two surfaces that counts as contact where an interface names none [m].
+/// Largest distance between two surfaces that counts as contact if an interface states none [m].
 inline constexpr double contact_tolerance = 1e-5;
 /// Least scaled Jacobian (hexahedra) or scaled inradius ratio (tetrahedra) of a mesh made here.
 inline constexpr double least_quality = 0.05;

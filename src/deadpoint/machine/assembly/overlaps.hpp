@@ -7,10 +7,11 @@
 
 namespace deadpoint::machine {
 
-/// Pairs of parts that interpenetrate, with the deepest place found.
+/// Pairs of parts that interpenetrate, with the deepest point found.
 ///
-/// Nodes, centres of faces and centres of cells of each part are tested against the exact shapes of the other, or
-/// against its cells where it was imported. A part thinner than the cells of another one can slip through.
+/// Nodes, centres of faces and centres of cells of each part are tested against the exact shapes of
+/// the other, or against its cells where it was imported. A part thinner than the cells of another
+/// one may be missed.
 /// @param shapes  per part of the machine; empty for imported parts
 std::vector<Overlap> find_overlaps(const Assembly& assembly, const std::vector<std::vector<Prism>>& shapes);
 

@@ -24,7 +24,7 @@ MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& d
 /// "the cylinder of diameter 90 mm along z about (0, -25) mm of part 'link_3'", for messages.
 std::string describe(const SurfaceSelector& selector);
 
-/// What of the kind asked for exists on these parts, nearest first, for messages.
+/// Existing faces of the requested kind on these parts, nearest first, for messages.
 std::string alternatives(const Assembly& assembly, const SurfaceSelector& selector,
                          const std::vector<std::uint32_t>& parts);
 

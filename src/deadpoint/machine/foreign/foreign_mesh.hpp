@@ -7,26 +7,26 @@
 
 namespace deadpoint::machine {
 
-/// A file that other programs wrote, read by a library that others wrote.
+/// A file of another program, read by a foreign library.
 struct ForeignFile {
     std::string part;
     std::string path;
-    /// The name that the library sees instead of the path. Its ending decides which reader Gmsh takes, so no name that
-    /// a user gives decides anything.
+    /// The name that the library sees instead of the path. Its ending selects the reader of Gmsh,
+    /// so the user's file name has no influence.
     std::string name;
 };
 
 /// Called about once a second with the seconds so far.
 using Waiting = std::function<void(double)>;
 
-/// Runs `make`, which reads the file with the libraries of others, in a child process with at most half of the
-/// machine's memory and half an hour, which can open that file and nothing else (io/confine.hpp), and takes the mesh
-/// over. Needs a GmshSession.
-/// @throws what `make` throws of our errors; InputError naming part and file if the child crashes, hangs, needs too
-/// much or does what no reader should
+/// Runs `make`, which reads the file with foreign libraries, in a child process, and returns its
+/// mesh. The child has at most half of the machine's memory and half an hour, and can open that
+/// file only (io/confine.hpp). Needs a GmshSession.
+/// @throws deadpoint errors of `make`; InputError naming part and file if the child crashes, hangs,
+/// needs too much memory or makes a forbidden call
 PartMesh mesh_foreign_file(const ForeignFile& file, const std::function<PartMesh()>& make, const Waiting& waiting);
 
-/// What Gmsh says of the file that it reads while this object lives.
+/// Messages of Gmsh about the file that it reads while this object lives.
 class GmshComplaints {
 public:
     GmshComplaints();
@@ -35,7 +35,7 @@ public:
     GmshComplaints& operator=(const GmshComplaints&) = delete;
     GmshComplaints(GmshComplaints&&) = delete;
     GmshComplaints& operator=(GmshComplaints&&) = delete;
-    /// @throws InputError with the first error, since Gmsh goes on with what it has
+    /// @throws InputError with the first error, since Gmsh itself continues with the data it has
     void require_none(const ForeignFile& file) const;
 };
 

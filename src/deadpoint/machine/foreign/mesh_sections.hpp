@@ -5,10 +5,10 @@
 
 namespace deadpoint::machine {
 
-/// Holds the sections of a Gmsh mesh file in text against the counts that they begin with, from which Gmsh would read
-/// on into the next section, or leave out what is there beyond them, without a word.
+/// Compares the sections of a text Gmsh mesh file with the counts at their beginnings. With a wrong
+/// count Gmsh would silently read into the next section, or skip data.
 /// @param version  of the format: 2.x or 4.x
-/// @return what is wrong and in which line; empty if all is well
+/// @return the error and its line; empty if there is none
 std::string wrong_count(std::istream& mesh, double version);
 
 }  // namespace deadpoint::machine

@@ -9,12 +9,13 @@
 /// The plane of parameters of a surface: two coordinates in a plane, (radius times angle, axial) on a cylinder.
 namespace deadpoint::machine {
 
-/// A face in a chart: its corners in the order of its nodes, and the counter-clockwise polygon that counts (clipped).
+/// A face in a chart: its corners in the order of its nodes, and its counter-clockwise polygon
+/// (clipped).
 struct ChartFace {
     std::uint32_t face = 0;
     int count = 4;
     std::array<Vec2, 4> corners{};
-    double full_area = 0;  ///< of the polygons that stand for the face
+    double full_area = 0;  ///< of the polygons that represent the face
     double scale = 1;      ///< true area of the face over that
     Polygon polygon;
 };
@@ -26,8 +27,9 @@ public:
 
     /// On a cylinder the face is unrolled, with its middle in [-period/2, period/2).
     [[nodiscard]] ChartFace flatten(const Face& face, std::uint32_t index, const std::vector<Vec3>& nodes) const;
-    /// What of a convex polygon lies in a box, in convex pieces: exact in a plane and on a cylinder along a coordinate
-    /// axis; on an oblique cylinder the box's faces are taken as flat across each polygon.
+    /// The part of a convex polygon inside a box, in convex pieces: exact in a plane and on a
+    /// cylinder along a coordinate axis; on an oblique cylinder the box's faces count as flat
+    /// across each polygon.
     [[nodiscard]] std::vector<Polygon> within(const Polygon& polygon, const BoxShape& box) const;
     /// Share of a face's area that lies in a box, 0..1.
     [[nodiscard]] double share_within(const ChartFace& face, const BoxShape& box) const;
@@ -65,7 +67,8 @@ private:
 /// Local coordinates on the facet of the point with the given parameters (position_on() turns them into a point).
 Vec2 local_coordinates(const ChartFace& face, const Vec2& parameters);
 
-/// Whether two surfaces can touch: opposite coincident planes, or a bore and a shaft of one axis and nearly one radius.
+/// True if two surfaces can touch: opposite coincident planes, or a bore and a shaft of one axis
+/// and nearly one radius.
 /// @param gap  largest distance that counts as contact [m]
 bool can_touch(const FaceGeometry& a, const FaceGeometry& b, double gap);
 

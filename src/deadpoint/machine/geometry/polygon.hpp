@@ -19,7 +19,8 @@ struct HalfPlane {
     double offset = 0;
 };
 
-/// Sutherland-Hodgman, one step: what of a convex polygon lies in the half plane; empty if less than a triangle.
+/// One step of Sutherland-Hodgman: the part of a convex polygon in the half plane; empty if less
+/// than a triangle.
 Polygon clipped(const Polygon& polygon, const HalfPlane& half_plane);
 /// The same where `excess` is at most 0, which is taken as linear along each edge.
 Polygon clipped_where(const Polygon& polygon, const std::function<double(const Vec2&)>& excess);

@@ -62,8 +62,9 @@ Prism along(const Prism& prism, Axis axis);
 double inner_distance(const Section& section, const Vec2& point);
 bool inside(const Section& section, const Vec2& point);
 
-/// How deep a point lies inside a part [m]: at most the distance to its surface; negative or zero outside. Where two
-/// added shapes meet inside the solid it is too small, never too large.
+/// Depth of a point inside a part [m]: at most the distance to its surface; negative or zero
+/// outside. Near the interface of two added shapes inside the solid it is too small, never too
+/// large.
 double depth(const std::vector<Prism>& prisms, const Vec3& point);
 
 }  // namespace deadpoint::machine

@@ -9,11 +9,11 @@
 /// Gmsh's current model, whose lengths are millimetres.
 namespace deadpoint::machine {
 
-/// Surfaces by what they belong to (see signature()).
+/// Surfaces by their signature().
 using SurfaceGroups = std::map<std::vector<char>, std::vector<int>>;
 
-/// Draws all outlines into the current model and divides the plane by them. Neighbouring surfaces that belong to the
-/// same are joined, so that only outlines that bound something are left.
+/// Draws all outlines into the current model and divides the plane by them. Neighbouring surfaces
+/// with equal signatures are joined, so that only outlines with different sides remain.
 SurfaceGroups build_arrangement(const LayeredPart& part);
 
 /// `count` + 1 points along a curve [m].

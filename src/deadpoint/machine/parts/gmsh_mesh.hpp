@@ -14,12 +14,13 @@ inline constexpr int quad_type = 3;
 inline constexpr int tetrahedron_type = 4;
 inline constexpr int hexahedron_type = 5;
 
-/// Where groups of faces take their names from: physical surfaces always, and the surfaces of a solid model.
+/// Source of the names of groups of faces: physical surfaces always, and the surfaces of a solid
+/// model.
 enum class SurfaceNames { from_groups, from_model };
 
 /// Cells of one kind, their exterior faces with recognised planes and cylinders, and groups of faces.
 /// @param unit    length of one unit of the model [m]
-/// @param adjust  called between: may move nodes and drop cells; may be empty
+/// @param adjust  called after reading the cells: may move nodes and drop cells; may be empty
 PartMesh collect_mesh(CellKind kind, double unit, SurfaceNames names, const std::function<void(PartMesh&)>& adjust);
 
 /// @throws IoError naming the part if the file is not there or cannot be read

@@ -23,8 +23,8 @@ public:
 /// Empties Gmsh's model and sets all options that parts set to their default.
 void reset_gmsh();
 
-/// Calls `work`; whatever Gmsh throws becomes an InputError that names the part, the step and the remedy, but for a
-/// lack of memory, which stays one.
+/// Calls `work`. Exceptions of Gmsh become an InputError that names the part, the step and the
+/// remedy; a lack of memory stays a lack of memory.
 void guard_gmsh(const std::string& part, const char* step, const std::function<void()>& work);
 
 }  // namespace deadpoint::machine

@@ -21,8 +21,8 @@ std::vector<Axis> common_axes(const std::vector<Prism>& prisms);
 /// @param half  keep x <= 0 only
 LayeredPart layered_along(const std::vector<Prism>& prisms, Axis axis, bool half);
 
-/// What a point of the plane belongs to: one entry per layer (solid or not), then one per imprinted outline.
-/// Empty where no layer is solid or the point is beyond the symmetry plane.
+/// Membership of a point of the plane: one entry per layer (solid or not), then one per imprinted
+/// outline. Empty if no layer is solid or the point is beyond the symmetry plane.
 std::vector<char> signature(const LayeredPart& part, const Vec2& point);
 
 /// Number of equal steps of about `size` for a length.

@@ -12,7 +12,7 @@
 /// Internal to reduce/, since it shows Eigen: a small system of temperatures with dense matrices.
 namespace deadpoint::reduce {
 
-/// What the film of one interface adds to the conduction matrix, by coefficient (see heat/joints.hpp):
+/// Terms of one interface in the conduction matrix, by coefficient (see heat/joints.hpp):
 ///   h_a (S - h_a) / S aa + h_b (S - h_b) / S bb - h_a h_b / S across
 struct DenseJoint {
     Eigen::MatrixXd aa, bb;   ///< integrals of N_a N_a^T and N_b N_b^T [m2]
@@ -20,7 +20,7 @@ struct DenseJoint {
     Eigen::MatrixXd turning;  ///< the same of means around the circumference, for joints that turn fully; or empty
 };
 
-/// Rows that lie together in memory.
+/// Row-major matrix, so that a row is contiguous in memory.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// A system by its terms. All matrices are square over the states.
@@ -35,12 +35,12 @@ struct DenseTerms {
     Eigen::VectorXd uniform;             ///< states of a temperature of 1 K everywhere
 };
 
-/// The system of heat/system.hpp on such terms. Prescribed temperatures and materials over temperature are not in it.
-///
-/// A film that follows the temperature is taken at its surface's mean T_m, with its tangent there:
+/// The system of heat/system.hpp on such terms. It has no prescribed temperatures and no materials
+/// over temperature. A convection law is evaluated at its surface's mean temperature T_m, with its
+/// tangent there:
 ///   q(T) = q(T_m) + q'(T_m) (T - T_m),
-/// whose heat over the surface is that of the mean. Factors of M + d K are kept per d; terms of low rank are solved by
-/// Woodbury's formula.
+/// so that the heat of the surface is that of the mean temperature. Factors of M + d K are kept per
+/// d; terms of low rank are solved by Woodbury's formula.
 class DenseSystem {
 public:
     using Vector = Eigen::VectorXd;
@@ -82,7 +82,7 @@ public:
         return terms_.uniform.dot(terms_.mass * (to - from));
     }
 
-    // films that follow the temperature
+    // convection coefficients that depend on temperature
     [[nodiscard]] heat::FilmHeat add_films(const std::vector<heat::FilmAt>& films, const Vector& temperature,
                                            Vector& watts) const;
     void add_film_slopes(const std::vector<heat::FilmAt>& films, const Vector& temperature, Vector& load) const;
@@ -113,7 +113,7 @@ public:
     [[nodiscard]] std::vector<double> start_shares(const Vector& weights, const Vector& start, double reference) const;
 
 private:
-    /// Of M + factor (K + films), and what Woodbury's formula needs of the sources' loads.
+    /// Of M + factor (K + films), and the products of the sources' loads for Woodbury's formula.
     struct Factored {
         Eigen::LLT<Eigen::MatrixXd> matrix;
         Eigen::MatrixXd solved_loads;  ///< A^-1 L

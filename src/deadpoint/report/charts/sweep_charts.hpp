@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// Charts of one set of a study. Of a set with several axes the curves follow the first one, the others at their first
-/// steps; the map shows all of two axes.
+/// Charts of one set of a study. Of a set with several axes the curves vary the first one and keep
+/// the others at their first steps; the map shows all of two axes.
 namespace deadpoint::report {
 
 /// E_SW over time, one curve per run; eight at most.
@@ -25,8 +25,8 @@ Chart sweep_limit_chart(const SweepResult& result, std::size_t set);
 /// @throws DomainError if the set has not two axes
 std::string sweep_map(const SweepResult& result, std::size_t set, const std::optional<study::DriftWindow>& window);
 
-/// Writes <set>-drift.svg, <set>-rises.svg, <set>-limits.svg and, for two axes, <set>-map.svg; what a set has no values
-/// for is left out.
+/// Writes <set>-drift.svg, <set>-rises.svg, <set>-limits.svg and, for two axes, <set>-map.svg;
+/// charts without values are left out.
 /// @param comments  for the head of each file
 /// @throws IoError if a file cannot be written
 void write_sweep_charts(const std::filesystem::path& folder, const SweepResult& result,

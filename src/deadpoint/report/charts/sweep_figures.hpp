@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// A study of many runs with what they left behind, and the figures of it that all tables and charts show.
+/// A study with the results of its runs, and the figures for all tables and charts.
 namespace deadpoint::report {
 
 /// One entry per point in outcomes and records; a record is there if the run of the point is.
@@ -29,7 +29,7 @@ struct SweepDrift {
     std::optional<study::GapFigures> gap;
 };
 
-/// What the tables show of a run.
+/// Figures of a run for the tables.
 struct SweepFigures {
     std::optional<SweepDrift> drift;               ///< without a dimension chain: none
     std::map<std::string, double> rises;           ///< by probe, at the end [K]
@@ -42,7 +42,7 @@ SweepFigures sweep_figures(const study::RunRecord& run);
 /// @throws DomainError if there is not one outcome and one record or gap per point
 std::vector<std::optional<SweepFigures>> sweep_figures(const SweepResult& result);
 
-/// Drift as it is held against limits.
+/// Magnitudes of the drift, to compare with limits.
 std::optional<study::PointDrift> magnitudes(const SweepFigures& figures);
 
 /// The best window of each set; nothing if the study has no limits.
@@ -66,7 +66,7 @@ std::string place_label(const study::SweepSet& set, const std::vector<std::size_
 
 const char* state_name(study::PointOutcome::State state);
 
-/// What a window allows of each axis, in words: "speed 200 rpm to 400 rpm".
+/// The range of each axis in a window, in words: "speed 200 rpm to 400 rpm".
 std::string window_text(const study::SweepSet& set, const std::optional<study::DriftWindow>& window);
 
 /// The limits in words: "largest |E_SW| up to 10 um".

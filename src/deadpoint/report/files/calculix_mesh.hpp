@@ -11,7 +11,7 @@ namespace deadpoint::report {
 /// Writes the mesh in the form of CalculiX and Abaqus, in metres, for a second opinion by another program:
 ///  - all nodes, and per part the set of elements PART_name (C3D8 or C3D4);
 ///  - as element faces, per surface SURFACE_name, per interface the sides INTERFACE_name_A and _B that touch, and per
-///    bonded pair BOND_name_A and _B; a face of which a share belongs to it stands there whole;
+///    bonded pair BOND_name_A and _B; a face that belongs to it in part is listed as a whole;
 ///  - the faces on the symmetry plane as SYMMETRY.
 /// Names have other characters than letters and digits replaced by '_'. Nodes and elements are numbered from 1, in
 /// the order of the machine. Materials, conditions and steps are left to the user.

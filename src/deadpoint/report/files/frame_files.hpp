@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-/// Forces of preloaded rods, what they close, and stress, in the files and the text of a run.
+/// Forces of preloaded rods, closed bonds, and stress, in the files and the text of a run.
 namespace deadpoint::report {
 
 /// Force of every rod and across every closed bond.
 void add_frame_columns(std::vector<CsvColumn>& columns, const study::FrameResult& frame, const SeriesSampler& sample);
 
-/// stress.csv: the largest stress of every part asked for, at the times of the fields.
+/// stress.csv: the largest stress of every listed part, at the times of the fields.
 void write_stress(const std::filesystem::path& path, const study::FrameResult& frame,
                   const std::vector<std::string>& comments);
 

@@ -13,11 +13,11 @@ namespace deadpoint::report {
 /// Columns of gaps.csv besides the time.
 std::vector<CsvColumn> gap_columns(const GapSeries& gaps, const SeriesSampler& sample);
 
-/// Largest and last values; null where nothing was followed.
+/// Largest and last values; null if nothing was recorded.
 /// @param time  of the steps [s]
 nlohmann::ordered_json gaps_json(const GapSeries& gaps, const std::vector<double>& time);
 
-/// A line each for parallelism, clearances and force; empty where nothing was followed.
+/// A line each for parallelism, clearances and force; empty if nothing was recorded.
 std::string gaps_text(const GapSeries& gaps, const std::vector<double>& time);
 
 }  // namespace deadpoint::report

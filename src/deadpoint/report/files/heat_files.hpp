@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-/// The tables of heat, conductance and films as files and as a short text for the terminal.
+/// The tables of friction heat, contact conductance and convection as files and as a short text for
+/// the terminal.
 namespace deadpoint::report {
 
-/// Writes into an existing folder: heat.json, joint_heat.csv, conductances.csv and films.csv; without interfaces or
-/// films, their file has no rows.
+/// Writes into an existing folder: heat.json, joint_heat.csv, conductances.csv and films.csv;
+/// without interfaces or convection, their file has no rows.
 /// @param warnings  of the whole run; they stand in every file
 /// @throws IoError if a file cannot be written
 void write_heat_files(const std::filesystem::path& folder, const casefile::Case& input, const study::HeatTables& tables,

@@ -12,7 +12,8 @@
 /// whole press.
 namespace deadpoint::report {
 
-/// Brings a quantity that is known at the steps only to the rows of a table: factor * value + offset.
+/// Interpolates a quantity that is known at the steps to the rows of a table: factor * value +
+/// offset.
 using Sampler = std::function<std::vector<double>(const std::vector<double>& values, double factor, double offset)>;
 
 void add_heat_flow_columns(std::vector<CsvColumn>& columns, const study::RunResult& result,

@@ -16,7 +16,7 @@ std::vector<std::string> body_names(const Machine& machine);
 /// Number of the body of each part.
 std::vector<std::int32_t> body_of_part(const Machine& machine);
 
-/// Writes what can be looked at before anything is solved into an existing folder:
+/// Writes the files of the mesh into an existing folder:
 ///  - mesh.vtu: all cells, with the numbers of their part and body;
 ///  - surfaces.vtu: all exterior faces, with part, body, surface, interface, exposed share (0..1) and whether they lie
 ///    on the symmetry plane; -1 means none; a face in several surfaces carries the smallest of them;

@@ -7,17 +7,18 @@
 #include <string>
 #include <vector>
 
-/// Which files of a folder deadpoint wrote, and whether they are still as they were written.
+/// The list of files that deadpoint wrote into a folder, to detect changes.
 ///
-/// Each folder of results holds `deadpoint.json`: the number of this format, the version of the program, and size and
-/// checksum of every file beside and below it. A folder below with a `deadpoint.json` of its own speaks for itself.
-/// Files of different runs, and files that were cut, changed or lost, do not fit the list.
+/// Each folder of results holds `deadpoint.json`: the number of this format, the version of the
+/// program, and size and checksum of every file beside and below it. A subfolder with its own
+/// `deadpoint.json` has its own list. Files of different runs, and files that were truncated,
+/// changed or lost, do not match the list.
 namespace deadpoint::report {
 
 inline constexpr const char* manifest_name = "deadpoint.json";
 inline constexpr int result_format = 2;  ///< changes when an older version could not read the folder
 
-/// How a file was written.
+/// Size and checksum of a file as written.
 struct ListedFile {
     std::uintmax_t size = 0;  ///< [byte]
     std::string checksum;     ///< stable_hash() of its bytes
@@ -34,12 +35,11 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     /// By path from the folder, with '/' between: "fields/top.vtu".
     [[nodiscard]] const std::map<std::string, ListedFile>& listed() const { return listed_; }
-    /// All of a file, of which size and checksum are as listed.
-    /// @return nothing if there is no such file, nor was
-    /// @throws IoError if the file is gone or cannot be read
-    /// @throws InputError if it is not what was written, or was put there since
+    /// The contents of a file whose size and checksum match the list. @return none if the file
+    /// neither exists nor is listed @throws IoError if the file is missing or cannot be read
+    /// @throws InputError if it was changed, or added later
     [[nodiscard]] std::optional<std::string> read(const std::string& name) const;
-    /// The same of a file that must be there, however large, without its text.
+    /// Checks a file of any size that must exist, without returning its contents.
     void check(const std::string& name) const;
 
 private:
@@ -50,15 +50,16 @@ private:
     std::map<std::string, ListedFile> listed_;
 };
 
-/// Lists all that is in a folder now. @throws IoError if a file cannot be read or the list not be written
+/// Lists all files that are in a folder now. @throws IoError if a file cannot be read or the list
+/// not be written
 void write_manifest(const std::filesystem::path& folder);
 
-/// Lists a file that was added to its folder, or written anew, since the folder was listed. Nothing happens in a folder
-/// without a list.
+/// Lists a file that was added to its folder, or written again, after the folder was listed. Does
+/// nothing in a folder without a list.
 /// @throws as ResultFiles and write_manifest()
 void record_file(const std::filesystem::path& file);
 
-/// What stands in a folder of results, or below, and is in no list: deadpoint did not write it.
+/// Files in a result folder or below that are in no list: deadpoint did not write them.
 /// @throws as ResultFiles
 std::vector<std::filesystem::path> foreign_files(const std::filesystem::path& folder);
 

@@ -9,17 +9,18 @@ namespace deadpoint::report {
 
 /// A folder of results that appears under its name only when it is complete.
 ///
-/// Files are written to path(), a new folder "<target>.partial-..." beside the target; commit() gives it the target's
-/// name. Without commit() the partial folder is removed with the object. A process that is killed leaves the partial
-/// folder, which the next claim on the target tidies.
+/// Files are written to path(), a new folder "<target>.partial-..." beside the target; commit()
+/// gives it the target's name. Without commit() the partial folder is removed with the object. A
+/// process that is killed leaves the partial folder, which the next claim on the target removes.
 class ResultFolder {
 public:
     enum class IfExists { refuse, replace };
 
     /// Creates the partial folder.
     /// @param inputs  files of the user; a folder that holds one of them is never replaced
-    /// @throws IoError if the target exists and may not be replaced, or if the folder cannot be created. Replaced is
-    ///         only an empty folder, or one that deadpoint wrote and that holds nothing but what deadpoint wrote there
+    /// @throws IoError if the target exists and may not be replaced, or if the folder cannot be
+    /// created. Only an empty folder may be replaced, or one that holds only files that deadpoint
+    /// wrote there
     explicit ResultFolder(FolderClaim claim, IfExists if_exists = IfExists::refuse,
                           std::vector<std::filesystem::path> inputs = {});
     ~ResultFolder();
@@ -29,11 +30,11 @@ public:
     /// Where to write.
     [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
     [[nodiscard]] const std::filesystem::path& target() const { return claim_.target(); }
-    /// What commit() has to say of what it replaced.
+    /// Messages of commit() about the replaced folder.
     [[nodiscard]] std::vector<std::string> take_notes() { return claim_.take_notes(); }
-    /// Lists the files (result_files.hpp) unless that was done, puts all on the disk and gives the partial folder the
-    /// target's name, which it never takes from something that may not be replaced, even if that came a moment ago.
-    /// What stood there is removed only after that has succeeded.
+    /// Lists the files (result_files.hpp) if that was not done, writes everything to the disk and
+    /// gives the partial folder the target's name. It never replaces a folder that may not be
+    /// replaced, even one created a moment ago. The old folder is removed only after success.
     /// @throws IoError if the target may not be replaced or the disk fails; the results then stay in a folder
     ///         "<target>.kept-...", which the message names
     void commit();

@@ -8,9 +8,9 @@
 
 namespace deadpoint::report {
 
-/// Reads a JSON document of a folder of results, just as it was written there. Internal to report/, since it shows the
-/// JSON library.
-/// @return nothing if there is no such file, nor was
+/// Reads a JSON document of a result folder, which must be unchanged. Internal to report/, since it
+/// shows the JSON library.
+/// @return none if the file neither exists nor is listed
 /// @throws as read_json() and ResultFiles::read()
 std::optional<nlohmann::ordered_json> read_json(const ResultFiles& files, const std::string& name);
 

@@ -14,8 +14,8 @@ class ResultTable {
 public:
     /// @param text  of the file
     /// @param path  of it; its last name says which file of the schema it is
-    /// @throws InputError as parse_csv(), or if the line that states the kinds of the columns is missing or does not
-    /// fit
+    /// @throws InputError as parse_csv(), or if the line that states the kinds of the columns is
+    /// missing or does not match
     ResultTable(const std::string& text, const std::string& path);
 
     [[nodiscard]] const CsvTable& csv() const { return csv_; }
@@ -23,7 +23,7 @@ public:
     /// Names of the case in all columns of a kind, in the order of the file.
     [[nodiscard]] std::vector<std::string> names(const schema::Column& column) const;
     /// @param name  of the case; empty where the heading has none
-    /// @throws InputError if there is no such column, or a cell is no finite number
+    /// @throws InputError if there is no such column, or a cell is not a finite number
     [[nodiscard]] std::vector<double> numbers(const schema::Column& column, const std::string& name = {}) const;
 
 private:

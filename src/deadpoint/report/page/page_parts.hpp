@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// The texts of web/ that the page is put together from, compiled into the program.
+/// The texts of web/ of which the page consists, compiled into the program.
 namespace deadpoint::report {
 
 std::string_view page_style();

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-/// Internal to report/: what the pages of a run and of a study have in common.
+/// Internal to report/: the common parts of the pages of a run and of a study.
 namespace deadpoint::report {
 
 struct PageContent {

@@ -8,7 +8,7 @@
 /// Internal to report/: the main results as plain HTML, for readers whose browser runs no scripts.
 namespace deadpoint::report {
 
-/// @param run  an entry of the page's data: summary and loads as far as they are there
+/// @param run  an entry of the page's data: summary and loads, if present
 std::string run_tables(const nlohmann::ordered_json& run);
 
 /// @param sweep  sweep.json

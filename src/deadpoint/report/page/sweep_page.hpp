@@ -6,12 +6,13 @@
 
 namespace deadpoint::report {
 
-/// Whether `deadpoint sweep` wrote this folder.
+/// True if `deadpoint sweep` wrote this folder.
 bool is_study(const std::filesystem::path& folder);
 
-/// Writes the page of a study: families of curves, the table of points, maps and windows, from sweep.json and the
-/// folders of its points; complete or absent. Curves are thinned the more, the more points there are.
-/// @throws InputError if a file cannot be understood; IoError if one cannot be read or the page not be written
+/// Writes the page of a study: families of curves, the table of points, maps and windows, from
+/// sweep.json and the folders of its points; complete or absent. Curves are thinned more if there
+/// are more points. @throws InputError if a file cannot be parsed; IoError if one cannot be read or
+/// the page not be written
 void write_sweep_report(const std::filesystem::path& file, const std::filesystem::path& folder,
                         IfThere if_there = IfThere::replace);
 

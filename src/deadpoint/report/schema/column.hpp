@@ -16,8 +16,8 @@ struct Column {
 
 /// A pattern with its name in braces replaced.
 std::string filled(std::string_view pattern, const std::string& name);
-/// The name that stands in the braces of a pattern. @return nothing if the pattern has no braces or the text is not of
-/// it
+/// The name that stands in the braces of a pattern. @return none if the pattern has no braces or
+/// the text does not match it
 std::string name_in(std::string_view pattern, const std::string& text);
 
 }  // namespace deadpoint::report::schema

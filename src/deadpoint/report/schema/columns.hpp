@@ -4,7 +4,7 @@
 
 #include <array>
 
-/// The columns of every table, for those who write and read them.
+/// The columns of every table, for writers and readers.
 namespace deadpoint::report::schema {
 
 inline constexpr Column time{"time", "time", "s", "time since the start of the run"};

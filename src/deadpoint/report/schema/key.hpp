@@ -14,7 +14,7 @@ struct Key {
 };
 using Keys = std::vector<Key>;
 
-/// The keys of an object that lies at a path.
+/// The keys of an object at a path.
 Keys below(const std::string& at, const Keys& keys);
 Keys joined(std::initializer_list<Keys> groups);
 

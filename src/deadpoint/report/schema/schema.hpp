@@ -10,9 +10,9 @@
 
 /// Every file of a result folder, with every column and every key in it: name, unit, meaning, each stated once.
 ///
-/// Writers take headings and units from here, readers and the page find columns by their kind, the page
-/// docs/result-files.md is made of it. Names in braces stand for names of the case: "{joint} heat" is the heading of
-/// "crank_pin heat".
+/// Writers use its headings and units, readers and the page find columns by their kind, and
+/// docs/result-files.md is printed from it. Names in braces stand for names of the case: "{joint}
+/// heat" is the heading of "crank_pin heat".
 namespace deadpoint::report::schema {
 
 struct File {
@@ -27,7 +27,7 @@ struct File {
 
 /// All files, in the order of the page.
 const std::vector<File>& files();
-/// The file of a name. @throws std::logic_error if there is none: a writer that does not follow the schema
+/// The file of a name. @throws std::logic_error if there is none, which is a defect of a writer
 const File& file(std::string_view name);
 
 /// A dimension of the chain: name, as in its column, and meaning.
@@ -40,7 +40,8 @@ std::span<const Dimension> dimensions();
 
 /// The page docs/result-files.md.
 std::string page();
-/// What the scripts of the page must know, as a JSON text: kinds of columns with heading and meaning, dimensions.
+/// Data for the scripts of the page, as a JSON text: kinds of columns with heading and meaning,
+/// dimensions.
 std::string script_json();
 
 }  // namespace deadpoint::report::schema

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-/// Internal to report/: what a run to a stated accuracy took, as text and files.
+/// Internal to report/: the report of a run to a stated accuracy, as text and files.
 namespace deadpoint::report {
 
 /// "not reached: ..." or "reached: ...", one line.

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-/// Which heat has moved the gap: a file, JSON and a line for the terminal, all in micrometres.
+/// Contributions of the heat sources to the gap: a file, JSON and a line for the terminal, all in
+/// micrometres.
 namespace deadpoint::report {
 
 /// Writes a row per cause with its kind and name, and a column per time; the rows of a column sum to E_SW.

@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
-/// Friction heat at the operating points of a case, row by row, where it comes from, and what it asks of the motor.
+/// Friction heat at the operating points of a case, law by law, with its parts and the power of the
+/// motor.
 namespace deadpoint::report {
 
-/// Temperatures at which the heat is told [K].
+/// Temperatures at which the heat is stated [K].
 constexpr double friction_temperatures[] = {293.15, 313.15};
 
-/// For each operating point: table of the rows, contrast of rigid and flexible shaft, powers; ends with a line break.
-/// Empty without any.
+/// For each operating point: table of the friction laws, comparison of rigid and flexible shaft,
+/// powers; ends with a line break. Empty without any.
 std::string friction_text(const std::vector<study::FrictionSummary>& summaries);
 
 /// The same as a JSON text (a list of objects, one per operating point), for summary.json and heat.json.

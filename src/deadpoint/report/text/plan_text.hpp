@@ -7,20 +7,21 @@
 #include <string>
 #include <vector>
 
-/// What is known about a case before anything is solved, for people.
+/// The plan of a case before anything is solved, as text.
 namespace deadpoint::report {
 
 /// Mass of one body of the whole machine, computed from its mesh.
 ///
-/// In a half model a body that straddles the symmetry plane (one of its parts is cut, or lies wholly on the far side)
-/// counts twice; any other body is itself one of a pair of twins and counts once.
+/// In a half model a body that straddles the symmetry plane (one of its parts is cut, or lies
+/// wholly on the far side) counts twice; any other body is one of a pair and counts once.
 struct BodyMass {
     std::string body;
     int parts = 0;                 ///< modelled
     double computed = 0;           ///< [kg]
     std::optional<double> stated;  ///< in the case file [kg]
     bool partial = false;          ///< exists twice and is cut by the plane of symmetry: less than the body is modelled
-    /// Computed over stated, less one; nothing where none is stated or the body is modelled in part only.
+    /// Computed over stated, less one; none if no mass is stated or the body is modelled in part
+    /// only.
     [[nodiscard]] std::optional<double> deviation() const;
 };
 std::vector<BodyMass> body_masses(const casefile::Case& description, const Machine& machine);
@@ -39,16 +40,17 @@ struct SizeEstimate {
 
 /// Unknowns and memory of a run.
 ///
-/// One heat unknown per node and three of deformation, those divided by the cube of the scale where the deformation has
-/// a mesh of its own (study::deformation_scale); second order has about eight times the nodes of first order,
-/// whose matrix rows hold about 2.5 times as many entries. Memory is memory_base plus that per unknown, as measured on
-/// meshes of 0.1 to 2.4 million hexahedra of first order with algebraic multigrid; good to about a third.
+/// One heat unknown per node and three of deformation, those divided by the cube of the scale if
+/// the deformation has a separate mesh (study::deformation_scale); second order has about eight
+/// times the nodes of first order, whose matrix rows hold about 2.5 times as many entries. Memory
+/// is memory_base plus that per unknown, measured on meshes of 0.1 to 2.4 million hexahedra of
+/// first order with algebraic multigrid; accurate to about a third.
 SizeEstimate estimate_size(const casefile::Case& description, const Machine& machine);
 inline constexpr double memory_base = 0.25e9;             ///< program and libraries [byte]
 inline constexpr double memory_per_heat_unknown = 2.2e3;  ///< matrices, multigrid, vectors [byte]
 inline constexpr double memory_per_deformation_unknown = 3.2e3;
 
-/// Everything that looks wrong: masses, overlaps, parts tied to nothing, one sentence each.
+/// Warnings of the plan: masses, overlaps, parts that are not connected, one sentence each.
 std::vector<std::string> plan_warnings(const casefile::Case& description, const Machine& machine);
 
 /// The plan as text: bodies and masses, parts with cells and quality, joints and interfaces, bonds, surfaces, size.

@@ -11,9 +11,9 @@ namespace deadpoint::report {
 
 enum class Detail { short_text, all };
 
-/// The text that ends a run. Short: what a user wants first, the gap with its causes and its warm-up, and the
-/// temperatures of the probes. All: also loads, parts, parallelism, clearances, friction, preload, oil and energy. Heat
-/// is that of the whole press.
+/// The text that ends a run. Short: the gap with its causes and its warm-up, and the temperatures
+/// of the probes. All: also loads, parts, parallelism, clearances, friction, preload, oil and
+/// energy. Heat is that of the whole press.
 std::string run_text(const casefile::Case& input, const study::RunResult& result, Detail detail);
 
 /// The parts that move the gap most at the end, largest first.

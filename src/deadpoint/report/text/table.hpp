@@ -15,7 +15,8 @@ public:
     /// Aligns a column to the left.
     void align_left(std::size_t column) { left_.push_back(column); }
     [[nodiscard]] bool empty() const { return rows_.empty(); }
-    /// The whole table, each line behind `indent` blanks and ended by a line break, without trailing blanks.
+    /// The whole table. Each line begins with `indent` blanks and ends with a line break, without
+    /// trailing blanks.
     [[nodiscard]] std::string text(std::size_t indent = 2) const;
 
 private:
@@ -31,7 +32,7 @@ std::size_t display_width(const std::string& text);
 /// One that is not finite becomes "-".
 std::string significant(double value, int digits = 3);
 
-/// A length of time for people: "42 s", "5 min 03 s", "1 h 12 min".
+/// A duration as text: "42 s", "5 min 03 s", "1 h 12 min".
 std::string duration_text(double seconds);
 
 }  // namespace deadpoint::report

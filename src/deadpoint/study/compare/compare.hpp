@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// A result held against measured or published values.
+/// Comparison of a result with measured or published values.
 namespace deadpoint::study {
 
 /// One value beside its reference, in SI units and the program's signs.
@@ -18,7 +18,7 @@ struct ComparedValue {
     Dimension dimension = Dimension::none;
     double reference = 0;
     double computed = 0;
-    std::optional<double> baseline;  ///< what the baseline run has in its place
+    std::optional<double> baseline;  ///< value of the baseline run
     bool calibrated = false;
     std::string note;
     /// Computed less reference; differences of a relative 1e-12 come from units and count as none.
@@ -27,20 +27,21 @@ struct ComparedValue {
     [[nodiscard]] std::optional<double> relative_error() const;
 };
 
-/// How far off a set of values is. Errors are computed less reference.
+/// Error figures of a set of values. Errors are computed less reference.
 struct ErrorFigures {
     std::size_t count = 0;
     double rms = 0;
     double bias = 0;             ///< mean error
     double largest = 0;          ///< error of largest magnitude, with its sign
     std::size_t largest_at = 0;  ///< its index
-    /// Root mean square error of predicting that nothing changes: no rise, no drift. Only where that means something.
+    /// Root mean square error of predicting that nothing changes: no rise, no drift. Only if that
+    /// is meaningful.
     std::optional<double> rms_nothing;
     /// The same of predicting the mean of the references for each: a baseline that knows their level. Of two or more.
     std::optional<double> rms_mean;
     std::optional<double> rms_baseline;  ///< of the baseline run
 };
-/// @param nothing  what is there if nothing changes; without it, no baselines
+/// @param nothing value if nothing changes; without it, no baselines
 /// @throws DomainError if there are no values, or not one reference for each
 ErrorFigures error_figures(const std::vector<double>& computed, const std::vector<double>& reference,
                            std::optional<double> nothing);
@@ -68,7 +69,7 @@ struct ComparedCurve {
     ErrorFigures figures;
 };
 
-/// A claim in words and what the result says about it.
+/// A claim in words and its verdict.
 struct Verdict {
     enum class Outcome { holds, fails, unchecked };
     std::string text;
@@ -91,17 +92,19 @@ struct Comparison {
     std::vector<std::string> warnings;
 };
 
-/// What a reference file can name in this result.
+/// Contents of this result to which a reference file can refer.
 casefile::ResultContents contents(const RunRecord& run);
 
-/// Holds a run against the values of one operating point.
+/// Compares a run with the values of one operating point.
 ///
-/// A value counts as calibrated if the file marks it so, or if it belongs to the case as it stands and the case was
-/// fitted to the rise of that probe at that time. Values between two rows of the history are interpolated linearly.
+/// A value counts as calibrated if the file marks it so, or if it belongs to the unchanged case and
+/// the case was fitted to the rise of that probe at that time. Values between two rows of the
+/// history are interpolated linearly.
 ///
 /// @param reference  read and checked against contents(run)
-/// @param baseline   another run whose errors stand beside, such as the base case where `run` is another operating
-///                   point: what predicting no change by the operating point would give. Checked likewise; may be null
+/// @param baseline   another run whose errors are also shown. If `run` is another operating point,
+/// the base case shows the errors of predicting no change by the operating point. Checked likewise;
+/// may be null
 Comparison compare(const RunRecord& run, const casefile::ReferenceFile& reference, const std::string& point = "",
                    const RunRecord* baseline = nullptr);
 

@@ -13,7 +13,7 @@
 /// Internal to study/: the dimension chain of a case on its meshed machine.
 namespace deadpoint::study {
 
-/// The linkage at bottom dead point and what the deformation moves in it.
+/// The linkage at bottom dead point and the functionals of the deformation that move it.
 struct ChainModel {
     /// @throws InputError if the case is not drawn at bottom dead point; as describe_chain
     ChainModel(const casefile::Case& input, const Machine& machine);
@@ -27,14 +27,15 @@ struct ChainModel {
     double travel_by_play = 0;           ///< drift::travel_by_play
 
     [[nodiscard]] int bearings() const { return static_cast<int>(dimensions.size()) - drift::dimension_count; }
-    /// What the crank's play adds to the slide's height, its bearings' growths counting by these shares [m].
+    /// Contribution of the crank's play to the slide's height, with these shares of its bearings'
+    /// growths [m].
     [[nodiscard]] double play_travel(const std::vector<double>& shares, const std::vector<double>& growths) const;
 };
 
-/// The share by which each bearing's growth counts.
+/// Share of each bearing's growth that counts.
 std::vector<double> play_shares(const drift::BearingPlay& play, const std::vector<double>& growths);
 
-/// E_SW as one functional, or the adjoint of it, with the bearings' growths counting by these shares.
+/// E_SW as one functional, or the adjoint of it, with these shares of the bearings' growths.
 /// @param adjoints  of ChainModel::dimensions, first
 Functional gap_functional(const ChainModel& chain, const std::vector<double>& shares);
 fem::Adjoint gap_adjoint(const ChainModel& chain, const std::vector<fem::Adjoint>& adjoints,
@@ -45,20 +46,22 @@ std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, con
 /// The same at a row of a history.
 std::vector<double> play_growths(const ChainModel& chain, const ThermalHistory& history, std::size_t row);
 
-/// What closes the joints again after a deformation.
+/// Rigid motions that close the joints again after a deformation.
 struct Closing {
     std::vector<RigidMotion> motions;  ///< per part
     double gap = 0;                    ///< E_SW, straight from the deformation [m]
     double opening = 0;                ///< largest distance of two centres of a joint that is left [m]
 };
 
-/// @param shares  by which the growth of each crank bearing's play counts; the motions are linear in the displacement
+/// @param shares  of the growth of each crank bearing's play; the motions are linear in the
+/// displacement
 Closing close_joints(const Machine& machine, fem::Model& model, const ChainModel& chain,
                      const fem::Displacement& displacement, const std::vector<double>& shares);
 /// The growths of the crank's bearings' plays in a deformation [m].
 std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, const fem::Displacement& displacement);
 
-/// The chain over time out of the functionals of the dimensions, which ThermalHistory::contributions split.
+/// The chain over time, from the functionals of the dimensions, which ThermalHistory::contributions
+/// split.
 DriftSeries drift_series(const ChainModel& chain, const drift::BearingPlay& play, const ThermalHistory& history);
 
 }  // namespace deadpoint::study

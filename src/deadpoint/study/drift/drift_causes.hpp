@@ -7,12 +7,12 @@
 #include <functional>
 #include <vector>
 
-/// Internal to study/: which heat has moved the gap.
+/// Internal to study/: contributions of the heat sources to the gap (attribution).
 namespace deadpoint::study {
 
-/// By cause, at the step of the largest |E_SW|, where that is not the last one, and at the end.
-/// @param model  whose heat() has just made the drift, of this problem
-/// @param gap_at  the adjoint of E_SW, with what counts of the crank's play at a step
+/// Contributions at the step of the largest |E_SW|, if that is not the last one, and at the end.
+/// @param model the model whose heat() has just computed the drift of this problem @param gap_at
+/// the adjoint of E_SW, with the share of the crank's play that counts at a step
 std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatProblem& problem, const DriftSeries& drift,
                                       fem::Model& model, const std::function<fem::Adjoint(std::size_t row)>& gap_at);
 

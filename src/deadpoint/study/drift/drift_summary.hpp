@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-/// What a test report after ISO 230-3 states of a course over time, computed from a history.
+/// Figures of a test report after ISO 230-3 for a course over time, computed from a history.
 ///
 /// With the drive running, the change over the first hour and over four hours corresponds to that standard's distortion
 /// by a rotating spindle, here by the running crank; in a run at standstill under a changing ambient the range over the
@@ -18,7 +18,7 @@ inline constexpr double first_hour = 3600;
 inline constexpr double four_hours = 4 * 3600;
 inline constexpr double rate_window = 600;
 
-/// A stretch from the start of the run.
+/// A span from the start of the run.
 struct StretchSummary {
     double span = 0;         ///< [s]; that of the run where it is shorter
     bool cut_short = false;  ///< the run is shorter than the stretch
@@ -41,11 +41,12 @@ struct CourseSummary {
 /// @throws DomainError if there is no step, or not one value and rate per step
 CourseSummary summarise_course(const std::vector<double>& time, const Series& series);
 
-/// From when on |rate| stays at or below a limit, by the rates at the steps; nothing if it exceeds it at the last.
+/// Time from which |rate| stays at or below a limit, by the rates at the steps; none if the last
+/// step exceeds it.
 std::optional<double> steady_from(const std::vector<double>& time, const Series& series, double rate_limit);
 
-/// From when on a sampled course stays within (1 - share) of its last value, counted by that value: the first of the
-/// given times after which it does.
+/// Time from which a sampled course stays within (1 - share) of its last value, relative to that
+/// value: the first of the given times after which it does.
 /// @param time, value  of equal length, at least one
 double time_to_share(std::span<const double> time, std::span<const double> value, double share);
 

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-/// How the machine stands, what strains it besides heat, and what follows: forces of rods, what they close, stress.
+/// Supports, weights and preload of the machine, and their results: forces of rods, closed bonds,
+/// stress.
 namespace deadpoint::study {
 
 /// A preloaded rod.
@@ -22,7 +23,7 @@ struct RodForce {
     double held_share = 0;  ///< of the process force
 };
 
-/// How a bond that only preload holds together would part somewhere, at one time.
+/// Opening at one time of a bond that only preload holds together.
 struct Opening {
     double time = 0;
     double largest = 0;  ///< tension [Pa]; negative: pressure everywhere
@@ -58,23 +59,24 @@ struct FrameResult {
     std::vector<StressPeak> stress;
 };
 
-/// True if the case asks for anything that the deformation alone gives, without a dimension chain.
+/// True if the case requests results of the deformation that need no dimension chain.
 bool has_frame_state(const casefile::Case& input);
 
-/// How the feet stand.
+/// The supports of the feet.
 Foundation describe_foundation(const casefile::Case& input, const Machine& machine);
 
-/// The state of the machine at rest and what is watched of it. Collective, as fem::Model.
+/// The machine under weights and preload, and its recorded forces. Collective, as fem::Model.
 class FrameState {
 public:
-    /// @throws InputError for rods that nothing holds, pairs that are not bonded, or weights that nothing carries
+    /// @throws InputError for rods without supports, pairs that are not bonded, or weights without
+    /// support
     FrameState(const casefile::Case& input, const Machine& machine, fem::Model& model);
 
     /// Of rods and closed bonds, in this order.
     [[nodiscard]] const std::vector<fem::Adjoint>& adjoints() const { return adjoints_; }
-    /// What a run starts from: forces at rest.
+    /// Forces at the start of a run.
     [[nodiscard]] FrameResult start() const { return start_; }
-    /// Adds stress and openings at one time; returns what the field file shows of it.
+    /// Adds stress and openings at one time; returns the data for the field file.
     std::vector<fem::PointData> add_time(const casefile::Case& input, double time, const fem::Field& temperature,
                                          const fem::Displacement& displacement, FrameResult& result) const;
 
@@ -94,10 +96,10 @@ private:
     FrameResult start_;
 };
 
-/// Gives rods and bonds their courses out of the history's functionals from `first` on.
+/// Reads the courses of rods and bonds from the history's functionals from index `first` on.
 void read_courses(const ThermalHistory& history, std::size_t first, FrameResult& result);
 
-/// Warns of rods that no longer hold what they must and of closed bonds that would open.
+/// Warns of rods whose force is too small and of closed bonds that would open.
 void warn_about_frame(const casefile::Case& input, const ThermalHistory& history, const FrameResult& result,
                       Observer& observer);
 

@@ -11,7 +11,7 @@
 /// Internal to study/: corners of the slide, clearances and the force at a fixed die height.
 namespace deadpoint::study {
 
-/// What a case's chain follows besides its dimensions, as functionals of the deformation.
+/// Corners and clearances of a case's chain, as functionals of the deformation.
 struct GapModel {
     struct Clearance {
         std::string name;
@@ -27,8 +27,9 @@ struct GapModel {
 
 GapModel describe_gaps(const casefile::Case& input, const Machine& machine, const ChainModel& chain);
 
-/// The curves, out of the history's functionals from index `first` on, in the order of GapModel::functionals.
-/// @param drift  of the same history: what the crank's play adds to the corners, and E_SW
+/// The curves, from the history's functionals from index `first` on, in the order of
+/// GapModel::functionals.
+/// @param drift  of the same history: contribution of the crank's play to the corners, and E_SW
 GapSeries gap_series(const casefile::Case& input, const GapModel& model, const ThermalHistory& history, int first,
                      const DriftSeries& drift);
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-/// How the interfaces of a case conduct.
+/// Contact conductances of the interfaces of a case.
 namespace deadpoint::study {
 
-/// The conductance of one interface and where it comes from.
+/// The conductance of one interface and its source.
 struct InterfaceConductance {
     std::string joint;
     std::string name;
@@ -30,11 +30,12 @@ struct InterfaceConductance {
 
 /// Conductances of all interfaces, in the order of the machine's.
 ///
-/// A law's conductance h is put half on either side, film_a = film_b = 2 h. Where the case gives no contact pressure it
-/// is the mean load of the joint over the turn by the area of the interfaces that carry it side by side: those of the
-/// joint with the same `seat`, `journal` and `stands_still`; the others lie in series. A slide's load is that of both
-/// faces with their preload, spread over both. In a half model, a joint that exists once has twice the modelled area.
-/// Rolling elements turn with the crank at `speed`.
+/// A law's conductance h is split equally between the sides, film_a = film_b = 2 h. If the case
+/// states no contact pressure, it is the mean load of the joint over the turn divided by the area
+/// of the interfaces that carry it in parallel: those of the joint with the same `seat`, `journal`
+/// and `stands_still`; the others are in series. A slide's load is that of both faces with their
+/// preload, distributed over both. In a half model, a joint that exists once has twice the modelled
+/// area. Rolling elements turn with the crank at `speed`.
 ///
 /// @param loads  for pressures that the case leaves out; may be null
 /// @param speed  of the crank [rad/s]
@@ -43,8 +44,8 @@ struct InterfaceConductance {
 std::vector<InterfaceConductance> interface_conductances(const casefile::Case& input, const Machine& machine,
                                                          const LoadsResult* loads, double speed);
 
-/// The speed of the crank at which conductances hold: that of the first segment in which the press runs, else 0
-/// [rad/s].
+/// The speed of the crank for which conductances are computed: that of the first segment in which
+/// the press runs, else 0 [rad/s].
 double conductance_speed(const casefile::Case& input);
 
 /// The warning about a conductance outside its law's tested range.

@@ -9,34 +9,34 @@
 #include <optional>
 #include <string>
 
-/// What the surfaces of a case give to the air.
+/// Convection of the surfaces of a case.
 namespace deadpoint::study {
 
-/// The convection of one surface. Radiation is not in it.
+/// The convection of one surface, without radiation.
 struct SurfaceFilm {
     std::string surface;
     std::string law;                      ///< "given" where the case states the coefficient
-    std::optional<double> constant;       ///< a coefficient that follows nothing [W/m2/K]
+    std::optional<double> constant;       ///< a constant coefficient [W/m2/K]
     surroundings::AirSurface air;         ///< without speed
     bool as_printed = false;              ///< by the paper's correlations and its Table 7
-    double speed_per_turn = 0;            ///< the air surface's speed by that of the crank [- or m]
+    double speed_per_turn = 0;            ///< speed of the surface divided by that of the crank [- or m]
     std::optional<double> running_speed;  ///< given: the speed whenever the press runs [m/s]
     double area = 0;                      ///< of the modelled half [m2]
     std::optional<double> exchange;       ///< of enclosed air, of the modelled half [W/K]
 
-    /// The speed that the law sees [rad/s or m/s] at a speed of the crank [rad/s].
+    /// The speed in the law [rad/s or m/s] at a speed of the crank [rad/s].
     [[nodiscard]] double speed_at(double crank_speed) const;
     /// The law at a speed of the crank; DomainError as surroundings::film_law() when called with an ambient.
     [[nodiscard]] FilmLawAt law_at(double crank_speed) const;
 };
 
-/// Translates the film of a surface.
+/// Translates the `film` of a surface.
 ///
-/// Lengths that the case leaves out: the height of a surface on a single part (walls, what moves, enclosed
-/// surfaces), area over perimeter of a single horizontal plane, the diameter of a single cylinder, and of the cylinder
-/// around a disk. A rotating surface
-/// turns with the crank. A moving one has the root mean square speed of its faces over the turn by the loads, in
-/// proportion to the speed of the crank; `speed` goes before it.
+/// Lengths that the case leaves out: the height of a surface on a single part (walls, what moves,
+/// enclosed surfaces), area over perimeter of a single horizontal plane, the diameter of a single
+/// cylinder, and of the cylinder around a disk. A rotating surface turns with the crank. A moving
+/// one has the root mean square speed of its faces over the turn by the loads, in proportion to the
+/// speed of the crank; a stated `speed` takes precedence.
 ///
 /// @param loads  for the speed of moving surfaces that state none; may be null
 /// @throws InputError if a length is neither given nor clear from the geometry, or a speed neither given nor computed

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-/// Friction laws from sizes, oil and loads, for the joints of a row of [friction].
+/// Friction laws from sizes, oil and loads.
 namespace deadpoint::study {
 
-/// What the bearings or bushes of a joint go through over the turn.
+/// Duties of the bearings or bushes of a joint over the turn.
 struct RubbingJoint {
     std::string name;  ///< in the case, of an image that of its original
     const casefile::Joint* joint = nullptr;
@@ -24,12 +24,12 @@ struct PhysicalHeat {
     RingHeatLaw ring_heat;            ///< added by a ring temperature difference; empty without `ring_expansion` [W]
 };
 
-/// Heat of a row with a law other than the calibrated one.
+/// Heat of a friction law other than the calibrated one.
 ///
-/// Rolling bearings: every duty is one bearing of the stated size; the preload is an axial force on each (in spin, of a
-/// pair, an approach of its rows). Pins: diameter and length by the row, else by the joint's element, else the diameter
-/// by the joint's interface. Guides: the film's area is that of one joint. The lubricant's density counts at 15 degC
-/// and falls by 7e-4 per kelvin.
+/// Rolling bearings: every duty is one bearing of the stated size; the preload is an axial force on
+/// each (in spin, of a pair, an approach of its rows). Pins: diameter and length by the law, else
+/// by the joint's element, else the diameter by the joint's interface. Guides: the film's area is
+/// that of one joint. The lubricant's density is stated at 15 degC and falls by 7e-4 per kelvin.
 ///
 /// @throws InputError if the law is calibrated, a size is missing or outside its law, or a film's lubricant has no
 /// density

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-/// What a run to a stated accuracy came to.
+/// Report of a run to a stated accuracy.
 namespace deadpoint::study {
 
-/// One mesh on the way.
+/// One mesh of the refinement.
 struct AccuracyRound {
     long long cells = 0;
     double value = 0;              ///< the gap at the end [m], or the largest final rise of a probe [K]
-    std::optional<double> change;  ///< largest over the run against the mesh before [m] or [K]
-    double estimate = 0;           ///< what finer parts would change, by the duals [m] or [K]
+    std::optional<double> change;  ///< largest change from the previous mesh over the run [m] or [K]
+    double estimate = 0;           ///< estimated change by finer parts, from the adjoint solutions [m] or [K]
     int refined = 0;               ///< parts that are finer than in the mesh before
     std::string worst_part;        ///< of the largest share of the estimate
     double seconds = 0;            ///< wall time
@@ -33,7 +33,7 @@ struct AccuracyPart {
 struct AccuracyReport {
     casefile::Accuracy wanted;
     bool reached = false;
-    std::string why_not;  ///< where it was not reached
+    std::string why_not;  ///< reason if it was not reached
     std::vector<AccuracyRound> rounds;
     std::vector<AccuracyPart> parts;
     double time_tolerance = 0;  ///< used [K]

@@ -14,12 +14,13 @@ namespace deadpoint::study {
 
 /// Mass of the parts of a body in the mesh; integrals over the cells are exact.
 ///
-/// In a half model a body that is not marked `mirror` counts with its image at x = 0, a mirrored one as it stands.
+/// In a half model a body that is not marked `mirror` counts with its image at x = 0, a mirrored
+/// body counts alone.
 /// @return mass 0 if no part belongs to the body
 BodyMass mass_of_parts(const casefile::Case& input, const Machine& machine, const std::string& body);
 
-/// Whether the parts must be meshed before the loads: a body of the linkage that has parts lacks mass or centre, or
-/// lacks the inertia that its rotation needs.
+/// True if the parts must be meshed before the loads: a body of the linkage that has parts lacks
+/// mass or centre, or lacks the inertia that its rotation needs.
 bool masses_need_parts(const casefile::Case& input, const Linkage& linkage);
 
 struct BodyMasses {
@@ -29,9 +30,9 @@ struct BodyMasses {
     std::vector<Warning> warnings;
 };
 
-/// Masses of a case's own linkage (without images). What the case states holds; the rest follows from the parts, the
-/// inertia scaled to a stated mass; without parts the inertia is that of a slender rod between the body's joint centres
-/// that lie furthest apart, m l^2 / 12.
+/// Masses of a case's own linkage (without images). Values that the case states take precedence;
+/// the rest follows from the parts, the inertia scaled to a stated mass; without parts the inertia
+/// is that of a slender rod between the body's joint centres that lie furthest apart, m l^2 / 12.
 ///
 /// @param machine  may be null: no parts
 /// @throws InputError if a body has neither parts nor a stated mass and centre

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Internal to study/: deformation and field files at the wanted times of a run.
+/// Internal to study/: deformation and field files at the field times of a run.
 namespace deadpoint::study {
 
 class FieldWriter {
@@ -18,7 +18,8 @@ public:
                 const FrameState* frame, const std::vector<fem::Adjoint>& adjoints, std::string folder,
                 std::vector<std::string> comments);
 
-    /// Solves the deformation at one time for what follows it, and writes it where files are wanted. Collective.
+    /// Solves the deformation at one time for the results that need it, and writes field files if
+    /// requested. Collective.
     void write(double time, const fem::Field& field, RunResult& result);
 
 private:

@@ -9,20 +9,21 @@
 #include <string>
 #include <vector>
 
-/// What the laws of a case say before any field is solved: friction heat, conductances, film coefficients.
+/// Values of the laws of a case before any field is solved: friction heat, contact conductances,
+/// convection coefficients.
 namespace deadpoint::study {
 
-/// Friction heat of a row of [friction], of the whole press.
+/// Friction heat of a friction law, of the whole press.
 struct JointHeat {
     std::string row;
     std::string law;
     std::string lubricant;
-    std::vector<std::string> joints;  ///< that name the row
+    std::vector<std::string> joints;  ///< that name the friction law
     std::vector<double> heat;         ///< at HeatTables::temperatures [W]
     std::vector<bool> in_range;
 };
 
-/// Film of a surface at one rise above the ambient.
+/// Coefficients of a surface at one rise above the ambient.
 struct FilmValue {
     double speed = 0;       ///< of the surface's law [rad/s, or m/s if it moves]
     double rise = 0;        ///< [K]
@@ -54,10 +55,10 @@ struct HeatTables {
 
 /// The tables of a case in one segment of its operation, by the same laws as a run.
 ///
-/// Joint heat at 20, 30, ... 70 degC; films at 5, 10 and 20 K above the ambient at the segment's start, at rest and at
-/// the segment's speed.
+/// Joint heat at 20, 30, ... 70 degC; convection at 5, 10 and 20 K above the ambient at the
+/// segment's start, at rest and at the segment's speed.
 ///
-/// @param machine  may be null for a case without parts: then there are friction rows only
+/// @param machine  may be null for a case without parts: then there are friction laws only
 /// @param loads    for contact pressures and speeds that the case leaves out; may be null
 /// @throws InputError, DomainError as the translations
 HeatTables heat_tables(const casefile::Case& input, const Machine* machine, const LoadsResult* loads, int segment);

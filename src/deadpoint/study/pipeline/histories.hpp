@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// What the things of a case did over the steps of a run, each under its name.
+/// Histories of probes, joints, parts and media over the steps of a run, by name.
 namespace deadpoint::study {
 
 template <class History>
@@ -40,7 +40,8 @@ struct SourceHistory {
     std::vector<double> temperature;  ///< mean of its films [K]
 };
 
-/// Values at ThermalHistory::time. Heat is that of the model (half of the press in a half model), but for joints.
+/// Values at ThermalHistory::time. Heat is that of the model (half of the press in a half model),
+/// except for joints.
 struct Histories {
     std::vector<Named<Series>> probes;                ///< [K]
     std::vector<Named<InterfaceHistory>> interfaces;  ///< "joint.interface"
@@ -52,7 +53,7 @@ struct Histories {
     std::vector<Named<EnclosureHistory>> enclosures;
 };
 
-/// Gives the lists of a history the names of the problem that it is of.
+/// Names the lists of a history by its problem.
 /// @param whole  factor from the model to the whole press
 Histories name_histories(const casefile::Case& input, const Machine& machine, const HeatProblem& problem,
                          const ThermalHistory& history, double whole);

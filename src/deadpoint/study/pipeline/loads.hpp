@@ -20,13 +20,14 @@
 /// Motion, joint forces and crankshaft loads of a case over one turn at one operating point.
 namespace deadpoint::study {
 
-/// What a guide's faces carry besides the net force: they are pressed by the gib, and by a moment on its ends.
+/// Load of a guide's faces besides the net force: from the gib, and from a moment on the guide's
+/// ends.
 struct GuideLoad {
     int joint = 0;  ///< in LoadsResult::linkage
     tribology::GuideFaces faces;
     double mean_normal = 0;  ///< of the sum of the faces' normal forces (tribology::guide_normal_force) [N]
     double peak_moment = 0;  ///< largest, either way; counts only with a length [N m]
-    bool balanced = false;   ///< no net force and no moment at all: symmetry carries it
+    bool balanced = false;   ///< no net force and no moment: balanced by symmetry
 };
 
 /// Bearings that share a seat, as one.
@@ -51,7 +52,7 @@ struct CrankshaftLoads {
     crankshaft::UnbalanceResponse unbalance;  ///< at the operating speed
     double belt_force = 0;                    ///< [N]
 
-    /// The cycle of the model that the case asks for.
+    /// The cycle of the model that the case states.
     [[nodiscard]] const crankshaft::ShaftCycle& cycle() const { return flexible ? *flexible : rigid; }
     [[nodiscard]] const std::vector<BearingCycle>& seat_cycles() const
     {
@@ -82,20 +83,21 @@ struct LoadsResult {
     std::vector<std::pair<std::string, double>> timings;  ///< stage, wall time [s]
 };
 
-/// Whether a case says enough of its linkage for its loads: a driver and the body that carries the tool.
+/// True if a case has the data of a linkage for its loads: a driver and the body that carries the
+/// tool.
 bool has_loads(const casefile::Case& input);
 
 /// The first segment in which the press runs, or -1.
 int first_running_segment(const casefile::Case& input);
 
-/// Whether the loads need the meshed parts, because masses are not all stated.
+/// True if the loads need the meshed parts, because some masses are not stated.
 bool loads_need_machine(const casefile::Case& input);
 
 /// Computes the loads of the whole machine in one segment of the operation.
 ///
-/// The crank turns counter-clockwise with the segment's speed. The load on the crankshaft's pin is the sum of what all
-/// joints of the driven body but the driver carry. The rigid crankshaft is always solved, the flexible one where the
-/// case asks for it.
+/// The crank turns counter-clockwise with the segment's speed. The load on the crankshaft's pin is
+/// the sum of the forces of all joints of the driven body except the driver. The rigid crankshaft
+/// is always solved, the flexible one if the case states it.
 ///
 /// @param machine  may be null where loads_need_machine() is false
 /// @param segment  index into Case::operation

@@ -13,8 +13,9 @@
 /// The pipeline of a case: mesh -> loads -> laws -> model -> run.
 namespace deadpoint::study {
 
-/// A press that was read. It makes its meshes and its model when they are first needed, each once, and keeps them for
-/// what is asked of it later. The command line, sweeps, refinement and the public Press go through it.
+/// A press that was read. It builds its meshes and its model when they are first needed, each once,
+/// and keeps them for later calls. The command line, sweeps, refinement and the public Press use
+/// it.
 class Press {
 public:
     /// @param size_scale  on all cell sizes, > 0
@@ -24,31 +25,31 @@ public:
     Press& operator=(Press&&) noexcept;
 
     [[nodiscard]] const casefile::Case& input() const { return input_; }
-    /// Goes on as the press of another case, and keeps what the two share: meshes and model where shared_part() is the
-    /// same, else nothing.
+    /// Becomes the press of another case. Keeps meshes and model if shared_part() is the same, else
+    /// nothing.
     void take(casefile::Case input);
 
     /// The mesh of the parts. Errors as prepare_machine().
     const Machine& machine(Observer& observer);
-    /// Makes the meshes that a run needs: of the parts, and of their deformation where that is another one.
+    /// Builds the meshes of a run: of the parts, and of the deformation if that is a separate mesh.
     /// @throws InputError as prepare_machine() and prepare_deformation_machine()
     void mesh(Observer& observer);
     /// Wall time of the meshes so far [s].
     [[nodiscard]] double mesh_seconds() const { return mesh_seconds_; }
 
-    /// Motion, joint forces and crankshaft loads over a turn; meshes only where masses follow from parts. Their
-    /// warnings go to the observer too. Errors as compute_loads().
+    /// Motion, joint forces and crankshaft loads over a turn; meshes only if masses follow from
+    /// parts. Warnings go to the observer too. Errors as compute_loads().
     /// @param segment  of the operation, from 0
     LoadsResult loads(int segment, Observer& observer);
-    /// Friction heat, conductances and films in one segment; a case without parts has friction rows only. Warnings go
-    /// to the observer too. Errors as study::heat_tables().
+    /// Friction heat, contact conductances and convection in one segment; a case without parts has
+    /// friction laws only. Warnings go to the observer too. Errors as study::heat_tables().
     HeatTables heat_tables(int segment, Observer& observer);
 
     /// Builds everything that does not depend on the operating point, as SharedModel::prepare(). Collective.
     void prepare(Observer& observer);
     /// Computes the case, as run_case(). Collective.
     RunResult run(const RunOptions& options, Observer& observer);
-    /// Frees what prepare() and run() keep; the meshes stay.
+    /// Frees the model of prepare() and run(); the meshes stay.
     void drop_model();
 
 private:

@@ -15,7 +15,7 @@ namespace deadpoint::study {
 
 struct ChainModel;
 
-/// What is at hand when the time steps are done.
+/// Run context at the end of the time steps.
 struct RunInside {
     const Machine& machine;
     fem::Model& model;
@@ -34,16 +34,17 @@ struct RunOptions {
     std::vector<std::string> comments = {};  ///< for the head of the field files: version, case hash, warnings so far
     bool view = false;                       ///< make RunResult::view
     bool causes = false;                     ///< make RunResult::causes, where the case has a dimension chain
-    std::string checkpoint_file = {};        ///< where the time steps keep their state; empty: nowhere
+    std::string checkpoint_file = {};        ///< where the time steps save their state; empty: nowhere
     double checkpoint_interval = 600;        ///< fem::CheckpointPlan's
-    bool resume = false;                     ///< go on from checkpoint_file
+    bool resume = false;                     ///< continue from checkpoint_file
     std::vector<double> kept_times = {};     ///< ascending: fields that `at_end` is given [s]
     std::function<void(const RunInside&)> at_end = {};
 };
 
-/// One machine, ready for runs of like cases: what does not change between them is made once, the unknowns, the factor
-/// of the deformation and the adjoints of the dimension chain. The heat matrices that prepare() makes serve the first
-/// run after it whose films and conductances are the same, in each process that takes the prepared memory over.
+/// One machine, ready for runs of similar cases. The common parts are built once: the unknowns, the
+/// factor of the deformation and the adjoints of the dimension chain. The heat matrices of
+/// prepare() are used by the first following run with the same convection coefficients and
+/// conductances, in each process that inherits the prepared memory.
 class SharedModel {
 public:
     /// @param machine      must outlive this
@@ -69,9 +70,9 @@ std::string shared_part(const casefile::Case& input);
 
 /// Computes a case on its meshed machine. Collective under MPI: all ranks call it and get the same result.
 ///
-/// The deformation is left out where the case has no dimension chain. After Observer::cancelled() the result holds
-/// everything up to the last finished step, marked as interrupted. A run that is resumed gives what one without a pause
-/// gives (fem/conduction/checkpoint).
+/// The deformation is left out if the case has no dimension chain. After Observer::cancelled() the
+/// result holds everything up to the last finished step, marked as interrupted. A resumed run gives
+/// the results of an uninterrupted one (fem/conduction/checkpoint).
 ///
 /// @param deformation  as SharedModel
 /// @throws InputError, DomainError, ConvergenceError, IoError

@@ -7,15 +7,14 @@
 
 namespace deadpoint::study {
 
-/// What summary.json says of the course of E_SW.
+/// Figures of E_SW in summary.json.
 struct GapFigures {
     double first_hour_change = 0;       ///< over the first hour, or a shorter run [m]
     double range = 0;                   ///< largest less smallest value of the run [m]
-    std::optional<double> steady_from;  ///< from then on it moves more slowly than the case's limit [s]
+    std::optional<double> steady_from;  ///< time from which it moves more slowly than the case's limit [s]
 };
 
-/// What a finished run left behind, as far as it can be compared: read from its folder by
-/// report/folder/read_result.hpp.
+/// The comparable results of a finished run, read from its folder by report/folder/read_result.hpp.
 struct RunRecord {
     std::string folder;
     std::string machine;
@@ -31,7 +30,7 @@ struct RunRecord {
     bool has_loads = false;
     std::map<std::string, double> loads;  ///< every number of loads.json by its path, in the unit of its name
 
-    /// What the case says was fitted (its [reference] with `calibrated_on`), empty if nothing.
+    /// Keys that were fitted, from the case's [reference] with `calibrated_on`; empty if none.
     std::vector<std::string> calibrated_on;
     double calibrated_time = 0;                  ///< when the rises it was fitted to were read [s]
     std::vector<std::string> calibrated_probes;  ///< whose rises they are

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-/// What a run of a case computes.
+/// Results of a run of a case.
 namespace deadpoint::study {
 
 /// The adjoint's gap against the gap of the deformation solved directly at the last field time.
@@ -28,7 +28,8 @@ struct AdjointCheck {
     double joint_opening = 0;  ///< largest distance of two centres of a joint after closing [m]
 };
 
-/// What a run computed. Its histories are by name; `thermal` holds the same numbers as the time steps left them.
+/// Results of a run. Its histories are by name; `thermal` holds the same numbers in the form of the
+/// time steps.
 struct RunResult : Histories {
     ThermalHistory thermal;                 ///< of the model: half of the press in a half model
     double whole = 1;                       ///< factor from the model to the whole press

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// The figures of a run that its user asks for first.
+/// The main figures of a run.
 namespace deadpoint::study {
 
 /// One probe against a published or measured rise.
@@ -18,7 +18,7 @@ struct ProbeComparison {
     double reference = 0;  ///< [K]
 };
 
-/// What the user wants to know first.
+/// The main figures of a run.
 struct RunSummary {
     std::vector<ProbeComparison> comparison;
     double rms_residual = 0;  ///< of the comparison [K]

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - since_).count(); }
     /// Stage, wall time [s].
     [[nodiscard]] const std::vector<std::pair<std::string, double>>& times() const { return times_; }
-    /// Books a share of the last stage as a stage of its own; none where there is nothing to book.
+    /// Records a share of the last stage as a separate stage; none if the share is zero.
     void split_last(const std::string& stage, double seconds)
     {
         times_.back().second -= seconds;

@@ -11,14 +11,15 @@
 #include <functional>
 #include <vector>
 
-/// The temperature and deformation of a run on a light surface, for the page that shows it.
+/// The temperature and deformation of a run on a decimated surface, for the page.
 namespace deadpoint::study {
 
 inline constexpr std::size_t view_triangles = 30000;
-inline constexpr double view_tolerance = 0.005;  ///< of the largest rise: what leaving out modes may change
+inline constexpr double view_tolerance = 0.005;  ///< of the largest rise: allowed error of leaving out modes
 inline constexpr std::size_t view_modes = 12;    ///< at most
-/// Modes beyond which the rise differs by less than this, root mean square, move nothing: the deformation sums up what
-/// the temperature does over lengths, so that its largest error stays below about 1 % of its largest value.
+/// If the remaining modes change the rise by less than this (root mean square), they are not used
+/// for the deformation. The deformation integrates the temperature over lengths, so its largest
+/// error stays below about 1 % of its largest value.
 inline constexpr double view_deformation_tolerance = 0.025;
 
 /// A quantity at vertices and times: base + sum over k of ViewData::coefficients[k] modes[k].
@@ -45,10 +46,9 @@ std::vector<double> view_times(const std::vector<HeatSegment>& segments);
 /// Rigid motions of the parts that close the joints again after a deformation.
 using CloseJoints = std::function<std::vector<RigidMotion>(const fem::Displacement&)>;
 
-/// Keeps fields during the run and makes light data of them at its end.
-///
-/// The deformation is linear in the temperature, or in the rise that stands for its strain, so it is solved for the
-/// main modes instead of at each time.
+/// Keeps fields during the run and reduces them to light data at its end. The deformation is linear
+/// in the temperature, or in the rise that represents its strain, so it is solved for the main
+/// modes instead of at each time.
 class ViewRecorder {
 public:
     void add(double time, const fem::Field& field);

@@ -5,12 +5,12 @@
 
 #include <vector>
 
-/// Internal to study/: how far the mesh of a run is from giving the wanted figure, by part.
+/// Internal to study/: estimated mesh error of the requested figure, by part.
 namespace deadpoint::study {
 
 struct ErrorEstimate {
-    /// The largest over times (and probes) of the sum of all parts' magnitudes [m] or [K]; the part that holds the
-    /// probe bears the interpolation in its cell too.
+    /// The largest over times (and probes) of the sum of all parts' magnitudes [m] or [K]; the part
+    /// of the probe also has the interpolation error in its cell.
     double total = 0;
     std::vector<double> by_part;  ///< the largest magnitude of each over times (and probes)
 };
@@ -19,8 +19,9 @@ struct ErrorEstimate {
 /// most.
 std::vector<double> estimate_times(const casefile::Case& input);
 
-/// The error of rises or gap at the times of the fields: of the conduction by fem::Model::conduction_errors with the
-/// dual of each probe or of the gap's temperature weights, of the gap also that of the deformation.
+/// The error of rises or gap at the times of the fields: of the conduction by
+/// fem::Model::conduction_errors with the adjoint solution of each probe or of the gap's
+/// temperature weights; for the gap also the error of the deformation.
 ErrorEstimate estimate_error(const RunInside& run, casefile::Accuracy::Of of);
 
 }  // namespace deadpoint::study

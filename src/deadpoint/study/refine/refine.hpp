@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-/// Runs on finer and finer parts until the figure that is asked for stands still.
+/// Runs with finer parts until the requested figure no longer changes.
 namespace deadpoint::study {
 
 struct PartError {
@@ -19,7 +19,7 @@ struct PartError {
 /// Factors on the cell sizes of the parts that bring the sum of their errors down to a target with the fewest cells:
 /// least sum of n_p f_p^-3 with sum of e_p f_p^order = target, hence f_p ~ (n_p / (order e_p))^(1 / (order + 3)), held
 /// between `least` and 1. Factors above 0.93 become 1: those parts keep their meshes.
-/// @param most_cells  a weaker target is taken where the cells would become more
+/// @param most_cells  a weaker target is used if there would be more cells
 std::vector<double> size_factors(const std::vector<PartError>& parts, double target, double least, double most_cells);
 
 struct RefinedRun {
@@ -27,14 +27,15 @@ struct RefinedRun {
     RunResult result;
 };
 
-/// What the last run, of the refined case, is to leave besides its result.
+/// Options of the last run, of the refined case.
 using OptionsOfLast = std::function<RunOptions(const casefile::Case&)>;
 
-/// Computes a case to its `numerics.accuracy`, stated in study/pipeline/accuracy.hpp and docs/theory.md. The result's
-/// `accuracy` says what it took and whether it was reached. Collective.
+/// Computes a case to its `numerics.accuracy`, stated in study/pipeline/accuracy.hpp and
+/// docs/theory.md. The result's `accuracy` reports the meshes and whether the accuracy was reached.
+/// Collective.
 /// @param size_scale  on the cell sizes to start from
 /// @param options     without `start_from`; empty function: nothing
-/// @throws InputError if the case asks for no accuracy; as prepare_machine and run_case
+/// @throws InputError if the case states no accuracy; as prepare_machine and run_case
 RefinedRun run_to_accuracy(const casefile::Case& input, double size_scale, const OptionsOfLast& options,
                            Observer& observer);
 

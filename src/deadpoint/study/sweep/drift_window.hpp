@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-/// Within which ranges of what a study varies the drift stays small.
+/// The ranges of a study's axes within which the drift stays small.
 namespace deadpoint::study {
 
 /// One axis of a grid of steps.
@@ -21,9 +21,10 @@ struct DriftWindow {
     double share = 0;  ///< mean over the axes of the share of the whole range (of the steps, without order)
 };
 
-/// The largest box that lies inside: most points, then the largest share, then the one that comes first. Of an axis
-/// with numbers it takes neighbours in the order of the numbers, of one without order any steps; should the choices of
-/// steps exceed about a million, axes without order count as ordered as listed.
+/// The largest box that lies inside: most points, then the largest share, then the one that comes
+/// first. On an axis with numbers the steps are neighbours in the order of the numbers; on an axis
+/// without order they may be any steps. If there are more than about a million choices of steps,
+/// axes without order count as ordered as listed.
 ///
 /// @param inside  per place of the grid, the last axis changing fastest
 /// @throws DomainError if `inside` has not one entry per place, or an axis not one number per step
@@ -35,7 +36,7 @@ struct PointDrift {
     double final = 0;    ///< |E_SW| at the end [m]
 };
 
-/// Whether a drift keeps the limits; one that is not known does not.
+/// True if a drift keeps the limits; false if it is not known.
 bool keeps(const DriftLimits& limits, const std::optional<PointDrift>& drift);
 
 /// The best window of a set; nothing if the study has no limits.

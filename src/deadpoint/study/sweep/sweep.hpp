@@ -9,14 +9,15 @@
 #include <functional>
 #include <vector>
 
-/// Running many cases that share what does not change between them.
+/// Running many cases that share meshes and model.
 namespace deadpoint::study {
 
 /// Scales all cell sizes that a case states.
 void scale_sizes(casefile::Case& input, double factor);
 
-/// Runs a point on its press, whose meshes and model it shares, and leaves its results where they belong. With several
-/// workers it is called in a process of its own: what it changes in memory is lost, what it writes stays.
+/// Runs a point on its press, whose meshes and model it shares, and writes its results. With
+/// several workers it is called in a separate process: changes in memory are lost, written files
+/// stay.
 using PointAction = std::function<void(const SweepPoint&, Press&)>;
 
 /// Asks the process of a point to stop; whoever lets an Observer be cancelled by signals handles it quietly. A process

@@ -66,9 +66,10 @@ struct BearingConductance {
 /// @throws DomainError if a semi-axis or the conductivity is not positive
 double spot_conductance(const ContactSpot& spot, double conductivity);
 
-/// Conductance of one side of a contact that passes fast over the solid: a strip of the surface is at the spot's
-/// temperature while the spot passes, 2 k dT / sqrt(pi alpha t) on the mean of the time t (Carslaw and Jaeger, sec.
-/// 2.5), summed over the ellipse with semi-axes a across and b along the motion:
+/// Conductance of one side of a contact that moves fast over the solid: a strip of the surface is
+/// at the spot's temperature while the spot passes, 2 k dT / sqrt(pi alpha t) on the mean of the
+/// time t (Carslaw and Jaeger, sec. 2.5), summed over the ellipse with semi-axes a across and b
+/// along the motion:
 ///
 ///   G = 2 B a sqrt(2 b k rho c v / pi),   B = sqrt(pi) Gamma(5/4) / Gamma(7/4) = 1.748
 ///
@@ -78,15 +79,17 @@ double passing_spot_conductance(const ContactSpot& spot, const SolidHeat& solid,
 /// A bearing as series of inner ring, inner contacts, outer contacts and outer ring. Contacts of all loaded elements
 /// act in parallel and the elements share one temperature, since each passes every load within one turn of the cage.
 ///
-/// A contact is the ring's side, the lubricant t / (k_f pi a b) and the element's side in series; a side conducts
-/// sqrt(G_rest^2 + G_passing^2): both limits are exact, the exponent between them is an assumption (such blends are
-/// usual for moving heat sources, Muzychka and Yovanovich 2001). The rings conduct as shells, ln(D/d) / (2 pi k w). The
-/// speed matters: at 1 m/s a passing spot conducts several times more than one at rest.
+/// A contact consists of the ring's side, the lubricant t / (k_f pi a b) and the element's side in
+/// series; a side conducts sqrt(G_rest^2 + G_passing^2): both limits are exact, the exponent
+/// between them is an assumption (such blends are usual for moving heat sources, Muzychka and
+/// Yovanovich 2001). The rings conduct as shells, ln(D/d) / (2 pi k w). At 1 m/s a moving spot
+/// conducts several times more than a spot at rest.
 ///
-/// Left out: oil and air beside the contacts and the cage (which conduct in addition), the finite size of the elements,
-/// spreading from the track into the rings (which resists in addition). Flagged where a spot's length along the motion
-/// exceeds a fifth of the element's diameter, since the solids are then no half-spaces.
-/// @throws DomainError if no element is loaded or a number has no meaning
+/// Left out: oil and air beside the contacts and the cage (which conduct in addition), the finite
+/// size of the elements, spreading from the track into the rings (which resists in addition).
+/// Flagged if a spot's length along the motion exceeds a fifth of the element's diameter, since the
+/// solids are then not half-spaces.
+/// @throws DomainError if no element is loaded or a number is invalid
 BearingConductance bearing_conductance(const BearingPath& path);
 
 }  // namespace deadpoint::tribology

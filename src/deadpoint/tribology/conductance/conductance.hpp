@@ -6,7 +6,7 @@
 /// Thermal conductance of the interfaces between touching parts.
 namespace deadpoint::tribology {
 
-/// Conductance of an interface per area, and how far it can be trusted.
+/// Conductance of an interface per area, with its validity.
 struct ContactConductance {
     double conductance = 0;          ///< h = 1 / R'' [W/m2/K]
     bool in_range = true;            ///< false outside the law's tested range
@@ -15,7 +15,7 @@ struct ContactConductance {
     [[nodiscard]] double resistance() const { return 1 / conductance; }  ///< R'' [m2 K/W]
 };
 
-/// What fills the gaps between two surfaces.
+/// Fluid in the gaps between two surfaces.
 struct GapFluid {
     double conductivity = 0;  ///< k_f [W/m/K]; oil about 0.14, air 0.026
     /// Temperature jump of a rarefied gas at both walls, as an additional gap M [m]; 0 for oil.
@@ -43,7 +43,8 @@ double contact_modulus(double modulus1, double poisson1, double modulus2, double
 ContactConductance direct_conductance(double conductance);
 ContactConductance direct_resistance(double resistance);
 
-/// Fluid film between parallel faces: h = k / (t + M), without flow along the film (which an oil circuit takes).
+/// Fluid film between parallel faces: h = k / (t + M), without flow along the film (an oil circuit
+/// describes that).
 /// @param thickness  t > 0 [m]; tested 1e-7..1e-3, above that the fluid itself moves
 /// @throws DomainError if the thickness or conductivity is not positive
 ContactConductance film_conductance(const GapFluid& fluid, double thickness);
@@ -67,8 +68,9 @@ struct RoughContact {
     double conductivity2 = 0;
 };
 
-/// Estimate of the mean slope m = 0.076 (sigma / 1 um)^0.52 where it was not measured (Lambert and Fletcher 1997; the
-/// data scatter by a factor of about two). @throws DomainError if the roughness is not positive
+/// Estimate of the mean slope m = 0.076 (sigma / 1 um)^0.52 if it was not measured (Lambert and
+/// Fletcher 1997; the data scatter by a factor of about two). @throws DomainError if the roughness
+/// is not positive
 double slope_of_roughness(double roughness);
 
 /// Plastic contact of conforming rough surfaces with a fluid in the gaps (Cooper, Mikic, Yovanovich 1969; Yovanovich
@@ -82,13 +84,15 @@ double slope_of_roughness(double roughness);
 /// @throws DomainError if P reaches H, or roughness, slope, hardness or a conductivity is not positive
 ContactConductance rough_conductance(const RoughContact& contact, const GapFluid& fluid, double pressure);
 
-/// Layers that the same heat crosses one after the other: 1/h = sum 1/h_i. Notes and flags are gathered.
+/// Layers in series: 1/h = sum 1/h_i. Notes and flags are collected.
 /// @throws DomainError if there is none or one is not positive
 ContactConductance in_series(const std::vector<ContactConductance>& layers);
 
-/// Paths side by side over the same area: h = sum w_i h_i with the share w_i of the area on which each acts.
+/// Parallel paths over the same area: h = sum w_i h_i with the share w_i of the area on which each
+/// acts.
 /// @param shares  one per path, >= 0, sum at most 1 (the rest conducts nothing); empty: all act on the whole area
-/// @throws DomainError if there is no path, the numbers differ, or a share or conductance has no meaning
+/// @throws DomainError if there is no path, the numbers differ, or a share or conductance is
+/// invalid
 ContactConductance in_parallel(const std::vector<ContactConductance>& paths, const std::vector<double>& shares = {});
 
 }  // namespace deadpoint::tribology

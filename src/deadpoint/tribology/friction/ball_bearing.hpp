@@ -7,8 +7,9 @@
 
 #include <vector>
 
-/// Inside of an angular contact or deep groove ball bearing: contact of ball and groove, stiffness, spin friction, and
-/// what warm rings do to the preload (Harris, Rolling Bearing Analysis).
+/// Mechanics of an angular contact or deep groove ball bearing: contact of ball and groove,
+/// stiffness, spin friction, and the effect of warm rings on the preload (Harris, Rolling Bearing
+/// Analysis).
 namespace deadpoint::tribology {
 
 /// Balls between two grooves, one row or a matched pair.
@@ -55,8 +56,9 @@ double preload_approach(const BallBearing& bearing, double axial_preload);
 /// Approach (negative) of a row with diametral clearance [m]; a negative clearance is an interference of the rings.
 double clearance_approach(const BallBearing& bearing, double diametral_clearance);
 
-/// How the rows carry a radial force: the pair shares radial and axial force at common radial displacement; a single
-/// row has its preload counted as axial force (spread_single), or its clearance where the contact angle is zero.
+/// Distribution of a radial force over the rows: the pair shares radial and axial force at common
+/// radial displacement; a single row has its preload counted as axial force (spread_single), or its
+/// clearance where the contact angle is zero.
 /// @throws InputError on negative force; ConvergenceError where a pair finds no equilibrium
 std::vector<RowApproach> spread_load(const BallBearing& bearing, double radial, const BallLoading& loading);
 
@@ -104,7 +106,7 @@ using deadpoint::PairArrangement;
 double thermal_approach(const BallBearing& bearing, const BearingWarmth& warmth, double expansion,
                         PairArrangement arrangement = PairArrangement::single, double distance = 0);
 
-/// What a row without outer load bears at an approach; all zero where it is not positive.
+/// Forces of a row without outer load at a given approach; all zero if it is not positive.
 struct PreloadForces {
     double ball = 0;    ///< on each ball [N]
     double axial = 0;   ///< of a row, balls * ball * sin(angle) [N]

@@ -4,7 +4,8 @@
 #include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/lubricant.hpp"
 
-/// Friction heat by a calibrated law of the temperature, scaled from the state at which it was calibrated.
+/// Friction heat by a calibrated law of the temperature, scaled from the reference state of the
+/// calibration.
 namespace deadpoint::tribology {
 
 using deadpoint::FrictionKind;
@@ -19,7 +20,8 @@ struct CalibratedFriction {
     double scale = 1;            ///< factor on the whole heat [-]
 };
 
-/// How much more a joint does than at the reference: factors on the parts of its heat, all 1 at the reference.
+/// Duty of a joint relative to the reference: factors on the parts of its heat, all 1 at the
+/// reference.
 struct DutyRatio {
     double load = 1;     ///< of mean(F^1.33 |w|) (rolling) or mean(F |w|) (pin, guide)
     double viscous = 1;  ///< of mean(|w|^(5/3)) (rolling) or mean(w^2) (pin, guide)
@@ -31,19 +33,20 @@ struct DutyRatio {
 /// @throws InputError if the reference speed is not positive, the speed not finite, or the load ratio negative
 DutyRatio speed_ratio(const CalibratedFriction& friction, double speed, double load_ratio = 1);
 
-/// From the joint's duty now and at the reference, which may differ in force, stiffness or linkage. For the peak load
-/// measure hand in duties that went through measured().
+/// From the joint's duty now and at the reference, which may differ in force, stiffness or linkage.
+/// For the peak load measure, pass duties through measured() first.
 /// @throws InputError if at the reference the joint does not move, or carries no load
 DutyRatio duty_ratio(FrictionKind kind, const Duty& now, const Duty& reference);
 
 /// The friction heat of a joint at given duty, as a curve over the joint's temperature:
 ///     scale (c0 load + c1 viscous (nu(T)/1 mm2/s)^p)
 ///
-/// The two-part form is the decomposition of Table 5 of Zheng et al. 2018, exact to the digits printed there. A rolling
-/// part with p = 2/3 follows Palmgren's law to its low branch: where nu n < 2000 mm2/s rpm, n the crank's speed, it
-/// stays at 160/2000^(2/3) = 1.008 times its value at nu = 2000 mm2/s rpm / n; at a duty of the same course it then
-/// goes with speed and no viscosity. Out of range where the viscosity is. Left out: load in the viscous part, and any
-/// sliding of which the duty does not know.
+/// The two-part form is the decomposition of Table 5 of Zheng et al. 2018, exact to the digits
+/// printed there. A rolling part with p = 2/3 follows Palmgren's law to its low branch: where nu n
+/// < 2000 mm2/s rpm, n the crank's speed, it stays at 160/2000^(2/3) = 1.008 times its value at
+/// nu = 2000 mm2/s rpm / n; at a duty of the same course it then goes with speed and no viscosity.
+/// Out of range where the viscosity is. Left out: load in the viscous part, and sliding that the
+/// duty does not contain.
 ///
 /// @param friction   the law
 /// @param viscosity  kinematic, of the joint's lubricant; may be empty where the viscous part is zero

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// What a rubbing joint goes through over one turn of the crank, as friction laws need it.
+/// Duty of a joint with friction over one turn of the crank, for friction laws.
 ///
 /// Friction is not linear in load and speed, so a law is averaged over the turn, never evaluated at averages: mean(F
 /// |w|) is not mean(F) mean(|w|).
@@ -16,7 +16,7 @@ namespace deadpoint::tribology {
 using deadpoint::LoadMeasure;
 using deadpoint::rolling_load_exponent;
 
-/// Load and speed at the samples of a turn, with the share of time that each stands for.
+/// Load and speed at the samples of a turn, with the share of time of each sample.
 struct Duty {
     std::vector<double> weight;  ///< share of the turn, adds up to 1
     std::vector<double> force;   ///< magnitude [N]
@@ -40,7 +40,7 @@ Duty duty_of(const CycleHistory& turn, const JointCycle& joint);
 /// A guide of a slide: two ends, each with two faces that the gib presses together.
 struct GuideFaces {
     double preload = 0;            ///< P by which the gib presses on each of the two faces, all along the guide [N]
-    std::optional<double> length;  ///< of the two ends from each other, along the travel [m]; without it no moment
+    std::optional<double> length;  ///< distance of the two ends along the travel [m]; without it no moment
 };
 
 /// Sum of the normal forces on all faces of a guide under a side force F and a moment M [N]: each end carries F/2 +- M
@@ -56,7 +56,7 @@ Duty guide_duty(const CycleHistory& turn, const JointCycle& joint, const GuideFa
 /// @throws InputError if there is no sample or one is not finite
 Duty duty_of(const BearingCycle& bearing, double speed);
 
-/// The duty as the load measure sees it: unchanged, or with the largest force at every sample.
+/// The duty for a load measure: unchanged, or with the largest force at every sample.
 Duty measured(Duty duty, LoadMeasure measure);
 
 /// The duty of one of several bearings that share a joint's force.
@@ -71,7 +71,7 @@ double duty_mean(const Duty& duty, double load_exponent, double speed_exponent);
 double peak_force(const Duty& duty);  ///< [N]
 double peak_speed(const Duty& duty);  ///< [rad/s] or [m/s]
 
-/// The means that friction follows, for reports.
+/// The means that determine friction, for reports.
 struct DutyFigures {
     double peak_force = 0;    ///< [N]
     double mean_force = 0;    ///< [N]

@@ -12,13 +12,13 @@ struct Guide {
     double thickness = 0;  ///< of the film [m]
 };
 
-/// friction mean(N |v|) [W], N the sum of the faces' normal forces over the turn (guide_duty). A slide without side
-/// force, moment and preload makes no heat: by symmetry the side forces of a mirrored press cancel, and preload (or an
-/// eccentric load) is all there is.
+/// friction mean(N |v|) [W], N the sum of the faces' normal forces over the turn (guide_duty). A
+/// slide without side force, moment and preload makes no heat. In a mirrored press the side forces
+/// cancel by symmetry, so only preload or an eccentric load remains.
 /// @throws InputError if the friction is negative
 double guide_load_heat(const Guide& guide, const Duty& duty);
 
-/// eta area mean(v^2) / thickness [W]: a full film of even thickness, Newtonian.
+/// eta area mean(v^2) / thickness [W]: a full film of uniform thickness, Newtonian.
 /// @param viscosity  dynamic [Pa s]
 /// @throws InputError if area or thickness is not positive; DomainError if the viscosity is not
 double guide_film_heat(const Guide& guide, const Duty& duty, double viscosity);
@@ -27,7 +27,7 @@ double guide_film_heat(const Guide& guide, const Duty& duty, double viscosity);
 /// @throws InputError as its parts, or if a law of the lubricant is missing
 HeatLaw guide_heat(const Guide& guide, const Duty& duty, const Lubricant& lubricant);
 
-/// A guide whose film is left out.
+/// A guide without oil film.
 HeatLaw guide_heat(const Guide& guide, const Duty& duty);
 
 }  // namespace deadpoint::tribology

@@ -5,14 +5,15 @@
 
 #include <vector>
 
-/// Friction heat put together from parts.
+/// Friction heat as a sum of parts.
 namespace deadpoint::tribology {
 
 /// Heat that does not change with temperature [W].
 /// @throws InputError if it is negative or not finite
 HeatLaw constant_heat(double power);
 
-/// Heat of a film besides a constant part, load + per_viscosity eta(T), with the dynamic viscosity eta = rho nu [W].
+/// Heat of an oil film and a constant part, load + per_viscosity eta(T), with the dynamic viscosity
+/// eta = rho nu [W].
 ///
 /// @param load           [W]
 /// @param per_viscosity  heat of the film per unit of viscosity [W/(Pa s)]

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-/// How the load of a rolling bearing spreads over its balls or rollers (Stribeck 1907, Sjoevall 1933; Harris ch. 7).
+/// Distribution of the load of a rolling bearing over its balls or rollers (Stribeck 1907, Sjoevall
+/// 1933; Harris ch. 7).
 namespace deadpoint::tribology {
 
 /// One row of rolling elements between rigid rings.
@@ -13,9 +14,9 @@ struct RollingRow {
     double exponent = 1.5;     ///< 1.5 point contact, 10/9 line contact
 };
 
-/// Approach of the rings at the angle psi from the load, along the contact: base + radial cos(psi) [m]; an element
-/// bears where it is positive. The elements are taken as evenly smeared around the row, the mean over all positions
-/// they pass through.
+/// Approach of the rings at the angle psi from the load, along the contact: base + radial cos(psi)
+/// [m]; an element carries load where it is positive. The elements are smeared uniformly around the
+/// row, which is the mean over all their positions.
 struct RowApproach {
     double base = 0;
     double radial = 0;  ///< >= 0
@@ -54,9 +55,10 @@ double axial_force(const RollingRow& row, const RowApproach& approach);   ///< Z
 /// @throws InputError on a row without elements or stiffness, or a negative force
 RowApproach spread_radial(const RollingRow& row, double force, double base);
 
-/// The approach of a single row under radial and axial force. A row with a contact angle cannot carry a radial force
-/// alone: where the axial force is below that of the half-ring zone (1.22 Fr tan(angle)), the bearing opposite is taken
-/// to add the rest, as catalogues do. With no contact angle the axial force must be zero.
+/// The approach of a single row under radial and axial force. A row with a contact angle cannot
+/// carry a radial force alone: where the axial force is below that of the half-ring zone (1.22 Fr
+/// tan(angle)), the opposite bearing is assumed to add the rest, as in catalogues. With no contact
+/// angle the axial force must be zero.
 ///
 /// @throws InputError as above, or on an axial force without contact angle
 RowApproach spread_single(const RollingRow& row, double radial, double axial);

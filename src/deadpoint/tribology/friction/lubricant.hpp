@@ -14,13 +14,14 @@ using ViscosityLaw = std::function<LawValue(double temperature)>;
 /// Density [kg/m3] over the temperature [K].
 using DensityLaw = std::function<LawValue(double temperature)>;
 
-/// Kinematic viscosities of what flows as a lubricant: from below the thinnest fuels and gases' liquids to an oil at
-/// its pour point, which has some 1e5 to 1e6 mm2/s. A law that leaves them has been continued too far [m2/s].
+/// Limits of the kinematic viscosity of a lubricant [m2/s]: from below the thinnest fuels and
+/// liquefied gases to an oil at its pour point, which has some 1e5 to 1e6 mm2/s. A law that leaves
+/// them was extrapolated too far.
 inline constexpr double thinnest_oil = 1e-7;
 inline constexpr double stiffest_oil = 1;
 
-/// Kinematic viscosity over temperature: ln nu is linear between the points and goes on with the end slopes beyond
-/// them, where it is flagged as out of range.
+/// Kinematic viscosity over temperature: ln nu is linear between the points. Beyond them it
+/// continues with the end slopes and is flagged as out of range.
 class ViscosityCurve {
 public:
     /// @param temperature  increasing, at least two points [K]
@@ -29,7 +30,7 @@ public:
     ViscosityCurve(std::vector<double> temperature, std::vector<double> viscosity);
 
     /// Viscosity [m2/s] and its derivative [m2/s/K]; at a point, the derivative of the side above it.
-    /// @throws DomainError where the end slopes lead beyond thinnest_oil and stiffest_oil
+    /// @throws DomainError if the end slopes lead beyond thinnest_oil and stiffest_oil
     [[nodiscard]] LawValue operator()(double temperature) const;
 
 private:
@@ -37,7 +38,8 @@ private:
     std::vector<double> log_viscosity_;
 };
 
-/// Temperatures between which a formula is well tested [K]; beyond, it is computed and flagged.
+/// Temperature range in which a formula is well tested [K]; beyond it the value is computed and
+/// flagged.
 struct TemperatureRange {
     double lowest = 253.15;
     double highest = 423.15;
@@ -55,7 +57,7 @@ struct ViscosityPoint {
     double viscosity = 0;    ///< kinematic [m2/s]
 };
 
-/// The Walther line through two points, as ASTM D341 draws it.
+/// The Walther line through two points (ASTM D341).
 ///
 /// @param colder, warmer  two states of one oil; order does not matter
 /// @throws InputError if a value is not positive, the temperatures are equal, or viscosity does not fall with them
@@ -94,7 +96,7 @@ struct OilDensity {
 ///         density would not be positive
 DensityLaw linear_density(const OilDensity& oil);
 
-/// An oil as plain bearings need it.
+/// Properties of an oil for plain bearings.
 struct Lubricant {
     ViscosityLaw viscosity;  ///< kinematic
     DensityLaw density;
@@ -104,9 +106,9 @@ struct Lubricant {
 /// @throws InputError if a law of the lubricant is empty
 ViscosityLaw dynamic_viscosity(const Lubricant& lubricant);
 
-/// A viscosity grade of ISO 3448: the middle of its class at 40 degC, and the viscosity at 100 degC that mineral oil of
-/// viscosity index 95 to 105 has. Grades are classes (10 % wide) and the index is not part of them: an oil's own data
-/// sheet goes before.
+/// A viscosity grade of ISO 3448: the middle of its class at 40 degC, and the viscosity at 100 degC
+/// that mineral oil of viscosity index 95 to 105 has. Grades are classes (10 % wide) and the index
+/// is not part of them: the data sheet of an oil takes precedence.
 struct IsoVgGrade {
     int grade = 0;
     double at_40 = 0;    ///< [m2/s]
@@ -117,7 +119,7 @@ struct IsoVgGrade {
 /// ISO VG 10 to 460.
 const std::array<IsoVgGrade, 11>& iso_vg_grades();
 
-/// @throws InputError if there is no such grade; names those there are
+/// @throws InputError if there is no such grade; the message lists the grades
 IsoVgGrade iso_vg_grade(int grade);
 
 /// Walther line and density of a grade.

@@ -27,7 +27,7 @@ double pin_film_heat(const Pin& pin, const Duty& duty, double viscosity);
 /// @throws InputError as its parts, or if a law of the lubricant is missing
 HeatLaw pin_heat(const Pin& pin, const Duty& duty, const Lubricant& lubricant);
 
-/// A pin that runs dry, or whose film is left out.
+/// A pin without oil film.
 HeatLaw pin_heat(const Pin& pin, const Duty& duty);
 
 }  // namespace deadpoint::tribology

@@ -11,8 +11,8 @@ namespace deadpoint::tribology {
 using deadpoint::BearingType;
 using deadpoint::OilSupply;
 
-/// Which table of static load factors an angular contact bearing takes: ISO 76, or Zheng et al. 2018, Table 4, which
-/// has 0.47 in place of 0.46 at 15 degrees and ends at 15 and 40 degrees.
+/// Table of static load factors for an angular contact bearing: ISO 76, or Zheng et al. 2018, Table
+/// 4, which has 0.47 in place of 0.46 at 15 degrees and ends at 15 and 40 degrees.
 enum class StaticTable { iso_76, zheng_2018 };
 
 /// P0 = radial Fr + axial Fa, and not less than Fr.
@@ -33,7 +33,7 @@ StaticFactors static_factors(BearingType type, double contact_angle, StaticTable
 /// contact 3.3, pair 6.5, cylindrical 3, needle 12, tapered 6, spherical 6, the last between 3.5 and 7).
 double lubrication_factor(BearingType type, OilSupply supply);
 
-/// A bearing as Palmgren's formulas see it.
+/// Data of a bearing for Palmgren's formulas.
 struct PalmgrenBearing {
     double mean_diameter = 0;       ///< of bore and outside [m]
     double static_rating = 0;       ///< C0 [N]
@@ -79,9 +79,9 @@ struct ViscousTorque {
 
 constexpr double palmgren_branch = 2000;  ///< of nu n [mm2/s rpm]
 
-/// M0 = 1e-7 f0 (nu n)^(2/3) dm^3 [N mm] where nu n >= 2000, else 160e-7 f0 dm^3, with n in rpm, nu in mm2/s, dm in mm;
-/// evaluated in SI. Where they meet the first gives 158.74e-7: on slowing or warming, the torque steps up by 0.8 %, as
-/// in the source.
+/// M0 = 1e-7 f0 (nu n)^(2/3) dm^3 [N mm] where nu n >= 2000, else 160e-7 f0 dm^3, with n in rpm, nu
+/// in mm2/s, dm in mm; evaluated in SI. At the transition the first gives 158.74e-7: on slowing or
+/// warming, the torque steps up by 0.8 %, as in the source.
 ///
 /// @param lubrication_factor  f0
 /// @param mean_diameter       [m]
@@ -93,10 +93,10 @@ ViscousTorque palmgren_viscous_torque(double lubrication_factor, double mean_dia
 /// Share of the time of a turn spent on the low branch, nu n < 2000.
 double low_branch_share(const Duty& duty, double viscosity);
 
-/// Heat of one bearing over its temperature: mean(M1(F) |w|) + mean(M0(nu(T), |w|) |w|), both averaged over the turn,
-/// each sample on its own branch. A bearing that swings back and forth passes the branch twice a swing; its heat is
-/// then the finer stepped the finer the turn is sampled. The derivative is that between steps. In range where the
-/// viscosity is.
+/// Heat of one bearing over its temperature: mean(M1(F) |w|) + mean(M0(nu(T), |w|) |w|), both
+/// averaged over the turn, each sample on its own branch. A bearing that swings back and forth
+/// passes the branch twice a swing; its heat then has steps, which are smaller with more samples
+/// per turn. The derivative is that between steps. In range where the viscosity is.
 ///
 /// Left out: spin (add spin_heat), seals, churning in a deep sump, starvation.
 /// @param axial  constant axial force, preload included [N]

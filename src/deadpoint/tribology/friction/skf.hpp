@@ -3,8 +3,9 @@
 #include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/lubricant.hpp"
 
-/// Friction of rolling bearings after SKF (catalogue model since 2003): rolling and sliding friction with mixed
-/// lubrication, an alternative to Palmgren's law. Where the film is thin its heat rises with temperature.
+/// Friction of rolling bearings after SKF (catalogue model since 2003): rolling and sliding
+/// friction with mixed lubrication, an alternative to Palmgren's law. If the oil film is thin, the
+/// heat rises with temperature.
 namespace deadpoint::tribology {
 
 /// The bearing's geometry and the constants of its type and series. Forces in N, sizes in mm, n in rpm, nu in mm2/s:
@@ -56,8 +57,9 @@ struct SkfTorque {
 /// @throws InputError on sizes or forces; DomainError if the viscosity is not positive and finite
 SkfTorque skf_torque(const SkfBearing& bearing, double speed, double viscosity, double radial, double axial);
 
-/// Heat of one bearing over its temperature: mean(M(F, |w|, nu(T)) |w|) over the turn. The model is meant for steady
-/// rotation; in a swing it is taken instant by instant. In range where the viscosity is.
+/// Heat of one bearing over its temperature: mean(M(F, |w|, nu(T)) |w|) over the turn. The model is
+/// meant for steady rotation; in a swing it is evaluated at each instant. In range where the
+/// viscosity is.
 ///
 /// @param axial  constant axial force, preload included [N]
 /// @throws InputError as the torque, or without viscosity
