@@ -14,6 +14,14 @@
 namespace deadpoint::casefile {
 namespace {
 
+/// As format_quantity(), without the last digits, which a conversion from SI units may leave behind.
+std::string plain_quantity(double value, Dimension dimension)
+{
+    const auto text = format_quantity(value, dimension);
+    const auto parts = number_and_unit(text);
+    return parts ? fmt::format("{:.12g} {}", parts->number, parts->unit) : text;
+}
+
 std::string range_suffix(const Range& range, Dimension dimension)
 {
     if (dimension == Dimension::temperature) {
@@ -91,7 +99,7 @@ public:
     void quantity(const Key& key, double& value, Dimension dimension, const Range& range) override
     {
         row(key, example_of(dimension) + range_suffix(range, dimension),
-            fmt::format("`\"{}\"`", format_quantity(value, dimension)));
+            fmt::format("`\"{}\"`", plain_quantity(value, dimension)));
     }
     void quantity(const Key& key, std::optional<double>&, Dimension dimension, const Range& range) override
     {
@@ -102,7 +110,7 @@ public:
         std::string list;
         for (const double v : value) {
             const auto text = dimension == Dimension::none ? fmt::format("{}", v)
-                                                           : fmt::format("\"{}\"", format_quantity(v, dimension));
+                                                           : fmt::format("\"{}\"", plain_quantity(v, dimension));
             list += (list.empty() ? "" : ", ") + text;
         }
         row(key, fmt::format("[{} times {}]", value.size(), dimension_info(dimension).name), "`[" + list + "]`");
