@@ -56,7 +56,7 @@ TEST_CASE("friction text: rows, contrast of the shafts, powers")
 
 TEST_CASE("friction in summary.json: load and viscous part add up to the heat")
 {
-    const auto list = nlohmann::json::parse(report::friction_json({example()}));
+    const auto list = report::friction_json({example()});
     REQUIRE(list.size() == 1);
     const auto& json = list[0];
     const auto& row = json["rows"]["main"];

@@ -90,7 +90,7 @@ Json heat_json(const casefile::Case& input, const HeatTables& tables, const Text
         "are in rad/s where the surface turns, in m/s where it moves";
     json["operation"] = {{"segment", tables.segment}, {"speed_rpm", rpm * tables.speed}};
     json["friction"] = joints_json(tables);
-    json["operating_points"] = Json::parse(friction_json(tables.friction));
+    json["operating_points"] = friction_json(tables.friction);
     json["conductances"] = conductances_json(tables);
     json["films"] = Json::object();
     for (const auto& film : tables.films)

@@ -325,7 +325,7 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     }
     json["drift_summary"] = drift_summary_json(study::names_of(result.probes), summary);
     if (!result.friction.empty())
-        json["friction"] = nlohmann::ordered_json::parse(friction_json(result.friction));
+        json["friction"] = friction_json(result.friction);
     if (result.frame)
         json["frame"] = frame_json(*result.frame, history.time);
     if (result.adjoint_check)

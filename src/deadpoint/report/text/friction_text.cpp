@@ -133,12 +133,12 @@ std::string friction_text(const std::vector<study::FrictionSummary>& summaries)
     return text;
 }
 
-std::string friction_json(const std::vector<study::FrictionSummary>& summaries)
+nlohmann::ordered_json friction_json(const std::vector<study::FrictionSummary>& summaries)
 {
     auto list = nlohmann::ordered_json::array();
     for (const auto& summary : summaries)
         list.push_back(summary_json(summary));
-    return list.dump();
+    return list;
 }
 
 }  // namespace deadpoint::report

@@ -2,6 +2,7 @@
 
 #include "deadpoint/study/laws/friction.hpp"
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ constexpr double friction_temperatures[] = {293.15, 313.15};
 /// powers; ends with a line break. Empty without any.
 std::string friction_text(const std::vector<study::FrictionSummary>& summaries);
 
-/// The same as a JSON text (a list of objects, one per operating point), for summary.json and heat.json.
-std::string friction_json(const std::vector<study::FrictionSummary>& summaries);
+/// The same as a list of objects, one per operating point, for summary.json and heat.json.
+nlohmann::ordered_json friction_json(const std::vector<study::FrictionSummary>& summaries);
 
 }  // namespace deadpoint::report
