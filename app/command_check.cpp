@@ -21,13 +21,11 @@ void check(const CaseOptions& options)
     Console console(options.console);
     study::Press press(read_case(options, console).value, options.size_scale);
     const auto& description = press.input();
+    Observer silent;
     if (description.parts.empty()) {
         print_out("{}\n", report::linkage_plan_text(description));
         flush_out();
-        if (const int segment = study::first_running_segment(description); segment >= 0) {
-            Observer silent;
-            press.loads(segment, silent);  // does the linkage move?
-        }
+        press.check(silent);  // does the linkage move?
         return summarise(options, console);
     }
     const auto& machine = mesh_parts(press, console);
@@ -36,6 +34,7 @@ void check(const CaseOptions& options)
     for (const auto& warning : report::plan_warnings(description, machine)) {
         console.warn(warning);
     }
+    press.check(silent);
     summarise(options, console);
 }
 

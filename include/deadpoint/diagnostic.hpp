@@ -28,17 +28,35 @@ struct Diagnostic {
     std::string help;     ///< the remedy; may be empty
 };
 
-/// A case with mistakes. `what()` lists all of them with place, line and remedy.
-class CaseError : public InputError {
+/// What an error says of a case, as data. CaseError and CaseDomainError have it.
+class Diagnosed {
 public:
-    CaseError(const std::string& message, std::vector<Diagnostic> diagnostics)
-        : InputError(message), diagnostics_(std::move(diagnostics))
-    {}
-    /// All mistakes and warnings, in the order of the files.
+    explicit Diagnosed(std::vector<Diagnostic> diagnostics) : diagnostics_(std::move(diagnostics)) {}
+    virtual ~Diagnosed() = default;
+    Diagnosed(const Diagnosed&) = default;
+    Diagnosed& operator=(const Diagnosed&) = default;
+    /// All that was found, warnings too, in the order of the files.
     [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
 
 private:
     std::vector<Diagnostic> diagnostics_;
+};
+
+/// A case with mistakes, found while it is read or later. `what()` shows all of them with their places, the lines and
+/// the remedies.
+class CaseError : public InputError, public Diagnosed {
+public:
+    CaseError(const std::string& message, std::vector<Diagnostic> diagnostics)
+        : InputError(message), Diagnosed(std::move(diagnostics))
+    {}
+};
+
+/// A case with values at which its laws or formulas mean nothing. `what()` as that of a CaseError.
+class CaseDomainError : public DomainError, public Diagnosed {
+public:
+    CaseDomainError(const std::string& message, std::vector<Diagnostic> diagnostics)
+        : DomainError(message), Diagnosed(std::move(diagnostics))
+    {}
 };
 
 }  // namespace deadpoint

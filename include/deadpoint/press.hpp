@@ -37,8 +37,9 @@ public:
     /// Reads and checks a case file.
     /// @throws CaseError with all mistakes; IoError if the file cannot be read
     static Press read(const std::filesystem::path& file, const ReadOptions& options = {});
-    /// Mistakes and warnings of a case file; empty if there are none. Does not check the geometry.
-    /// @throws IoError if the file cannot be read
+    /// Mistakes and warnings of a case, as `deadpoint check` finds them; empty if there are none. Reads and meshes the
+    /// case, and checks its loads, laws and dimension chain.
+    /// @throws IoError if a file cannot be read
     static std::vector<Diagnostic> check(const std::filesystem::path& file, const ReadOptions& options = {});
 
     ~Press();

@@ -395,7 +395,7 @@ TEST_CASE("heat names the surface whose length is missing")
     const auto result = deadpoint("heat -q " DEADPOINT_SOURCE_DIR "/cases/starter-by-laws/case.toml --size 3 -o " +
                                   (folder / "heat") + " --set 'surfaces.air_crankshaft.film={ law = \"cylinder\" }'");
     CHECK(result.code == 2);
-    CHECK(has(result.err, "surfaces.air_crankshaft.film: law = \"cylinder\" needs `diameter`"));
+    CHECK(has(result.err, "surfaces.air_crankshaft.film\n  law = \"cylinder\" needs `diameter`"));
     CHECK(fs::is_empty(folder.path));
 }
 

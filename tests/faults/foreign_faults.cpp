@@ -163,7 +163,7 @@ void expect_refused(const std::string& key, const std::vector<Attack>& attacks)
         const auto outcome = target.check(key, attack.file);
         CAPTURE(outcome.text);
         CHECK(outcome.code == 2);
-        CHECK(has(outcome.text, "error: part 'plate'"));
+        CHECK(has(outcome.text, "]: parts.plate\n  part 'plate'"));
         CHECK(has(outcome.text, attack.said));
         fs::remove(path);
     }

@@ -1,29 +1,13 @@
 #include "deadpoint/api/diagnostics.hpp"
 
 #include "deadpoint/api/press_parts.hpp"
+#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/syntax/diagnostics.hpp"
 #include "deadpoint/casefile/syntax/document.hpp"
 
 namespace deadpoint {
 namespace {
-
-FilePlace place_in(const casefile::Sources& sources, const casefile::Place& place)
-{
-    if (place.file < 0)
-        return {};
-    return {sources.name(place.file), place.line, place.line > 0 ? place.column : 0};
-}
-
-std::vector<Diagnostic> as_data(const casefile::Diagnostics& found)
-{
-    std::vector<Diagnostic> result;
-    for (const auto& item : found.items())
-        result.push_back(
-            {item.path, place_in(found.sources, item.place),
-             item.severity == casefile::Severity::error ? DiagnosticSeverity::error : DiagnosticSeverity::warning,
-             item.code, item.message, item.help});
-    return result;
-}
 
 std::vector<std::filesystem::path> files_of(const casefile::Document& document, std::size_t overrides,
                                             const casefile::Case& value)
@@ -45,7 +29,7 @@ CheckedCase read_with_diagnostics(const std::filesystem::path& file, const ReadO
     casefile::Diagnostics found;
     CheckedCase result;
     const auto document = casefile::read_case(file, options.overrides, result.value, found, access_of(options));
-    result.diagnostics = as_data(found);
+    result.diagnostics = casefile::as_data(found);
     if (found.error_count() > 0)
         result.errors = found.render_errors();
     result.files = files_of(document, options.overrides.size(), result.value);

@@ -39,6 +39,11 @@ int segment_of(const casefile::Case& input, int wanted, bool needs_speed)
     return std::max(0, running);
 }
 
+void append(std::vector<Diagnostic>& found, const Diagnosed& error)
+{
+    found.insert(found.end(), error.diagnostics().begin(), error.diagnostics().end());
+}
+
 MeshFigures figures_of(const Machine& machine)
 {
     MeshFigures figures{machine.cells.size(), machine.nodes.size(), machine.half_model, {}};
@@ -74,7 +79,19 @@ Press Press::read(const std::filesystem::path& file, const ReadOptions& options)
 
 std::vector<Diagnostic> Press::check(const std::filesystem::path& file, const ReadOptions& options)
 {
-    return read_with_diagnostics(file, options).diagnostics;
+    require_scale(options.size_scale);
+    auto read = read_with_diagnostics(file, options);
+    if (!read.errors.empty())
+        return read.diagnostics;
+    try {
+        Observer silent;
+        study::Press(std::move(read.value), options.size_scale).check(silent);
+    } catch (const CaseError& error) {
+        append(read.diagnostics, error);
+    } catch (const CaseDomainError& error) {
+        append(read.diagnostics, error);
+    }
+    return read.diagnostics;
 }
 
 Press::Press(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}

@@ -1,6 +1,6 @@
 #include "deadpoint/crankshaft/check.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,21 +32,25 @@ void check_material(const Shaft& shaft)
     require(true, who, "the start of the shaft must be a number", shaft.start);
 }
 
-void check_sections(const Shaft& shaft)
+void check_section(const Section& section, const std::string& who)
+{
+    require(section.length > 0, who, "the length must be positive", section.length);
+    require(section.diameter > 0, who, "the diameter must be positive", section.diameter);
+    require(section.bore >= 0 && section.bore < section.diameter, who,
+            "the bore must not be negative, and must be less than the diameter", section.bore);
+    require(section.density >= 0, who, "the density must not be negative", section.density);
+    require(section.shear_factor >= 0 && section.shear_factor <= 1, who, "the shear factor must lie in 0..1",
+            section.shear_factor);
+}
+
+void check_sections(const Shaft& shaft, Mistakes& mistakes)
 {
     if (shaft.sections.empty())
-        throw InputError("crankshaft: it has no sections\nhelp: give at least one length with its diameter");
-    for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
-        const Section& section = shaft.sections[i];
-        const std::string who = fmt::format("section {}", i + 1);
-        require(section.length > 0, who, "the length must be positive", section.length);
-        require(section.diameter > 0, who, "the diameter must be positive", section.diameter);
-        require(section.bore >= 0 && section.bore < section.diameter, who,
-                "the bore must not be negative, and must be less than the diameter", section.bore);
-        require(section.density >= 0, who, "the density must not be negative", section.density);
-        require(section.shear_factor >= 0 && section.shear_factor <= 1, who, "the shear factor must lie in 0..1",
-                section.shear_factor);
-    }
+        mistakes.add("crankshaft.sections", "the crankshaft has no sections",
+                     "give at least one length with its diameter");
+    for (std::size_t i = 0; i < shaft.sections.size(); ++i)
+        mistakes.attempt(fmt::format("crankshaft.sections.{}", i),
+                         [&] { check_section(shaft.sections[i], fmt::format("section {}", i + 1)); });
 }
 
 void check_position(const Shaft& shaft, const std::string& who, double position)
@@ -59,28 +63,32 @@ void check_position(const Shaft& shaft, const std::string& who, double position)
                         1e3 * position, 1e3 * shaft.start, 1e3 * end));
 }
 
-void check_disks(const Shaft& shaft)
+void check_disk(const Shaft& shaft, const Disk& disk, const std::string& who)
 {
-    for (std::size_t i = 0; i < shaft.disks.size(); ++i) {
-        const Disk& disk = shaft.disks[i];
-        const std::string who = fmt::format("disk {}", i + 1);
-        check_position(shaft, who, disk.position);
-        require(disk.mass >= 0, who, "the mass must not be negative", disk.mass);
-        require(disk.polar_inertia >= 0, who, "the polar inertia must not be negative", disk.polar_inertia);
-        require(disk.diametral_inertia >= 0, who, "the diametral inertia must not be negative", disk.diametral_inertia);
-        require(disk.polar_inertia <= 2 * disk.diametral_inertia * (1 + 1e-9), who,
-                "no body has a polar inertia over twice its diametral inertia; its polar inertia must be less",
-                disk.polar_inertia);
-        require(disk.unbalance >= 0, who, "the unbalance must not be negative", disk.unbalance);
-        require(true, who, "the angle of the unbalance must be a number", disk.unbalance_angle);
-    }
-    for (std::size_t i = 0; i < shaft.unbalances.size(); ++i) {
-        const Unbalance& unbalance = shaft.unbalances[i];
-        const std::string who = fmt::format("unbalance {}", i + 1);
-        check_position(shaft, who, unbalance.position);
-        require(unbalance.magnitude >= 0, who, "it must not be negative", unbalance.magnitude);
-        require(true, who, "its angle must be a number", unbalance.angle);
-    }
+    check_position(shaft, who, disk.position);
+    require(disk.mass >= 0, who, "the mass must not be negative", disk.mass);
+    require(disk.polar_inertia >= 0, who, "the polar inertia must not be negative", disk.polar_inertia);
+    require(disk.diametral_inertia >= 0, who, "the diametral inertia must not be negative", disk.diametral_inertia);
+    require(disk.polar_inertia <= 2 * disk.diametral_inertia * (1 + 1e-9), who,
+            "no body has a polar inertia over twice its diametral inertia; its polar inertia must be less",
+            disk.polar_inertia);
+    require(disk.unbalance >= 0, who, "the unbalance must not be negative", disk.unbalance);
+    require(true, who, "the angle of the unbalance must be a number", disk.unbalance_angle);
+}
+
+void check_disks(const Shaft& shaft, Mistakes& mistakes)
+{
+    for (std::size_t i = 0; i < shaft.disks.size(); ++i)
+        mistakes.attempt(fmt::format("crankshaft.disks.{}", i),
+                         [&] { check_disk(shaft, shaft.disks[i], fmt::format("disk {}", i + 1)); });
+    for (std::size_t i = 0; i < shaft.unbalances.size(); ++i)
+        mistakes.attempt("crankshaft", [&] {
+            const Unbalance& unbalance = shaft.unbalances[i];
+            const std::string who = fmt::format("unbalance {}", i + 1);
+            check_position(shaft, who, unbalance.position);
+            require(unbalance.magnitude >= 0, who, "it must not be negative", unbalance.magnitude);
+            require(true, who, "its angle must be a number", unbalance.angle);
+        });
 }
 
 /// The matrix must not feed energy into a straight motion: its symmetric part has no negative eigenvalue.
@@ -94,36 +102,41 @@ void check_matrix(const std::string& who, const char* what, const Matrix2& m, bo
     const double lowest = mean - std::hypot(0.5 * (m[0][0] - m[1][1]), coupling);
     if (lowest < -1e-12 * std::abs(mean) || (all_directions && !(mean > 0)))
         throw InputError(fmt::format("crankshaft, {}: the {} [[{:g}, {:g}], [{:g}, {:g}]] must resist motion in every "
-                                     "direction\nhelp: positive values on the diagonal, larger than those beside it",
+                                     "direction\n  help: positive values on the diagonal, larger than those beside it",
                                      who, what, m[0][0], m[0][1], m[1][0], m[1][1]));
 }
 
-void check_bearings(const Shaft& shaft)
+void check_bearing(const Shaft& shaft, const Bearing& bearing)
+{
+    const std::string who = fmt::format("bearing '{}'", bearing.name);
+    check_position(shaft, who, bearing.position);
+    check_matrix(who, "stiffness", bearing.stiffness, true);
+    check_matrix(who, "damping", bearing.damping, false);
+    require(bearing.housing_mass >= 0, who, "the mass of its housing must not be negative", bearing.housing_mass);
+    if (bearing.support_stiffness) {
+        check_matrix(who, "support stiffness", *bearing.support_stiffness, true);
+        check_matrix(who, "support damping", bearing.support_damping, false);
+    }
+    require(bearing.hertz_exponent >= 1 && bearing.hertz_exponent <= 3, who,
+            "the exponent of the load must lie in 1..3 (10/9 for rollers, 3/2 for balls)", bearing.hertz_exponent);
+    require(bearing.hertz_exponent == 1 || bearing.reference_load > 0, who,
+            "stiffness that depends on load needs the positive load at which it was given", bearing.reference_load);
+}
+
+void check_bearings(const Shaft& shaft, Mistakes& mistakes)
 {
     if (shaft.bearings.empty())
-        throw InputError("crankshaft: it has no bearings\nhelp: give at least two");
-    for (const Bearing& bearing : shaft.bearings) {
-        const std::string who = fmt::format("bearing '{}'", bearing.name);
-        check_position(shaft, who, bearing.position);
-        check_matrix(who, "stiffness", bearing.stiffness, true);
-        check_matrix(who, "damping", bearing.damping, false);
-        require(bearing.housing_mass >= 0, who, "the mass of its housing must not be negative", bearing.housing_mass);
-        if (bearing.support_stiffness) {
-            check_matrix(who, "support stiffness", *bearing.support_stiffness, true);
-            check_matrix(who, "support damping", bearing.support_damping, false);
-        }
-        require(bearing.hertz_exponent >= 1 && bearing.hertz_exponent <= 3, who,
-                "the exponent of the load must lie in 1..3 (10/9 for rollers, 3/2 for balls)", bearing.hertz_exponent);
-        require(bearing.hertz_exponent == 1 || bearing.reference_load > 0, who,
-                "stiffness that depends on load needs the positive load at which it was given", bearing.reference_load);
-    }
+        return mistakes.add("crankshaft.bearings", "the crankshaft has no bearings", "give at least two");
+    for (std::size_t i = 0; i < shaft.bearings.size(); ++i)
+        mistakes.attempt(fmt::format("crankshaft.bearings.{}", i), [&] { check_bearing(shaft, shaft.bearings[i]); });
     const auto [first, last] =
         std::minmax_element(shaft.bearings.begin(), shaft.bearings.end(),
                             [](const Bearing& a, const Bearing& b) { return a.position < b.position; });
     if (!(last->position - first->position > same_place * (shaft_end(shaft) - shaft.start)))
-        throw InputError(fmt::format("crankshaft: all its bearings are at {:g} mm and do not hold it straight\n"
-                                     "help: give bearings at two positions at least",
-                                     1e3 * first->position));
+        mistakes.add("crankshaft.bearings",
+                     fmt::format("all bearings of the crankshaft are at {:g} mm and do not hold it straight",
+                                 1e3 * first->position),
+                     "give bearings at two positions at least");
 }
 
 bool has_value(const Matrix2& m) { return m[0][0] != 0 || m[1][1] != 0 || m[0][1] != 0 || m[1][0] != 0; }
@@ -178,10 +191,12 @@ double section_mass(const Section& section)
 
 void check_shaft(const Shaft& shaft)
 {
-    check_material(shaft);
-    check_sections(shaft);
-    check_disks(shaft);
-    check_bearings(shaft);
+    Mistakes mistakes;
+    mistakes.attempt("crankshaft.material", [&] { check_material(shaft); });
+    check_sections(shaft, mistakes);
+    check_disks(shaft, mistakes);
+    check_bearings(shaft, mistakes);
+    mistakes.raise();
 }
 
 std::vector<Warning> shaft_warnings(const Shaft& shaft)

@@ -9,7 +9,8 @@
 namespace deadpoint::crankshaft {
 
 /// Checks that the description is valid.
-/// @throws InputError naming the section, disk or bearing: sizes or moduli not positive or not finite, a bore not less
+/// @throws CaseError with every wrong section, disk and bearing: sizes or moduli not positive or not finite, a bore not
+/// less
 ///         than its diameter, something beyond the ends of the shaft, fewer than two bearing positions, stiffness or
 ///         damping that would drive the shaft, a damping ratio outside 0..1
 void check_shaft(const Shaft& shaft);
@@ -18,7 +19,7 @@ void check_shaft(const Shaft& shaft);
 /// pulley or gear does not bend like a beam); a disk at a section that itself weighs more than half
 /// the disk or is as thick as that (the mass would count twice); no damping, or only that of the
 /// bearings.
-/// @throws InputError as check_shaft
+/// @throws CaseError as check_shaft
 std::vector<Warning> shaft_warnings(const Shaft& shaft);
 
 /// Ends of the shaft along s [m].

@@ -237,9 +237,10 @@ Settled settle(const Shaft& shaft, const ShaftLoads& loads, const TurnLoads& tur
         }
         state.factors = next;
     }
-    throw ConvergenceError(fmt::format("crankshaft: the stiffness of its bearings at their mean load still changes by "
-                                       "{:.3g} after {} rounds\nhelp: give the stiffness at a load nearer to the mean",
-                                       change, most_rounds));
+    throw ConvergenceError(
+        fmt::format("crankshaft: the stiffness of its bearings at their mean load still changes by "
+                    "{:.3g} after {} rounds\n  help: give the stiffness at a load nearer to the mean",
+                    change, most_rounds));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ std::vector<std::complex<double>> harmonic_response(const ShaftSystem& system, d
     const Eigen::Map<const Eigen::VectorXcd> f(force.data(), static_cast<Eigen::Index>(force.size()));
     const Eigen::VectorXcd q = dynamic_stiffness(system, velocity_matrix(system, speed), omega).partialPivLu().solve(f);
     if (!q.allFinite())
-        throw DomainError(fmt::format("crankshaft: undamped resonance at {:.6g} Hz\nhelp: give a modal damping ratio",
+        throw DomainError(fmt::format("crankshaft: undamped resonance at {:.6g} Hz\n  help: give a modal damping ratio",
                                       omega / two_pi));
     return {q.begin(), q.end()};
 }

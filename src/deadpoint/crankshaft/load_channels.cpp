@@ -23,9 +23,9 @@ bool finite(const Vec2& v) { return std::isfinite(v[0]) && std::isfinite(v[1]); 
 void check(const ShaftLoads& loads)
 {
     const std::size_t count = loads.time.size();
-    require(count >= 3, fmt::format("{} times over the turn are too few\nhelp: give at least 3", count));
+    require(count >= 3, fmt::format("{} times over the turn are too few\n  help: give at least 3", count));
     require(loads.throw_angle.size() == count && loads.pin_force.size() == count,
-            fmt::format("{} times, but {} angles and {} pin forces\nhelp: give one of each per time", count,
+            fmt::format("{} times, but {} angles and {} pin forces\n  help: give one of each per time", count,
                         loads.throw_angle.size(), loads.pin_force.size()));
     require(loads.samples >= 3, fmt::format("{} samples over the turn are too few", loads.samples));
     require(loads.period > 0 && std::isfinite(loads.period),
@@ -41,10 +41,10 @@ void check(const ShaftLoads& loads)
                 fmt::format("entry {} over the turn is not finite", i + 1));
         require(i == 0 || loads.time[i] > loads.time[i - 1], fmt::format("time does not ascend at entry {}", i + 1));
         require(i == 0 || sense * (loads.throw_angle[i] - loads.throw_angle[i - 1]) > 0,
-                fmt::format("the crank turns back at entry {}\nhelp: the angle must run on without jumps", i + 1));
+                fmt::format("the crank turns back at entry {}\n  help: the angle must run on without jumps", i + 1));
     }
     require(loads.time.back() - loads.time.front() < loads.period,
-            "the times span a whole period or more\nhelp: leave out the last, which is the first of the next turn");
+            "the times span a whole period or more\n  help: leave out the last, which is the first of the next turn");
     require(std::abs(loads.throw_angle.back() - loads.throw_angle.front()) < turn,
             "the crank turns further than once in a period");
 }

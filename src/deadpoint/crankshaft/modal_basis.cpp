@@ -21,16 +21,16 @@ RestingModes resting_modes(const ShaftSystem& system)
     const Eigen::LLT<Eigen::MatrixXd> factor(k);
     if (factor.info() != Eigen::Success)
         throw InputError("crankshaft: its bearings do not hold it, or it buckles under its axial load\n"
-                         "help: give every bearing stiffness in both directions, or less compression");
+                         "  help: give every bearing stiffness in both directions, or less compression");
     const Eigen::MatrixXd half = factor.matrixL().solve(Eigen::MatrixXd(view(system.mass)));
     const Eigen::MatrixXd scaled = factor.matrixL().solve(Eigen::MatrixXd(half.transpose()));
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (scaled + scaled.transpose()));
     if (solver.info() != Eigen::Success)
         throw ConvergenceError("crankshaft: the modes of the resting shaft were not found\n"
-                               "help: look for sections of extreme size or density");
+                               "  help: look for sections of extreme size or density");
     const Eigen::VectorXd mu = solver.eigenvalues().reverse();
     if (!(mu[0] > 0))
-        throw InputError("crankshaft: it has no mass\nhelp: give its sections a density, or add a disk");
+        throw InputError("crankshaft: it has no mass\n  help: give its sections a density, or add a disk");
     const Eigen::MatrixXd shapes = factor.matrixU().solve(solver.eigenvectors()).rowwise().reverse();
     const Eigen::Index moving = (mu.array() > no_inertia * mu[0]).count();
     return {shapes.leftCols(moving), mu.head(moving), shapes.rightCols(mu.size() - moving)};
@@ -57,7 +57,7 @@ ModalMatrices modal_matrices(const ShaftSystem& system, const RestingModes& basi
         if (by_stiffness > no_coupling || by_damping > no_coupling)
             throw InputError(
                 "crankshaft: a bearing with damping or cross-coupled stiffness acts on a part without mass\n"
-                "help: give the section there a density, or the housing a mass");
+                "  help: give the section there a density, or the housing a mass");
     }
     const Eigen::MatrixXd gyroscopic_x = view(system.gyroscopic) * x;
     return {x.transpose() * dampers_x, x.transpose() * gyroscopic_x, x.transpose() * skew_x};
@@ -78,7 +78,7 @@ Eigen::MatrixXd first_order_inverse(const RestingModes& basis, const ModalMatric
     inverse.bottomLeftCorner(m, m) = root.asDiagonal();
     if (!inverse.allFinite())
         throw DomainError("crankshaft: the equations of motion are not finite\n"
-                          "help: look for an extreme stiffness or damping of a bearing");
+                          "  help: look for an extreme stiffness or damping of a bearing");
     return inverse;
 }
 

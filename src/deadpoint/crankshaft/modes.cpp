@@ -67,7 +67,7 @@ std::vector<ModalMode> modal_modes(const RestingModes& basis, const ModalMatrice
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(first_order_inverse(basis, matrices, speed, 0, kept));
     if (solver.info() != Eigen::Success)
         throw ConvergenceError(
-            "crankshaft: its modes were not found\nhelp: look for extreme values among the bearings");
+            "crankshaft: its modes were not found\n  help: look for extreme values among the bearings");
     std::vector<std::pair<double, Eigen::Index>> found;
     for (Eigen::Index i = 0; i < solver.eigenvalues().size(); ++i) {
         const Complex lambda = 1.0 / solver.eigenvalues()[i];

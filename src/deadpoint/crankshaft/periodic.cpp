@@ -41,7 +41,7 @@ void check(const ShaftSystem& system, const PeriodicLoad& load, const Readings& 
     if (!(system.modal_damping > 0) && !dampers)
         throw InputError(
             "crankshaft: nothing damps it, so its response over a turn is not bounded at resonance and not "
-            "defined\nhelp: give a modal damping ratio (2 % is common), or damping of the bearings");
+            "defined\n  help: give a modal damping ratio (2 % is common), or damping of the bearings");
 }
 
 /// The functions of exact integration for a load linear over a step, x = lambda h, without cancellation.
@@ -79,9 +79,10 @@ void check_growth(const Eigen::VectorXcd& lambda)
 {
     for (const Complex& value : lambda)
         if (value.real() > grows * std::abs(value))
-            throw DomainError(fmt::format("crankshaft: its motion at {:.4g} Hz grows by itself\nhelp: look for skew or "
-                                          "cross-coupled stiffness of bearings, or give more damping",
-                                          std::abs(value.imag()) / (2 * std::numbers::pi)));
+            throw DomainError(
+                fmt::format("crankshaft: its motion at {:.4g} Hz grows by itself\n  help: look for skew or "
+                            "cross-coupled stiffness of bearings, or give more damping",
+                            std::abs(value.imag()) / (2 * std::numbers::pi)));
 }
 
 ComplexModes complex_modes(const ShaftSystem& system, const RestingModes& basis, double speed, const PeriodicLoad& load,
@@ -93,14 +94,14 @@ ComplexModes complex_modes(const ShaftSystem& system, const RestingModes& basis,
         first_order_inverse(basis, matrices, speed, system.modal_damping, m));
     if (solver.info() != Eigen::Success)
         throw ConvergenceError("crankshaft: its complex modes were not found\n"
-                               "help: look for extreme values among the bearings, or use another method");
+                               "  help: look for extreme values among the bearings, or use another method");
     const Eigen::VectorXcd lambda = solver.eigenvalues().cwiseInverse();
     check_growth(lambda);
     const Eigen::MatrixXcd shapes = solver.eigenvectors();
     const Eigen::PartialPivLU<Eigen::MatrixXcd> to_modes(shapes);
     if (!(to_modes.rcond() > worst_condition))
         throw ConvergenceError("crankshaft: two of its modes coincide (critical damping), so they do not separate\n"
-                               "help: change a damping value slightly, or use harmonic balance");
+                               "  help: change a damping value slightly, or use harmonic balance");
     Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(2 * m, load.patterns.cols);
     rest.topRows(m) = (Eigen::MatrixXd::Identity(m, m) + matrices.skew)
                           .partialPivLu()
@@ -139,7 +140,7 @@ void march(Complex lambda, double period, const Eigen::VectorXcd& load, Eigen::R
     if (std::abs(remains) < resonant)
         throw DomainError(
             fmt::format("crankshaft: its mode at {:.4g} Hz is in resonance with a multiple of the speed and "
-                        "hardly damped\nhelp: give a modal damping ratio (2 % is common)",
+                        "hardly damped\n  help: give a modal damping ratio (2 % is common)",
                         lambda.imag() / (2 * std::numbers::pi)));
     state /= remains;
     for (Eigen::Index n = 0; n < steps; ++n) {
@@ -189,7 +190,7 @@ Matrix periodic_response(const ShaftSystem& system, double speed, const Periodic
     }
     if (!all_finite(result))
         throw DomainError("crankshaft: the response over the turn is not finite\n"
-                          "help: look for extreme values among sections and bearings");
+                          "  help: look for extreme values among sections and bearings");
     return result;
 }
 

@@ -110,7 +110,7 @@ Matrix newmark_response(const ShaftSystem& system, double speed, const PeriodicL
             return result;
     }
     throw ConvergenceError(fmt::format("crankshaft: after {} turns Newmark's method still changes by {:.3g} per turn\n"
-                                       "help: give more damping or turns, or use the modal method",
+                                       "  help: give more damping or turns, or use the modal method",
                                        settings.longest_run, drift));
 }
 

@@ -137,7 +137,7 @@ int node_at(const ShaftSystem& system, double position)
         if (std::abs(system.nodes[static_cast<std::size_t>(node)] - position) <= tolerance)
             return node;
     throw InputError(
-        fmt::format("crankshaft: no node at {:g} mm\nhelp: name this position when assembling", 1e3 * position));
+        fmt::format("crankshaft: no node at {:g} mm\n  help: name this position when assembling", 1e3 * position));
 }
 
 ShaftSystem assemble(const Shaft& shaft, std::span<const double> more_positions)
@@ -211,7 +211,7 @@ std::vector<double> static_displacement(const ShaftSystem& system, std::span<con
     const Eigen::MatrixXd symmetric = 0.5 * (view(system.stiffness) + view(system.stiffness).transpose());
     if (Eigen::LLT<Eigen::MatrixXd>(symmetric).info() != Eigen::Success)
         throw InputError("crankshaft: its bearings do not hold it, or it buckles under its axial load\n"
-                         "help: give every bearing stiffness in both directions, or less compression");
+                         "  help: give every bearing stiffness in both directions, or less compression");
     const Eigen::VectorXd q = view(system.stiffness).partialPivLu().solve(f);
     if (!q.allFinite())
         throw DomainError("crankshaft: the static displacement is not finite");

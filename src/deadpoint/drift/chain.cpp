@@ -1,6 +1,6 @@
 #include "deadpoint/drift/chain.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/drift/contact_side.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 
@@ -99,8 +99,10 @@ Functional contact_growth(const Machine& machine, int contact, const Vec2& centr
     const auto fit_b = fit_circle(machine, {contact, true}, centre);
     const auto* cylinder = std::get_if<CylinderGeometry>(&machine.interfaces[contact].geometry);
     if (!cylinder)
-        throw InputError("interface '" + machine.interfaces[contact].name +
-                         "' is not cylindrical, so it has no clearance; if it is marked as seat or journal, unmark it");
+        throw mistake(
+            interface_path(machine.interfaces[contact].name),
+            "interface '" + machine.interfaces[contact].name +
+                "' is not cylindrical, so it has no clearance; if it is marked as seat or journal, unmark it");
     Functional result;
     add(result, cylinder->bore ? 1 : -1, fit_a.growth);
     add(result, cylinder->bore ? -1 : 1, fit_b.growth);
@@ -118,8 +120,9 @@ CircleFit fit_circle(const Machine& machine, const ContactSide& side, const Vec2
     const bool symmetric = on_symmetry_plane(machine, side, centre);
     const auto* cylinder = std::get_if<CylinderGeometry>(&machine.interfaces[side.contact].geometry);
     if (!cylinder)
-        throw InputError("interface '" + machine.interfaces[side.contact].name +
-                         "' of a revolute joint is not cylindrical, so its centre cannot be fitted");
+        throw mistake(interface_path(machine.interfaces[side.contact].name),
+                      "interface '" + machine.interfaces[side.contact].name +
+                          "' of a revolute joint is not cylindrical, so its centre cannot be fitted");
     const double radius = cylinder->radius;
     Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
     const auto points = points_of(machine, side);
@@ -134,8 +137,9 @@ CircleFit fit_circle(const Machine& machine, const ContactSide& side, const Vec2
         normal_matrix(0, 0) = 1;
     const Eigen::LDLT<Eigen::Matrix3d> solver(normal_matrix);
     if (solver.rcond() < 1e-8)
-        throw InputError("the centre of interface '" + machine.interfaces[side.contact].name +
-                         "' cannot be fitted: too little of the circle is in contact");
+        throw mistake(interface_path(machine.interfaces[side.contact].name),
+                      "the centre of interface '" + machine.interfaces[side.contact].name +
+                          "' cannot be fitted: too little of the circle is in contact");
     CircleFit fit;
     for (const auto& p : points) {
         const Eigen::Vector3d coefficient = p.weight * solver.solve(shape(p));

@@ -1,6 +1,6 @@
 #include "deadpoint/mechanism/cycle.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/slide_motion.hpp"
 
@@ -20,30 +20,32 @@ bool is_finite(const Vec2& v) { return std::isfinite(v[0]) && std::isfinite(v[1]
 /// An angle since bottom dead point, 0..2 pi, as an angle past it, -pi..pi.
 double past_bottom(double since) { return since > 0.5 * turn * (1 + 1e-15) ? since - turn : since; }
 
+void check_mass(const std::string& name, const BodyMass& mass)
+{
+    if (!(mass.mass >= 0) || !std::isfinite(mass.mass) || !is_finite(mass.centre))
+        throw InputError(fmt::format("body '{}': mass {} kg at ({}, {}) m\n  help: give a finite mass above zero, or "
+                                     "mass and inertia zero for a massless link",
+                                     name, mass.mass, mass.centre[0], mass.centre[1]));
+    if (!(mass.inertia >= 0) || !std::isfinite(mass.inertia))
+        throw InputError(fmt::format("body '{}': inertia {} kg m2\n  help: give a finite inertia above zero about "
+                                     "the centre of mass",
+                                     name, mass.inertia));
+    if (mass.mass == 0 && mass.inertia > 0)
+        throw InputError(fmt::format("body '{}' has an inertia of {} kg m2 but no mass\n  help: give its mass, or "
+                                     "make both zero for a massless link",
+                                     name, mass.inertia));
+}
+
 void check_masses(const Linkage& linkage, const std::vector<BodyMass>& masses)
 {
     if (masses.size() != linkage.bodies.size())
         throw InputError(
             fmt::format("the linkage has {} bodies, but {} masses are given", linkage.bodies.size(), masses.size()));
-    for (std::size_t body = 0; body < masses.size(); ++body) {
-        const BodyMass& mass = masses[body];
-        const std::string& name = linkage.bodies[body];
-        if (static_cast<int>(body) == linkage.ground)
-            continue;
-        if (!(mass.mass >= 0) || !std::isfinite(mass.mass) || !is_finite(mass.centre))
-            throw InputError(
-                fmt::format("body '{}': mass {} kg at ({}, {}) m\n  help: give a finite mass above zero, or "
-                            "mass and inertia zero for a massless link",
-                            name, mass.mass, mass.centre[0], mass.centre[1]));
-        if (!(mass.inertia >= 0) || !std::isfinite(mass.inertia))
-            throw InputError(fmt::format("body '{}': inertia {} kg m2\n  help: give a finite inertia above zero about "
-                                         "the centre of mass",
-                                         name, mass.inertia));
-        if (mass.mass == 0 && mass.inertia > 0)
-            throw InputError(fmt::format("body '{}' has an inertia of {} kg m2 but no mass\n  help: give its mass, or "
-                                         "make both zero for a massless link",
-                                         name, mass.inertia));
-    }
+    Mistakes mistakes;
+    for (std::size_t body = 0; body < masses.size(); ++body)
+        if (static_cast<int>(body) != linkage.ground)
+            mistakes.attempt("bodies." + linkage.bodies[body], [&] { check_mass(linkage.bodies[body], masses[body]); });
+    mistakes.raise();
 }
 
 void check_request(const Linkage& linkage, const CycleRequest& request)
@@ -65,6 +67,7 @@ void check_request(const Linkage& linkage, const CycleRequest& request)
 void check_inertias(const Linkage& linkage, const std::vector<BodyMass>& masses, const CycleHistory& history)
 {
     const double speed = *std::max_element(history.speed.begin(), history.speed.end());
+    Mistakes mistakes;
     for (std::size_t body = 0; body < masses.size(); ++body) {
         if (static_cast<int>(body) == linkage.ground || masses[body].mass == 0 || masses[body].inertia > 0)
             continue;
@@ -72,11 +75,13 @@ void check_inertias(const Linkage& linkage, const std::vector<BodyMass>& masses,
         for (const PlanarPose& acceleration : history.bodies[body].acceleration)
             largest = std::max(largest, std::abs(acceleration.angle));
         if (largest > 1e-9 * speed * speed)
-            throw InputError(
-                fmt::format("body '{}' has mass but no inertia, and its rotation speeds up by up to {:.4g} "
-                            "rad/s2\n  help: give its inertia about the centre of mass",
-                            linkage.bodies[body], largest));
+            mistakes.add("bodies." + linkage.bodies[body],
+                         fmt::format("body '{}' has mass but no inertia, and its rotation speeds up by up to {:.4g} "
+                                     "rad/s2",
+                                     linkage.bodies[body], largest),
+                         "give its inertia about the centre of mass");
     }
+    mistakes.raise();
 }
 
 class Cycle {

@@ -1,6 +1,6 @@
 #include "deadpoint/mechanism/planar_system.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/mechanism/planar_algebra.hpp"
 
 #include <algorithm>
@@ -21,14 +21,17 @@ void check_indices(const Linkage& linkage)
         throw InputError("linkage: the ground or the slide is not one of its bodies");
     if (linkage.slide_body == linkage.ground)
         throw InputError(fmt::format("linkage: '{}' is both ground and slide", linkage.bodies[linkage.ground]));
+    Mistakes mistakes;
     for (const LinkageJoint& joint : linkage.joints) {
+        const std::string path = "joints." + joint.name;
         if (!is_body(joint.body_a) || !is_body(joint.body_b) || joint.body_a == joint.body_b)
-            throw InputError(fmt::format("joint '{}' must connect two different bodies of the linkage", joint.name));
+            mistakes.add(path, fmt::format("joint '{}' must connect two different bodies of the linkage", joint.name));
         if (!is_finite(joint.centre) || !is_finite(joint.direction))
-            throw InputError(fmt::format("joint '{}': its centre or direction is not finite", joint.name));
+            mistakes.add(path, fmt::format("joint '{}': its centre or direction is not finite", joint.name));
         if (joint.kind == LinkageJoint::Kind::slide && !(norm(joint.direction) > 0))
-            throw InputError(fmt::format("joint '{}' has no direction of travel", joint.name));
+            mistakes.add(path + ".direction", fmt::format("joint '{}' has no direction of travel", joint.name));
     }
+    mistakes.raise();
     if (!is_finite(linkage.stroke_direction) || !(norm(linkage.stroke_direction) > 0))
         throw InputError("linkage: the stroke has no direction");
     if (linkage.driver < 0 || linkage.driver >= static_cast<int>(linkage.joints.size()))

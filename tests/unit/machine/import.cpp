@@ -239,7 +239,7 @@ TEST_CASE("a cell size that cannot be meant is refused or warned of before the w
     description.parts = {part("cube", "b", {add(BoxShape{{0, 0, 0}, {0.002, 0.002, 0.002}})})};
     CHECK_THROWS_WITH_AS(
         machine::build_machine(description, impatient),
-        "part 'cube': a cell size of 0.01 mm gives about 8.0e+06 cells, which take minutes to mesh and "
+        "parts.cube: part 'cube': a cell size of 0.01 mm gives about 8.0e+06 cells, which take minutes to mesh and "
         "hours to compute; check its size",
         InputError);
     // A cylinder across a box has no axis in common with it: tetrahedra.

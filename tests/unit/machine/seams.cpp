@@ -160,8 +160,9 @@ TEST_CASE("the seam tolerance says what is joined; what stays open within it is 
     description.seam_tolerance = 20 * um;
     CHECK(build(description).parts[0].pieces == 1);
     description.parts.front().source = std::vector<Shape>{lower, add(BoxShape{{0, 0, 0.04}, {0.04, 0.04, 0.04002}})};
-    CHECK(complaint(description) == "part 'p', shape 2: it is not thicker than the seam tolerance of 20 um; make it "
-                                    "thicker, or lower numerics.seam_tolerance");
+    CHECK(complaint(description) ==
+          "parts.p.shapes.1: part 'p', shape 2: it is not thicker than the seam tolerance of 20 um; make it "
+          "thicker, or lower numerics.seam_tolerance");
 }
 
 TEST_CASE("what is moved is said, with the place")

@@ -63,8 +63,8 @@ TEST_CASE("boxes that overlap on a face are refused")
 {
     Observer quiet;
     CHECK_THROWS_WITH_AS(study::prepare_machine(block(0.04, 0.03), 1, quiet),
-                         "surfaces.heated and surfaces.held both claim a face of part 'block'; narrow one of them with "
-                         "'within' or 'parts'",
+                         "surfaces.held: surfaces.heated and surfaces.held both claim a face of part 'block'\n"
+                         "  help: narrow one of them with 'within' or 'parts'",
                          InputError);
 }
 

@@ -1,7 +1,7 @@
 #include "deadpoint/casefile/check/directions.hpp"
 
 #include "deadpoint/casefile/check/findings.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +108,7 @@ Vec2 stroke_direction(const Case& c)
 {
     const auto found = find_stroke_direction(c);
     if (const auto* finding = std::get_if<Finding>(&found))
-        throw InputError(fmt::format("{}: {}\n  help: {}", finding->path, finding->message, finding->help));
+        throw deadpoint::mistake(finding->path, finding->message, finding->help);
     return std::get<Vec2>(found);
 }
 

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -216,6 +217,8 @@ struct Reference {
     std::vector<std::string> calibrated_on;  ///< keys of the case that were fitted to these values
 };
 
+struct CaseSource;
+
 struct Case {
     int format = 1;
     MachineSection machine;
@@ -241,6 +244,8 @@ struct Case {
     Numerics numerics;
     Output output;
     std::optional<Reference> reference;
+    /// The texts it was read from, for errors found later (files/case_source.hpp); null for a case made in memory.
+    std::shared_ptr<const CaseSource> source;
 };
 
 template <>

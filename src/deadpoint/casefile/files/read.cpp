@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/check/check.hpp"
 #include "deadpoint/casefile/describe/library.hpp"
+#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/shipped.hpp"
 #include "deadpoint/casefile/syntax/reader.hpp"
 #include "deadpoint/core/error.hpp"
@@ -47,6 +48,7 @@ Document read_case(const std::filesystem::path& path, const std::vector<std::str
                          place_of(document.root, finding.path), finding.path, finding.message, finding.help,
                          std::nullopt, ""});
     }
+    value.source = std::make_shared<CaseSource>(CaseSource{path, overrides, files, diagnostics.sources.hash()});
     return document;
 }
 
@@ -56,7 +58,7 @@ ReadResult read_case(const std::filesystem::path& path, const std::vector<std::s
     ReadResult result;
     const Document document = read_case(path, overrides, result.value, diagnostics, files);
     if (diagnostics.error_count() > 0) {
-        throw InputError(diagnostics.render_errors());
+        throw CaseError(diagnostics.render_errors(), as_data(diagnostics));
     }
     result.warnings = diagnostics.render_warnings();
     for (std::size_t i = 0; i + overrides.size() < document.paths.size(); ++i) {

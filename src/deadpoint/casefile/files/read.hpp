@@ -24,7 +24,7 @@ struct ReadResult {
 /// @param overrides  "path=value", applied after reading: "operation.0.speed=400 rpm", "parts.link_9.size=8 mm"
 /// @param files      allowed locations of STEP, mesh and included files
 /// @return the case, in SI units; paths of STEP and mesh files are absolute
-/// @throws InputError whose text lists every mistake with file:line:column, the line and a remedy
+/// @throws CaseError whose text lists every mistake with file:line:column, the line and a remedy
 /// @throws IoError if the case file cannot be read
 ReadResult read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
                      FileAccess files = FileAccess::below);

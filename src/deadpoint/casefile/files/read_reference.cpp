@@ -1,6 +1,7 @@
+#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/reference_file.hpp"
 #include "deadpoint/casefile/syntax/reader.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/suggest.hpp"
 #include "deadpoint/io/csv_table.hpp"
 
@@ -200,10 +201,8 @@ private:
         try {
             read_curve(c, at);
         } catch (const Error& error) {
-            const std::string text = error.what();
-            const auto help = text.find("\n  help: ");
-            report("curve", at + ".file", text.substr(0, help),
-                   help == std::string::npos ? "" : text.substr(help + std::string_view("\n  help: ").size()));
+            const auto said = split_help(error.what());
+            report("curve", at + ".file", said.message, said.help);
         }
     }
 
@@ -297,7 +296,7 @@ void require_point(const ReferenceFile& file, const std::string& path, const std
 void stop_at_errors(const Diagnostics& diagnostics)
 {
     if (diagnostics.error_count() > 0) {
-        throw InputError(diagnostics.render_errors("the reference file; nothing was compared"));
+        throw CaseError(diagnostics.render_errors("the reference file; nothing was compared"), as_data(diagnostics));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/syntax/reader.hpp"
@@ -274,7 +275,8 @@ private:
         (void)read_case(file_.base, {}, value, of_base, file_.files);
         if (of_base.error_count() > 0) {
             if (diagnostics_.error_count() == 0) {
-                throw InputError(of_base.render_errors("the base case of the study; nothing was computed"));
+                throw CaseError(of_base.render_errors("the base case of the study; nothing was computed"),
+                                as_data(of_base));
             }
             return false;
         }
@@ -356,7 +358,7 @@ private:
 void stop_at_errors(const Diagnostics& diagnostics)
 {
     if (diagnostics.error_count() > 0) {
-        throw InputError(diagnostics.render_errors("the study file; nothing was computed"));
+        throw CaseError(diagnostics.render_errors("the study file; nothing was computed"), as_data(diagnostics));
     }
 }
 

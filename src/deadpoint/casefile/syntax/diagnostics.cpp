@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/syntax/diagnostics.hpp"
 
+#include "deadpoint/core/hash.hpp"
 #include "deadpoint/core/plain_text.hpp"
 
 #include <algorithm>
@@ -79,6 +80,18 @@ std::string Sources::line(const Place& place) const
     const auto& lines = files_.at(static_cast<std::size_t>(place.file)).lines;
     const auto index = static_cast<std::size_t>(place.line) - 1;
     return index < lines.size() ? lines[index] : std::string();
+}
+
+std::string Sources::hash() const
+{
+    std::string all;
+    for (const auto& file : files_) {
+        all += file.shown + "\n";
+        for (const auto& line : file.lines) {
+            all += line + "\n";
+        }
+    }
+    return stable_hash(all);
 }
 
 void Diagnostics::add(Diagnostic diagnostic)

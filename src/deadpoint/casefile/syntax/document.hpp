@@ -63,7 +63,8 @@ bool lies_below(const std::filesystem::path& path, const std::filesystem::path& 
 Document load_document(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                        Diagnostics& diagnostics, FileAccess files = FileAccess::below);
 
-/// Place of the value at a path such as "joints.crank.bodies.1", or of its nearest existing parent.
+/// Place of the value at a path such as "joints.crank.bodies.1", or of its nearest existing parent. An item of a list
+/// is given by its number, from 0, or by its `name`: "joints.crank.interfaces.pin".
 Place place_of(const Node& root, const std::string& path);
 
 }  // namespace deadpoint::casefile

@@ -321,6 +321,21 @@ private:
     Diagnostics& diagnostics_;
 };
 
+/// By its number, or by its key "name" where the items are tables.
+const Node* item_of(const Node& list, const std::string& step)
+{
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
+    if (error == std::errc() && end == step.data() + step.size()) {
+        return index < list.children.size() ? &list.children[index] : nullptr;
+    }
+    const auto found = std::ranges::find_if(list.children, [&](const Node& item) {
+        const Node* name = item.find("name");
+        return name != nullptr && name->text == step;
+    });
+    return found == list.children.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 Place place_of(const Node& root, const std::string& path)
@@ -329,20 +344,10 @@ Place place_of(const Node& root, const std::string& path)
     Place place = root.place;
     std::istringstream stream(path);
     for (std::string step; std::getline(stream, step, '.');) {
-        const Node* next = nullptr;
-        if (node->kind == Node::Kind::array) {
-            std::size_t index = 0;
-            std::from_chars(step.data(), step.data() + step.size(), index);
-            if (index < node->children.size()) {
-                next = &node->children[index];
-            }
-        } else {
-            next = node->find(step);
-        }
-        if (next == nullptr) {
+        node = node->kind == Node::Kind::array ? item_of(*node, step) : node->find(step);
+        if (node == nullptr) {
             break;
         }
-        node = next;
         place = node->kind == Node::Kind::table && node->key_place.file >= 0 ? node->key_place : node->place;
     }
     return place;

@@ -1,6 +1,6 @@
 #include "deadpoint/machine/assembly/build.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/contacts.hpp"
 #include "deadpoint/machine/assembly/inspect.hpp"
@@ -31,6 +31,10 @@ namespace {
 /// Good enough not to try another axis.
 constexpr double good_quality = 0.3;
 
+constexpr const char* bad_geometry = "geometry";
+
+std::string path_of(const PartDescription& part) { return "parts." + part.name; }
+
 std::string place(const Vec3& p)
 {
     return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
@@ -38,31 +42,29 @@ std::string place(const Vec3& p)
 
 void check(const MachineDescription& description)
 {
-    std::vector<std::string> problems;
+    Mistakes mistakes(bad_geometry);
     std::set<std::string> names;
     for (const PartDescription& part : description.parts) {
         if (part.name.empty()) {
-            problems.emplace_back("a part has no name; give every part one");
+            mistakes.add("parts", "a part has no name; give every part one");
         }
         if (!names.insert(part.name).second) {
-            problems.push_back(fmt::format("two parts are called '{}'; rename one", part.name));
+            mistakes.add(path_of(part), fmt::format("two parts are called '{}'; rename one", part.name));
         }
         if (!(part.size >= 0) || !(part.density >= 0)) {
-            problems.push_back(fmt::format("part '{}': cell size and density must not be negative", part.name));
+            mistakes.add(path_of(part), "cell size and density must not be negative");
         }
     }
     if (description.parts.empty()) {
-        problems.emplace_back("the machine has no parts; describe at least one");
+        mistakes.add("parts", "the machine has no parts; describe at least one");
     }
     if (!(description.size > 0) || !(description.size_scale > 0)) {
-        problems.emplace_back("the cell size and its scale must be positive");
+        mistakes.add("numerics.size", "the cell size and its scale must be positive");
     }
     if (!(description.seam_tolerance > 0)) {
-        problems.emplace_back("the seam tolerance must be positive");
+        mistakes.add("numerics.seam_tolerance", "the seam tolerance must be positive");
     }
-    if (!problems.empty()) {
-        throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
-    }
+    mistakes.raise();
 }
 
 /// The hexahedral mesh with the better worst cell over all axes that fit; empty kind of reason if there is none.
@@ -250,17 +252,49 @@ void make_round(Machine& machine, const PartDescription& part, Observer& observe
     }
 }
 
+/// @return false where nothing of the part is in the modelled half
+bool add_part(Assembly& assembly, const PartDescription& part, PartMesh mesh, Observer& observer)
+{
+    if (mesh.cells.empty()) {
+        assembly.machine.dropped_parts.push_back(part.name);
+        return false;
+    }
+    append(assembly, part, std::move(mesh));
+    make_round(assembly.machine, part, observer);
+    if (std::holds_alternative<MeshSource>(part.source)) {
+        check_imported(assembly.machine.parts.back(), observer);
+    }
+    return true;
+}
+
+std::vector<std::vector<Prism>> drawn_parts(const MachineDescription& description, Observer& observer)
+{
+    std::vector<std::vector<Prism>> drawn;
+    Mistakes mistakes(bad_geometry);
+    for (const PartDescription& part : description.parts) {
+        mistakes.attempt(path_of(part), [&] { drawn.push_back(joined_prisms(description, part, observer)); });
+    }
+    mistakes.raise();
+    return drawn;
+}
+
+BoxShape bounds_of_all(const std::vector<std::vector<Prism>>& drawn)
+{
+    std::vector<Prism> all;
+    for (const auto& prisms : drawn) {
+        all.insert(all.end(), prisms.begin(), prisms.end());
+    }
+    return bounds_of(all);
+}
+
 std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description, Assembly& assembly,
                                            Observer& observer)
 {
     const GmshSession session;
-    std::vector<std::vector<Prism>> drawn;
-    std::vector<Prism> all;
-    for (const PartDescription& part : description.parts) {
-        drawn.push_back(joined_prisms(description, part, observer));
-        all.insert(all.end(), drawn.back().begin(), drawn.back().end());
-    }
+    std::vector<std::vector<Prism>> drawn = drawn_parts(description, observer);
+    const BoxShape bounds = bounds_of_all(drawn);
     std::vector<std::vector<Prism>> shapes;
+    Mistakes mistakes(bad_geometry);
     for (std::size_t i = 0; i < description.parts.size(); ++i) {
         const PartDescription& part = description.parts[i];
         const double done = static_cast<double>(i) / static_cast<double>(description.parts.size());
@@ -268,22 +302,18 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
         const Waiting waiting = [&](double seconds) {
             observer.progress(done, fmt::format("{}, for {:.0f} s", part.name, seconds));
         };
-        PartMesh mesh = mesh_part(description, part, drawn[i], bounds_of(all), observer, waiting);
-        if (mesh.cells.empty()) {
-            assembly.machine.dropped_parts.push_back(part.name);
-            continue;
-        }
-        append(assembly, part, std::move(mesh));
-        make_round(assembly.machine, part, observer);
-        if (std::holds_alternative<MeshSource>(part.source)) {
-            check_imported(assembly.machine.parts.back(), observer);
-        }
-        shapes.push_back(std::move(drawn[i]));
+        mistakes.attempt(path_of(part), [&] {
+            PartMesh mesh = mesh_part(description, part, drawn[i], bounds, observer, waiting);
+            if (add_part(assembly, part, std::move(mesh), observer)) {
+                shapes.push_back(std::move(drawn[i]));
+            }
+        });
     }
+    mistakes.raise();
     observer.progress(1, "parts meshed");
     if (assembly.machine.parts.empty()) {
-        throw InputError(
-            "every part lies at x > 0, but a half model keeps x <= 0; mirror the machine or build it whole");
+        throw mistake("machine.half_model",
+                      "every part lies at x > 0, but a half model keeps x <= 0; mirror the machine or build it whole");
     }
     return shapes;
 }
@@ -317,11 +347,11 @@ void find_floating(Machine& machine)
     }
 }
 
-void connect(const MachineDescription& description, Assembly& assembly)
+void connect(const MachineDescription& description, Assembly& assembly, Mistakes& mistakes)
 {
     Machine& machine = assembly.machine;
     std::vector<double> covered(machine.faces.size(), 0.0);
-    machine.interfaces = find_interfaces(assembly, description.interfaces, covered);
+    machine.interfaces = find_interfaces(assembly, description.interfaces, covered, mistakes);
     std::vector<std::array<std::uint32_t, 2>> joined;
     for (const Contact& contact : machine.interfaces) {
         joined.push_back({std::min(contact.part_a, contact.part_b), std::max(contact.part_a, contact.part_b)});
@@ -334,18 +364,11 @@ void connect(const MachineDescription& description, Assembly& assembly)
     }
 }
 
-void select_surfaces(const MachineDescription& description, Assembly& assembly)
+void select_surfaces(const MachineDescription& description, Assembly& assembly, Mistakes& mistakes)
 {
-    std::vector<std::string> problems;
     for (const SurfaceDescription& surface : description.surfaces) {
-        try {
-            assembly.machine.surfaces.push_back(select_surface(assembly, surface));
-        } catch (const InputError& error) {
-            problems.emplace_back(error.what());
-        }
-    }
-    if (!problems.empty()) {
-        throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
+        mistakes.attempt("surfaces." + surface.name,
+                         [&] { assembly.machine.surfaces.push_back(select_surface(assembly, surface)); });
     }
 }
 
@@ -389,8 +412,10 @@ Machine build_machine(const MachineDescription& description, Observer& observer)
     assembly.machine.half_model = description.half_model;
     const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, observer);
     inspect(assembly, description.seam_tolerance, observer);
-    connect(description, assembly);
-    select_surfaces(description, assembly);
+    Mistakes mistakes(bad_geometry);
+    connect(description, assembly, mistakes);
+    select_surfaces(description, assembly, mistakes);
+    mistakes.raise();
     assembly.machine.overlaps = find_overlaps(assembly, shapes);
     find_floating(assembly.machine);
     warn_about(assembly.machine, observer);

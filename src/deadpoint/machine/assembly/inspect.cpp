@@ -1,6 +1,6 @@
 #include "deadpoint/machine/assembly/inspect.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/machine/assembly/cell_finder.hpp"
 
 #include <algorithm>
@@ -329,17 +329,17 @@ void inspect(Assembly& assembly, double seam_tolerance, Observer& observer)
 {
     Machine& machine = assembly.machine;
     machine.piece_of_cell.assign(machine.cells.size(), 0);
-    std::vector<std::string> errors;
+    Mistakes mistakes("geometry");
     for (std::uint32_t part = 0; part < machine.parts.size(); ++part) {
         const Findings found = Inspector(assembly, part, seam_tolerance).run();
-        errors.insert(errors.end(), found.errors.begin(), found.errors.end());
+        for (const std::string& error : found.errors) {
+            mistakes.add("parts." + machine.parts[part].name, InputError(error));
+        }
         for (const std::string& warning : found.warnings) {
             observer.warn(warning);
         }
     }
-    if (!errors.empty()) {
-        throw InputError(fmt::format("{}", fmt::join(errors, "\n")));
-    }
+    mistakes.raise();
 }
 
 }  // namespace deadpoint::machine

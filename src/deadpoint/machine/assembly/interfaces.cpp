@@ -1,6 +1,6 @@
 #include "deadpoint/machine/assembly/interfaces.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/machine/assembly/contacts.hpp"
 #include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/assembly/select.hpp"
@@ -154,11 +154,15 @@ void check_travel(const Contact& contact, const std::vector<TravelStop>& travel,
     }
 }
 
-Contact find_interface(const Assembly& assembly, const InterfaceDescription& description, std::vector<double>& covered)
+std::string owner_of(const InterfaceDescription& description)
 {
-    const std::string owner = fmt::format("interface '{}'", description.name);
-    const Side a{faces_or_throw(assembly, description.a, owner + ", side a"), description.a.within};
-    const Side b{faces_or_throw(assembly, description.b, owner + ", side b"), description.b.within};
+    return fmt::format("interface '{}'", description.name);
+}
+
+Contact find_interface(const Assembly& assembly, const InterfaceDescription& description, const Side& a, const Side& b,
+                       std::vector<double>& covered)
+{
+    const std::string owner = owner_of(description);
     const double gap = description.gap > 0 ? std::max(description.gap, 1e-9) : contact_tolerance;
     const std::vector<TravelStop> travel = travel_of_a(assembly.machine, description.travel, a, b);
     Contact contact = find_contact(assembly, a, b, gap, covered, travel);
@@ -172,19 +176,21 @@ Contact find_interface(const Assembly& assembly, const InterfaceDescription& des
 }  // namespace
 
 std::vector<Contact> find_interfaces(const Assembly& assembly, const std::vector<InterfaceDescription>& descriptions,
-                                     std::vector<double>& covered)
+                                     std::vector<double>& covered, Mistakes& mistakes)
 {
     std::vector<Contact> contacts;
-    std::vector<std::string> problems;
     for (const InterfaceDescription& description : descriptions) {
-        try {
-            contacts.push_back(find_interface(assembly, description, covered));
-        } catch (const InputError& error) {
-            problems.emplace_back(error.what());
+        const std::string path = interface_path(description.name);
+        Side a, b;
+        const auto find = [&](const SurfaceSelector& selector, const std::string& name, Side& side) {
+            return mistakes.attempt(path + "." + name, [&] {
+                side = {faces_or_throw(assembly, selector, owner_of(description) + ", side " + name), selector.within};
+            });
+        };
+        const bool has_a = find(description.a, "a", a);
+        if (find(description.b, "b", b) && has_a) {
+            mistakes.attempt(path, [&] { contacts.push_back(find_interface(assembly, description, a, b, covered)); });
         }
-    }
-    if (!problems.empty()) {
-        throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
     }
     return contacts;
 }

@@ -1,6 +1,6 @@
 #include "deadpoint/machine/geometry/seams.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -104,9 +104,11 @@ public:
         for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
             join_outlines(axis);
         }
+        Mistakes mistakes("geometry");
         for (Prism& prism : prisms_) {
-            check(prism);
+            mistakes.attempt(fmt::format("parts.{}.shapes.{}", part_, prism.shape), [&] { check(prism); });
         }
+        mistakes.raise();
     }
 
 private:

@@ -1,6 +1,6 @@
 #include "deadpoint/machine/geometry/shapes.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -158,14 +158,18 @@ Vec2 project(Axis axis, const Vec3& point)
 std::vector<Prism> prisms_of(const std::string& part, const std::vector<Shape>& shapes)
 {
     std::vector<Prism> prisms;
+    Mistakes mistakes("geometry");
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         const std::size_t first = prisms.size();
-        std::visit(Expand{part, i, prisms}, shapes[i].form);
+        mistakes.attempt(fmt::format("parts.{}.shapes.{}", part, i), [&] {
+            std::visit(Expand{part, i, prisms}, shapes[i].form);
+        });
         for (std::size_t k = first; k < prisms.size(); ++k) {
             prisms[k].operation = shapes[i].operation;
             prisms[k].shape = i;
         }
     }
+    mistakes.raise();
     const auto adds = [](const Prism& prism) { return prism.operation == Shape::Operation::add; };
     if (std::none_of(prisms.begin(), prisms.end(), adds)) {
         throw InputError(fmt::format("part '{}' has no shape that adds material; give it at least one 'add'", part));

@@ -1,12 +1,13 @@
 #include "deadpoint/study/drift/chain_model.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/study/drift/series_sum.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace deadpoint::study {
 namespace {
@@ -102,24 +103,36 @@ std::vector<std::vector<double>> by_part(const ChainModel& chain, const drift::B
     return result;
 }
 
+void require_bottom(const Linkage& linkage, const BottomDeadPointSensitivity& sensitivity, Mistakes& mistakes)
+{
+    constexpr double largest = 1e-3;  // [rad]
+    if (std::abs(sensitivity.crank_angle) > largest)
+        mistakes.add("joints." + linkage.joints[static_cast<std::size_t>(linkage.driver)].name,
+                     fmt::format("the case's joints are not placed at bottom dead point: the crank would have to turn "
+                                 "by {:.3f} degrees to get there",
+                                 sensitivity.crank_angle * 180 / std::numbers::pi),
+                     "give all coordinates at bottom dead point");
+}
+
 }  // namespace
 
 ChainModel::ChainModel(const casefile::Case& input, const Machine& machine)
-    : linkage(describe_linkage(input)), system(linkage), sensitivity(mechanism::bottom_dead_point(linkage)),
-      description(describe_chain(input, machine, linkage)),
-      dimensions(drift::chain_functionals(machine, linkage, sensitivity, description))
+    : linkage(describe_linkage(input)), system(linkage),
+      sensitivity(about("joints", [&] { return mechanism::bottom_dead_point(linkage); }))
 {
-    if (std::abs(sensitivity.crank_angle) > 1e-3)
-        throw InputError(
-            fmt::format("the case's joints are not placed at bottom dead point: the crank would have to turn by {:.3f} "
-                        "degrees to get there; give all coordinates at bottom dead point",
-                        sensitivity.crank_angle * 57.29577951308232));
-    for (int j = 0; j < static_cast<int>(linkage.joints.size()); ++j) {
-        auto fitted = drift::joint_centres(machine, linkage, sensitivity, j, description.joints[j]);
-        for (auto& centre : {fitted.in_a, fitted.in_b})
-            for (const auto& component : centre)
-                centres.push_back(component);
-    }
+    Mistakes mistakes;
+    require_bottom(linkage, sensitivity, mistakes);
+    mistakes.attempt("chain", [&] { description = describe_chain(input, machine, linkage); });
+    mistakes.raise();
+    dimensions = drift::chain_functionals(machine, linkage, sensitivity, description);
+    for (int j = 0; j < static_cast<int>(linkage.joints.size()); ++j)
+        mistakes.attempt("joints." + linkage.joints[static_cast<std::size_t>(j)].name, [&] {
+            const auto fitted = drift::joint_centres(machine, linkage, sensitivity, j, description.joints[j]);
+            for (const auto& centre : {fitted.in_a, fitted.in_b})
+                for (const auto& component : centre)
+                    centres.push_back(component);
+        });
+    mistakes.raise();
     travel_by_play = drift::travel_by_play(linkage, sensitivity, description);
 }
 

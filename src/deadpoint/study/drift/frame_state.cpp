@@ -1,6 +1,6 @@
 #include "deadpoint/study/drift/frame_state.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/pattern.hpp"
 #include "deadpoint/fem/estimate/tighten.hpp"
 #include "deadpoint/study/translate/heat.hpp"
@@ -109,14 +109,82 @@ Foundation describe_foundation(const casefile::Case& input, const Machine& machi
     return result;
 }
 
-FrameState::FrameState(const casefile::Case& input, const Machine& machine, fem::Model& model)
-    : machine_(machine), model_(model)
+namespace {
+
+/// The rods and closed bonds of one preload after those before it.
+class GaugeFinder {
+public:
+    GaugeFinder(const Machine& machine, FrameGauges& gauges, Mistakes& mistakes)
+        : machine_(machine), gauges_(gauges), mistakes_(mistakes)
+    {}
+
+    void add(const std::string& name, const casefile::Preload& preload)
+    {
+        const auto before = gauges_.rods.size();
+        for (int p = 0; p < static_cast<int>(machine_.parts.size()); ++p)
+            if (std::ranges::any_of(preload.parts,
+                                    [&](const auto& wanted) { return matches(wanted, machine_.parts[p].name); }))
+                add_rod(name, preload, p);
+        if (gauges_.rods.size() == before)
+            mistakes_.add("preload." + name, "none of its rods is in the modelled half");
+        for (std::size_t i = 0; i < preload.closes.size(); ++i)
+            add_bonds(name, preload.closes[i], fmt::format("preload.{}.closes.{}", name, i));
+    }
+
+private:
+    void add_rod(const std::string& name, const casefile::Preload& preload, int index)
+    {
+        const auto& part = machine_.parts[index].name;
+        if (!taken_.insert(part).second)
+            mistakes_.add("preload." + name, fmt::format("rod '{}' is preloaded twice; name it once", part));
+        gauges_.rods.push_back({part, ForceGauge::Kind::rod, index, preload.axis});
+        gauges_.wanted.push_back(preload.force);
+        gauges_.start.rods.push_back({part, name, preload.force, {}, preload.process_share});
+    }
+
+    void add_bonds(const std::string& name, const std::string& pair, const std::string& path)
+    {
+        const auto known = gauges_.bonds.size();
+        for (int b = 0; b < static_cast<int>(machine_.bonds.size()); ++b) {
+            const auto& bond = machine_.bonds[b];
+            if (!pair_matches(pair, machine_.parts[bond.part_a].name, machine_.parts[bond.part_b].name))
+                continue;
+            gauges_.bonds.push_back({bond.name, ForceGauge::Kind::bond, b, Axis::y});
+            gauges_.start.bonds.push_back({bond.name, name, bond.area, 0, {}, {}});
+        }
+        if (gauges_.bonds.size() == known)
+            mistakes_.add(path, fmt::format("no bonded pair of parts is '{}'", pair),
+                          "see the bonded pairs of `deadpoint check`");
+    }
+
+    const Machine& machine_;
+    FrameGauges& gauges_;
+    Mistakes& mistakes_;
+    std::set<std::string> taken_;
+};
+
+}  // namespace
+
+FrameGauges frame_gauges(const casefile::Case& input, const Machine& machine)
 {
-    find_gauges(input);
-    loads_ = fem::tighten(model_, machine_.parts.size(), rods_, wanted_, gravity_of(input));
+    FrameGauges gauges;
+    Mistakes mistakes;
+    GaugeFinder finder(machine, gauges, mistakes);
+    for (const auto& [name, preload] : input.preload)
+        finder.add(name, preload);
+    mistakes.raise();
+    return gauges;
+}
+
+FrameState::FrameState(const casefile::Case& input, const Machine& machine, fem::Model& model)
+    : machine_(machine), model_(model), gauges_(frame_gauges(input, machine))
+{
+    loads_ = about("preload", [&] {
+        return fem::tighten(model_, machine_.parts.size(), gauges_.rods, gauges_.wanted, gravity_of(input));
+    });
     const bool weights = norm(loads_.gravity) > 0;
-    auto gauges = rods_;
-    gauges.insert(gauges.end(), bonds_.begin(), bonds_.end());
+    auto gauges = gauges_.rods;
+    gauges.insert(gauges.end(), gauges_.bonds.begin(), gauges_.bonds.end());
     adjoints_ = model_.adjoints(gauges);
     if (!weights && loads_.initial_strain.empty())
         return;
@@ -124,46 +192,12 @@ FrameState::FrameState(const casefile::Case& input, const Machine& machine, fem:
     if (weights)
         gauges.push_back({"feet", ForceGauge::Kind::feet, 0, Axis::y});
     const auto forces = model_.forces(gauges, loads_, *at_rest_);
-    for (std::size_t i = 0; i < rods_.size(); ++i)
-        start_.rods[i].start = forces[i];
-    for (std::size_t i = 0; i < bonds_.size(); ++i)
-        start_.bonds[i].start = forces[rods_.size() + i];
+    for (std::size_t i = 0; i < gauges_.rods.size(); ++i)
+        gauges_.start.rods[i].start = forces[i];
+    for (std::size_t i = 0; i < gauges_.bonds.size(); ++i)
+        gauges_.start.bonds[i].start = forces[gauges_.rods.size() + i];
     if (weights)
-        start_.support_force = forces.back();
-}
-
-void FrameState::find_gauges(const casefile::Case& input)
-{
-    std::set<std::string> taken;
-    for (const auto& [name, preload] : input.preload) {
-        const auto before = rods_.size();
-        for (int p = 0; p < static_cast<int>(machine_.parts.size()); ++p) {
-            const auto& part = machine_.parts[p].name;
-            if (std::ranges::none_of(preload.parts, [&](const auto& t) { return matches(t, part); }))
-                continue;
-            if (!taken.insert(part).second)
-                throw InputError(fmt::format("preload.{}: rod '{}' is preloaded twice; name it once", name, part));
-            rods_.push_back({part, ForceGauge::Kind::rod, p, preload.axis});
-            wanted_.push_back(preload.force);
-            start_.rods.push_back({part, name, preload.force, {}, preload.process_share});
-        }
-        if (rods_.size() == before)
-            throw InputError(fmt::format("preload.{}: none of its rods is in the modelled half", name));
-        for (const auto& pair : preload.closes) {
-            const auto known = bonds_.size();
-            for (int b = 0; b < static_cast<int>(machine_.bonds.size()); ++b) {
-                const auto& bond = machine_.bonds[b];
-                if (!pair_matches(pair, machine_.parts[bond.part_a].name, machine_.parts[bond.part_b].name))
-                    continue;
-                bonds_.push_back({bond.name, ForceGauge::Kind::bond, b, Axis::y});
-                start_.bonds.push_back({bond.name, name, bond.area, 0, {}, {}});
-            }
-            if (bonds_.size() == known)
-                throw InputError(fmt::format("preload.{}.closes: no bonded pair of parts is '{}'; see the bonded pairs "
-                                             "of `deadpoint check`",
-                                             name, pair));
-        }
-    }
+        gauges_.start.support_force = forces.back();
 }
 
 int FrameState::finer_part(int bond) const
@@ -226,7 +260,7 @@ std::vector<fem::PointData> FrameState::add_time(const casefile::Case& input, do
 {
     const auto shown = stressed_parts(input);
     auto parts = shown;
-    for (const auto& bond : bonds_)
+    for (const auto& bond : gauges_.bonds)
         parts.push_back(finer_part(bond.index));
     if (parts.empty())
         return {};
@@ -238,8 +272,9 @@ std::vector<fem::PointData> FrameState::add_time(const casefile::Case& input, do
     const auto of = [&](int part) -> const PartStress& {
         return *std::ranges::find_if(stress, [&](const auto& s) { return s.part == part; });
     };
-    for (std::size_t i = 0; i < bonds_.size(); ++i)
-        result.bonds[i].openings.push_back(opening(bonds_[i].index, of(finer_part(bonds_[i].index)), time));
+    for (std::size_t i = 0; i < gauges_.bonds.size(); ++i)
+        result.bonds[i].openings.push_back(
+            opening(gauges_.bonds[i].index, of(finer_part(gauges_.bonds[i].index)), time));
     std::erase_if(stress, [&](const auto& s) { return !std::ranges::binary_search(shown, s.part); });
     for (const auto& part : stress)
         result.stress.push_back(peak_of(machine_, part, time));

@@ -65,6 +65,16 @@ bool has_frame_state(const casefile::Case& input);
 /// The supports of the feet.
 Foundation describe_foundation(const casefile::Case& input, const Machine& machine);
 
+/// Gauges of a machine with preload: its rods, and the bonds that they close.
+struct FrameGauges {
+    std::vector<ForceGauge> rods, bonds;
+    std::vector<double> wanted;  ///< preload of each rod [N]
+    FrameResult start;           ///< names and stated values of each
+};
+
+/// @throws CaseError for all preloads without a rod, rods that are preloaded twice and pairs that are not bonded
+FrameGauges frame_gauges(const casefile::Case& input, const Machine& machine);
+
 /// The machine under weights and preload, and its recorded forces. Collective, as fem::Model.
 class FrameState {
 public:
@@ -75,25 +85,22 @@ public:
     /// Of rods and closed bonds, in this order.
     [[nodiscard]] const std::vector<fem::Adjoint>& adjoints() const { return adjoints_; }
     /// Forces at the start of a run.
-    [[nodiscard]] FrameResult start() const { return start_; }
+    [[nodiscard]] FrameResult start() const { return gauges_.start; }
     /// Adds stress and openings at one time; returns the data for the field file.
     std::vector<fem::PointData> add_time(const casefile::Case& input, double time, const fem::Field& temperature,
                                          const fem::Displacement& displacement, FrameResult& result) const;
 
 private:
-    void find_gauges(const casefile::Case& input);
     [[nodiscard]] int finer_part(int bond) const;
     [[nodiscard]] std::vector<int> stressed_parts(const casefile::Case& input) const;
     [[nodiscard]] Opening opening(int bond, const PartStress& stress, double time) const;
 
     const Machine& machine_;
     fem::Model& model_;
-    std::vector<ForceGauge> rods_, bonds_;
-    std::vector<double> wanted_;
+    FrameGauges gauges_;
     RestLoads loads_;
     std::optional<fem::Displacement> at_rest_;
     std::vector<fem::Adjoint> adjoints_;
-    FrameResult start_;
 };
 
 /// Reads the courses of rods and bonds from the history's functionals from index `first` on.

@@ -1,6 +1,6 @@
 #include "deadpoint/study/laws/conductance.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/study/translate/materials.hpp"
 #include "deadpoint/tribology/conductance/bearing_conductance.hpp"
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
@@ -77,11 +77,11 @@ double mean_load(const LoadsResult& loads, const std::string& joint)
 double contact_pressure(const Place& at, const std::optional<double>& given, InterfaceConductance& result)
 {
     if (!given && !at.loads)
-        throw InputError(
-            fmt::format("{}.conductance: the law \"{}\" needs the contact pressure, and there are no loads "
-                        "to compute it from\n  help: add pressure = \"1 MPa\", or describe the linkage "
-                        "with its driver and slide body",
-                        at.path(), casefile::law_name(at.interface.conductance)));
+        throw mistake(
+            at.path() + ".conductance",
+            fmt::format("the law \"{}\" needs the contact pressure, and there are no loads to compute it from",
+                        casefile::law_name(at.interface.conductance)),
+            "add pressure = \"1 MPa\", or describe the linkage with its driver and slide body");
     result.pressure = given ? *given : mean_load(*at.loads, at.joint_name) / area_side_by_side(at);
     result.pressure_from_loads = !given;
     return *result.pressure;
@@ -171,14 +171,10 @@ void set_films(const Place&, const casefile::SideFilms& known, InterfaceConducta
 template <class Law>
 void set_films(const Place& at, const Law& law, InterfaceConductance& result)
 {
-    try {
-        const auto value = by_law(at, law, result);
-        result.film_a = result.film_b = 2 * value.conductance;
-        result.in_range = value.in_range;
-        result.notes = value.notes;
-    } catch (const DomainError& error) {
-        throw DomainError(fmt::format("{}: {}", at.path(), error.what()));
-    }
+    const auto value = by_law(at, law, result);
+    result.film_a = result.film_b = 2 * value.conductance;
+    result.in_range = value.in_range;
+    result.notes = value.notes;
 }
 
 InterfaceConductance conductance_of(const Place& at)
@@ -214,12 +210,16 @@ std::vector<InterfaceConductance> interface_conductances(const casefile::Case& i
                                                          const LoadsResult* loads, double speed)
 {
     std::vector<InterfaceConductance> result;
+    Mistakes mistakes;
     for (const auto& [name, joint] : input.joints) {
         const std::size_t first = result.size();
-        for (const auto& interface : joint.interfaces)
-            result.push_back(
-                conductance_of({input, machine, loads, speed, name, joint, interface, result.size(), first}));
+        for (const auto& interface : joint.interfaces) {
+            const Place at{input, machine, loads, speed, name, joint, interface, result.size(), first};
+            auto& conductance = result.emplace_back();
+            mistakes.attempt(at.path(), [&] { conductance = conductance_of(at); });
+        }
     }
+    mistakes.raise();
     return result;
 }
 

@@ -1,6 +1,6 @@
 #include "deadpoint/study/laws/film.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/study/laws/surface_geometry.hpp"
 #include "deadpoint/surroundings/paper_film.hpp"
 
@@ -24,6 +24,8 @@ const MeshSurface& find_surface(const Machine& machine, const std::string& name)
     return *found;
 }
 
+std::string film_path(const MeshSurface& surface) { return fmt::format("surfaces.{}.film", surface.name); }
+
 /// A surface and its film, with all that the law may ask for.
 struct Place {
     const casefile::Film& film;
@@ -43,9 +45,10 @@ double needed_length(const Place& at, const std::optional<double>& given, const 
     constexpr std::string_view printed = "paper_";
     if (law.starts_with(printed))
         law.remove_prefix(printed.size());
-    throw InputError(fmt::format("surfaces.{}.film: law = \"{}\" needs `{}`, {}; it does not follow from this "
-                                 "surface's geometry\n  help: add {} = \"500 mm\", or split the surface",
-                                 at.surface.name, law, key, meaning, key));
+    throw mistake(
+        film_path(at.surface),
+        fmt::format("law = \"{}\" needs `{}`, {}; it does not follow from this surface's geometry", law, key, meaning),
+        fmt::format("add {} = \"500 mm\", or split the surface", key));
 }
 
 double height(const Place& at, const std::optional<double>& given,
@@ -110,10 +113,10 @@ void set_film(SurfaceFilm& result, const Place& at, const casefile::MovingFilm& 
         return;
     }
     if (!at.loads)
-        throw InputError(fmt::format("surfaces.{}.film: law = \"moving\" needs the speed of the body, and there are no "
-                                     "loads to take it from\n  help: add speed = \"0.5 m/s\" (root mean square), or "
-                                     "describe the linkage with its driver and slide body",
-                                     at.surface.name));
+        throw mistake(film_path(at.surface),
+                      "law = \"moving\" needs the speed of the body, and there are no loads to take it from",
+                      "add speed = \"0.5 m/s\" (root mean square), or describe the linkage with its driver and slide "
+                      "body");
     result.speed_per_turn = rms_speed(at.machine, at.surface, *at.loads) / at.loads->speed;
 }
 
@@ -130,19 +133,19 @@ int body_in_linkage(const Machine& machine, const MeshSurface& surface, const Lo
         return machine.parts[machine.faces[entry.face].part].body;
     };
     if (surface.faces.empty())
-        throw InputError(fmt::format("surfaces.{}: it has no faces left in the air", surface.name));
+        throw mistake("surfaces." + surface.name, "it has no faces left in the air");
     const std::string& body = body_at(surface.faces.front());
     for (const auto& entry : surface.faces)
         if (body_at(entry) != body)
-            throw InputError(fmt::format("surfaces.{}.film: it lies on the bodies '{}' and '{}', which move "
-                                         "differently\n  help: split the surface, or add `speed`",
-                                         surface.name, body, body_at(entry)));
+            throw mistake(
+                film_path(surface),
+                fmt::format("it lies on the bodies '{}' and '{}', which move differently", body, body_at(entry)),
+                "split the surface, or add `speed`");
     const auto found = std::ranges::find(loads.linkage.bodies, body);
     const auto index = static_cast<int>(found - loads.linkage.bodies.begin());
     if (found == loads.linkage.bodies.end() || index == loads.linkage.ground)
-        throw InputError(fmt::format("surfaces.{}.film: body '{}' does not move with the linkage\n  help: take law = "
-                                     "\"vertical\", or add `speed`",
-                                     surface.name, body));
+        throw mistake(film_path(surface), fmt::format("body '{}' does not move with the linkage", body),
+                      "take law = \"vertical\", or add `speed`");
     return index;
 }
 

@@ -1,6 +1,6 @@
 #include "deadpoint/study/laws/friction.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/study/laws/viscosity.hpp"
 #include "deadpoint/study/translate/loads.hpp"
 #include "deadpoint/tribology/friction/calibrated.hpp"
@@ -126,17 +126,6 @@ std::vector<std::string> power_warnings(const FrictionSummary& summary)
                                            "crankshaft.belt.power is {:.4g} W; check the friction laws and the motor",
                                            place, power.temperature - 273.15, power.motor, balance.rated));
     return warnings;
-}
-
-// Errors of a law, said where they belong.
-template <class Action>
-auto for_row(const std::string& row, const Action& action)
-{
-    try {
-        return action();
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("friction.{}: {}", row, error.what()));
-    }
 }
 
 }  // namespace
@@ -280,7 +269,8 @@ FrictionHeat FrictionLaws::heat(const std::string& row, const casefile::Segment&
 {
     const auto& friction = input_.friction.at(row);
     const bool is_calibrated = std::holds_alternative<casefile::CalibratedFriction>(friction.law);
-    auto result = for_row(row, [&] { return is_calibrated ? calibrated(row, segment) : physical(row, segment); });
+    auto result =
+        about("friction." + row, [&] { return is_calibrated ? calibrated(row, segment) : physical(row, segment); });
     result.row = row;
     result.law = casefile::law_name(friction);
     for (const auto& [name, joint] : input_.joints)
@@ -319,8 +309,10 @@ FrictionSummary FrictionLaws::summary(const casefile::Segment& segment)
     FrictionSummary result;
     result.speed = segment.speed;
     result.force = segment.force;
+    Mistakes mistakes;
     for (const auto& [name, row] : input_.friction)
-        result.rows.push_back(heat(name, segment));
+        mistakes.attempt("friction." + name, [&, &name = name] { result.rows.push_back(heat(name, segment)); });
+    mistakes.raise();
     if (!has_loads(input_) || !(segment.speed > 0))
         return result;
     const auto& now = loads(segment);

@@ -1,6 +1,6 @@
 #include "deadpoint/study/laws/friction_physics.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/study/laws/viscosity.hpp"
 #include "deadpoint/tribology/friction/ball_bearing.hpp"
@@ -24,9 +24,9 @@ tribology::Lubricant lubricant_of(const casefile::Case& input, const Friction& f
 {
     const auto& given = input.lubricants.at(friction.lubricant);
     if (!(given.density > 0))
-        throw InputError(fmt::format("the shear of an oil film needs the density of '{0}'\n  help: add density = \"870 "
-                                     "kg/m^3\" to [lubricants.{0}]",
-                                     friction.lubricant));
+        throw mistake("lubricants." + friction.lubricant,
+                      fmt::format("the shear of an oil film needs the density of '{}'", friction.lubricant),
+                      fmt::format("add density = \"870 kg/m^3\" to [lubricants.{}]", friction.lubricant));
     tribology::OilDensity density;
     density.density = given.density;
     return {viscosity_law(input, friction.lubricant), tribology::linear_density(density)};

@@ -1,12 +1,11 @@
 #include "deadpoint/study/laws/load_zone.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 namespace deadpoint::study {
@@ -33,7 +32,7 @@ Spectrum direction_spectrum(const casefile::Case& input, const std::string& name
     Spectrum spectrum{};
     const auto found = std::ranges::find(loads.linkage.joints, name, &LinkageJoint::name);
     if (found == loads.linkage.joints.end())
-        throw InputError(fmt::format("joints.{}: a load zone needs the joint in the linkage", name));
+        throw mistake("joints." + name, "a load zone needs the joint in the linkage");
     const auto j = static_cast<std::size_t>(found - loads.linkage.joints.begin());
     if (input.joints.at(name).driver && loads.crankshaft) {
         for (const auto& bearing : loads.crankshaft->cycle().bearings)
@@ -62,9 +61,8 @@ std::function<double(const Vec3&)> load_zone(const casefile::Case& input, const 
     for (const double share : spectrum)
         whole += share;
     if (!(whole > 0))
-        throw InputError(fmt::format("joints.{}: it carries no load, so its heat has no load zone\n  help: remove "
-                                     "`load_zone`, or state the loads",
-                                     joint));
+        throw mistake("joints." + joint, "it carries no load, so its heat has no load zone",
+                      "remove `load_zone`, or state the loads");
     // The mean of the squared cosine over its half ring is a quarter of the circumference.
     std::array<double, directions> density{};
     for (std::size_t at = 0; at < directions; ++at)

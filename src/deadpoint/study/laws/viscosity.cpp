@@ -1,8 +1,6 @@
 #include "deadpoint/study/laws/viscosity.hpp"
 
-#include "deadpoint/core/error.hpp"
-
-#include <fmt/format.h>
+#include "deadpoint/core/mistakes.hpp"
 
 namespace deadpoint::study {
 
@@ -23,17 +21,10 @@ tribology::ViscosityLaw law_of(const casefile::Lubricant& oil)
 
 tribology::ViscosityLaw viscosity_law(const casefile::Case& input, const std::string& lubricant)
 {
-    try {
-        return [law = law_of(input.lubricants.at(lubricant)), lubricant](double temperature) {
-            try {
-                return law(temperature);
-            } catch (const DomainError& error) {
-                throw DomainError(fmt::format("lubricants.{}: {}", lubricant, error.what()));
-            }
-        };
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("lubricants.{}: {}", lubricant, error.what()));
-    }
+    const auto path = "lubricants." + lubricant;
+    return [law = about(path, [&] { return law_of(input.lubricants.at(lubricant)); }), path](double temperature) {
+        return about(path, [&] { return law(temperature); });
+    };
 }
 
 }  // namespace deadpoint::study

@@ -1,6 +1,6 @@
 #include "deadpoint/study/pipeline/body_masses.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -155,6 +155,7 @@ bool masses_need_parts(const casefile::Case& input, const Linkage& linkage)
 BodyMasses describe_masses(const casefile::Case& input, const Linkage& linkage, const Machine* machine)
 {
     BodyMasses result;
+    Mistakes mistakes;
     for (int b = 0; b < static_cast<int>(linkage.bodies.size()); ++b) {
         const auto& name = linkage.bodies[static_cast<std::size_t>(b)];
         if (b == linkage.ground) {
@@ -166,10 +167,11 @@ BodyMasses describe_masses(const casefile::Case& input, const Linkage& linkage, 
         const BodyMass parts = machine ? mass_of_parts(input, *machine, name) : BodyMass{};
         const bool solid = parts.mass > 0;
         if (!solid && !(body.mass && body.centre_of_mass))
-            throw InputError(fmt::format("bodies.{}: the loads need its {}, which no part gives\n  help: add {}", name,
-                                         body.mass ? "centre of mass" : "mass",
-                                         body.mass ? "centre_of_mass = [\"0 mm\", \"0 mm\"], at bottom dead point"
-                                                   : "mass = \"10 kg\" and centre_of_mass, or parts of this body"));
+            mistakes.add(
+                "bodies." + name,
+                fmt::format("the loads need its {}, which no part gives", body.mass ? "centre of mass" : "mass"),
+                body.mass ? "add centre_of_mass = [\"0 mm\", \"0 mm\"], at bottom dead point"
+                          : "add mass = \"10 kg\" and centre_of_mass, or parts of this body");
         BodyMass mass{body.mass.value_or(parts.mass), body.centre_of_mass.value_or(parts.centre), 0};
         std::string origin = body.mass && body.centre_of_mass ? "stated" : "parts";
         if (solid && (body.mass || body.centre_of_mass) && origin == "parts")
@@ -195,6 +197,7 @@ BodyMasses describe_masses(const casefile::Case& input, const Linkage& linkage, 
         result.values.push_back(mass);
         result.origins.push_back(origin);
     }
+    mistakes.raise();
     return result;
 }
 

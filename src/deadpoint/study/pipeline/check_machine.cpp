@@ -1,8 +1,8 @@
 #include "deadpoint/study/pipeline/check_machine.hpp"
 
 #include "deadpoint/casefile/check/check.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
+#include "deadpoint/core/mistakes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,10 +95,10 @@ Coldest coldest_of(const Formula& formula, const Machine& machine, const MeshSur
     return coldest;
 }
 
-std::string cold_text(const std::string& surface, const Coldest& coldest)
+std::string cold_text(const Coldest& coldest)
 {
-    return fmt::format("surfaces.{}.temperature_formula gives {:.4g} K at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.4g} s",
-                       surface, coldest.value, coldest.place[0], coldest.place[1], coldest.place[2], coldest.time);
+    return fmt::format("gives {:.4g} K at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.4g} s", coldest.value, coldest.place[0],
+                       coldest.place[1], coldest.place[2], coldest.time);
 }
 
 /// For each piece of all parts a number that it shares with the pieces it is held to: by a bond, or, within a part, by
@@ -132,7 +132,7 @@ std::vector<std::size_t> pieces_held_together(const Machine& machine, const std:
 
 void require_probes_on_parts(const casefile::Case& input, const Machine& machine)
 {
-    std::string faults;
+    Mistakes mistakes;
     for (const auto& [name, probe] : input.probes) {
         const auto part = std::find_if(machine.parts.begin(), machine.parts.end(),
                                        [&wanted = probe.part](const MeshPart& p) { return p.name == wanted; });
@@ -143,29 +143,36 @@ void require_probes_on_parts(const casefile::Case& input, const Machine& machine
             point[0] = -std::abs(point[0]);
         const Miss miss = nearest_cell(machine, *part, point);
         if (miss.distance > 0.5 * miss.diameter)
-            faults += fmt::format("{}probes.{}: ({:.4g}, {:.4g}, {:.4g}) mm lies {:.3g} mm off its part '{}'",
-                                  faults.empty() ? "" : "\n", name, 1e3 * point[0], 1e3 * point[1], 1e3 * point[2],
-                                  1e3 * miss.distance, probe.part);
+            mistakes.add("probes." + name,
+                         fmt::format("({:.4g}, {:.4g}, {:.4g}) mm lies {:.3g} mm off its part '{}'", 1e3 * point[0],
+                                     1e3 * point[1], 1e3 * point[2], 1e3 * miss.distance, probe.part),
+                         "move the probe onto the part, or name the part it lies on");
     }
-    if (!faults.empty())
-        throw InputError(faults + "\n  help: move the probe onto the part, or name the part it lies on");
+    mistakes.raise();
 }
 
 std::vector<std::string> cold_formulas(const casefile::Case& input, const Machine& machine)
 {
     std::vector<std::string> warnings;
+    Mistakes mistakes;
     for (const auto& surface : machine.surfaces) {
         const auto found = input.surfaces.find(surface.name);
         if (found == input.surfaces.end() || found->second.temperature_formula.empty())
             continue;
-        const auto coldest = coldest_of(Formula(found->second.temperature_formula), machine, surface, end_of(input));
+        const auto path = fmt::format("surfaces.{}.temperature_formula", surface.name);
+        Coldest coldest;
+        const bool finite = mistakes.attempt(path, [&] {
+            coldest = coldest_of(Formula(found->second.temperature_formula), machine, surface, end_of(input));
+        });
+        if (!finite)
+            continue;
         if (coldest.value <= 0)
-            throw InputError(fmt::format("{}, which is not above absolute zero\n  help: the result of a formula is in "
-                                         "kelvin: 20 degC are 293.15",
-                                         cold_text(surface.name, coldest)));
-        if (coldest.value < casefile::coldest_meant)
-            warnings.push_back(fmt::format("{}; if degC are meant, add 273.15", cold_text(surface.name, coldest)));
+            mistakes.add(path, cold_text(coldest) + ", which is not above absolute zero",
+                         "the result of a formula is in kelvin: 20 degC are 293.15");
+        else if (coldest.value < casefile::coldest_meant)
+            warnings.push_back(fmt::format("{} {}; if degC are meant, add 273.15", path, cold_text(coldest)));
     }
+    mistakes.raise();
     return warnings;
 }
 

@@ -9,12 +9,12 @@
 namespace deadpoint::study {
 
 /// Checks a case against its mesh.
-/// @throws InputError if probes lie more than half a cell diameter off their parts; all of them are named
+/// @throws CaseError with all probes that lie more than half a cell diameter off their parts
 void require_probes_on_parts(const casefile::Case& input, const Machine& machine);
 
 /// Evaluates temperature formulas of surfaces at their nodes and at the times of the operation.
 /// @return a warning for each that is colder than a press can be, probably since degC were meant
-/// @throws InputError where a formula is not above absolute zero; DomainError where it is not finite
+/// @throws CaseError where formulas are not above absolute zero; CaseDomainError where they are not finite
 std::vector<std::string> cold_formulas(const casefile::Case& input, const Machine& machine);
 
 /// Bodies of several pieces without a bond between them: each piece would expand separately. A part

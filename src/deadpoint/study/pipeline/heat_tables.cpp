@@ -1,6 +1,6 @@
 #include "deadpoint/study/pipeline/heat_tables.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/study/laws/film.hpp"
 #include "deadpoint/study/translate/courses.hpp"
 #include "deadpoint/study/translate/heat.hpp"
@@ -18,8 +18,8 @@ constexpr std::array<double, 3> rises{5, 10, 20};
 const casefile::Segment& segment_at(const casefile::Case& input, int segment)
 {
     if (segment < 0 || segment >= static_cast<int>(input.operation.size()))
-        throw InputError(fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0", segment,
-                                     input.operation.size()));
+        throw mistake("operation", fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0",
+                                               segment, input.operation.size()));
     return input.operation[static_cast<std::size_t>(segment)];
 }
 
@@ -96,9 +96,13 @@ HeatTables heat_tables(const casefile::Case& input, const Machine* machine, cons
     for (int celsius = 20; celsius <= 70; celsius += 10)
         tables.temperatures.push_back(zero_celsius + celsius);
     FrictionLaws laws(input, machine, loads);
+    Mistakes mistakes;
     for (const auto& [name, friction] : input.friction)
-        tables.joints.push_back(
-            joint_heat(input, name, friction, laws.heat(name, segment_at(input, segment)).heat, tables.temperatures));
+        mistakes.attempt("friction." + name, [&, &name = name, &friction = friction] {
+            const auto law = laws.heat(name, segment_at(input, segment)).heat;
+            tables.joints.push_back(joint_heat(input, name, friction, law, tables.temperatures));
+        });
+    mistakes.raise();
     if (!input.friction.empty())
         tables.friction = laws.summaries();
     tables.warnings = laws.warnings(tables.friction);
@@ -107,11 +111,16 @@ HeatTables heat_tables(const casefile::Case& input, const Machine* machine, cons
     double start = 0;
     for (int i = 0; i < segment; ++i)
         start += input.operation[static_cast<std::size_t>(i)].duration;
-    tables.conductances =
-        interface_conductances(input, *machine, loads, tables.speed > 0 ? tables.speed : conductance_speed(input));
+    mistakes.attempt("joints", [&] {
+        tables.conductances =
+            interface_conductances(input, *machine, loads, tables.speed > 0 ? tables.speed : conductance_speed(input));
+    });
     for (const auto& [name, surface] : input.surfaces)
         if (surface.film)
-            tables.films.push_back(film_table(input, *machine, name, loads, segment, start));
+            mistakes.attempt("surfaces." + name, [&, &name = name] {
+                tables.films.push_back(film_table(input, *machine, name, loads, segment, start));
+            });
+    mistakes.raise();
     warn_of_ranges(tables);
     return tables;
 }

@@ -1,6 +1,6 @@
 #include "deadpoint/study/pipeline/loads.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/crankshaft/check.hpp"
 #include "deadpoint/crankshaft/periodic.hpp"
 #include "deadpoint/mechanism/mirror.hpp"
@@ -243,13 +243,13 @@ bool loads_need_machine(const casefile::Case& input) { return masses_need_parts(
 LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, int segment)
 {
     if (segment < 0 || segment >= static_cast<int>(input.operation.size()))
-        throw InputError(fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0", segment,
-                                     input.operation.size()));
+        throw mistake("operation", fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0",
+                                               segment, input.operation.size()));
     const auto& operation = input.operation[static_cast<std::size_t>(segment)];
     if (!(operation.speed > 0))
-        throw InputError(fmt::format("the press stands still in segment {} of [[operation]]; choose one in which it "
-                                     "runs",
-                                     segment));
+        throw mistake(
+            fmt::format("operation.{}", segment),
+            fmt::format("the press stands still in segment {} of [[operation]]; choose one in which it runs", segment));
     LoadsResult result;
     Timer timer(result.timings);
     result.segment = segment;
@@ -263,7 +263,7 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
     std::vector<bool> twice;
     for (const auto& body : own.bodies)
         twice.push_back(is_mirrored(input, body));
-    const auto whole = mechanism::mirrored(own, twice);
+    const auto whole = about("bodies", [&] { return mechanism::mirrored(own, twice); });
     result.linkage = whole.linkage;
     result.masses = mechanism::mirrored(masses.values, whole);
     for (const auto& origin : whole.bodies)
@@ -274,27 +274,29 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
         result.freed_guides.push_back(whole.linkage.joints[static_cast<std::size_t>(joint)].name);
     timer.done("linkage and masses");
 
-    const auto bottom = mechanism::bottom_dead_point(own);
+    const auto bottom = about("joints", [&] { return mechanism::bottom_dead_point(own); });
     result.lengths = mechanism::length_sensitivities(own, bottom);
     result.throw_at_bottom = direction_of_throw(own, bottom.poses);
     timer.done("bottom dead point");
 
-    result.request = describe_cycle(input, operation, result.throw_at_bottom);
+    result.request = about("process_force", [&] { return describe_cycle(input, operation, result.throw_at_bottom); });
     result.request.masses = result.masses;
-    result.history = mechanism::analyse_cycle(result.linkage, result.request);
+    result.history = about("mechanism", [&] { return mechanism::analyse_cycle(result.linkage, result.request); });
     timer.done("motion and joint forces");
     result.stroke = mechanism::stroke_figures(result.linkage, result.request, result.history);
     result.drive = mechanism::drive_figures(result.history);
     if (const auto misplaced = misplaced_force(input, result.throw_at_bottom); misplaced && result.force > 0)
         result.warnings.push_back({"place of the process force", *misplaced});
-    result.force_ratios = mechanism::force_ratios(result.linkage, result.history);
+    result.force_ratios = about("joints", [&] { return mechanism::force_ratios(result.linkage, result.history); });
     result.guides = guide_loads(input, result);
     warn_of_guides(result);
     timer.done("figures");
 
     if (input.crankshaft)
-        result.crankshaft =
-            solve_crankshaft(input, result, result.masses[static_cast<std::size_t>(driven_body(own))], timer);
+        result.crankshaft = about("crankshaft", [&] {
+            const auto& crank = result.masses[static_cast<std::size_t>(driven_body(own))];
+            return solve_crankshaft(input, result, crank, timer);
+        });
     return result;
 }
 

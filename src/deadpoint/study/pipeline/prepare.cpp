@@ -1,6 +1,6 @@
 #include "deadpoint/study/pipeline/prepare.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/machine/assembly/build.hpp"
@@ -22,14 +22,6 @@ bool has_condition(const casefile::Surface& surface)
            surface.insulated;
 }
 
-[[noreturn]] void throw_claimed_twice(const Machine& machine, std::uint32_t face, const std::string& first,
-                                      const std::string& second)
-{
-    throw InputError(fmt::format(
-        "surfaces.{} and surfaces.{} both claim a face of part '{}'; narrow one of them with 'within' or 'parts'",
-        first, second, machine.parts[machine.faces[face].part].name));
-}
-
 bool apart(const std::optional<BoxShape>& a, const std::optional<BoxShape>& b)
 {
     constexpr double rounding = 1e-9;
@@ -42,14 +34,16 @@ bool apart(const std::optional<BoxShape>& a, const std::optional<BoxShape>& b)
 // Which surfaces claim a face, and which share of it they claim together. Boxes that meet share the faces between them.
 class Claims {
 public:
-    Claims(const casefile::Case& input, const Machine& machine) : input_(input), machine_(machine) {}
+    Claims(const casefile::Case& input, const Machine& machine, Mistakes& mistakes)
+        : input_(input), machine_(machine), mistakes_(mistakes)
+    {}
     void add(const MeshSurface& surface)
     {
         for (const auto& entry : surface.faces) {
             auto& [names, share] = claims_[entry.face];
             for (const auto& other : names)
                 if (!apart(input_.surfaces.at(other).within, input_.surfaces.at(surface.name).within))
-                    throw_claimed_twice(machine_, entry.face, other, surface.name);
+                    claimed_twice(entry.face, other, surface.name);
             names.push_back(surface.name);
             share += entry.fraction;
         }
@@ -61,12 +55,21 @@ public:
     }
 
 private:
+    void claimed_twice(std::uint32_t face, const std::string& first, const std::string& second)
+    {
+        mistakes_.add("surfaces." + second,
+                      fmt::format("surfaces.{} and surfaces.{} both claim a face of part '{}'", first, second,
+                                  machine_.parts[machine_.faces[face].part].name),
+                      "narrow one of them with 'within' or 'parts'");
+    }
+
     struct Claim {
         std::vector<std::string> names;
         double share = 0;
     };
     const casefile::Case& input_;
     const Machine& machine_;
+    Mistakes& mistakes_;
     std::map<std::uint32_t, Claim> claims_;
 };
 
@@ -82,10 +85,10 @@ void leave_unclaimed(const Machine& machine, const Claims& claims, MeshSurface& 
         surface.area += entry.fraction * face_area(machine, machine.faces[entry.face]);
 }
 
-void settle_claims(const casefile::Case& input, Machine& machine)
+void settle_claims(const casefile::Case& input, Machine& machine, Mistakes& mistakes)
 {
     using Select = casefile::Surface::Select;
-    Claims by_place(input, machine), by_exposure(input, machine);
+    Claims by_place(input, machine, mistakes), by_exposure(input, machine, mistakes);
     for (const auto& surface : machine.surfaces) {
         const auto& description = input.surfaces.at(surface.name);
         if (has_condition(description))
@@ -108,7 +111,7 @@ double area_by_middles(const Machine& machine, const MeshSurface& surface)
 }
 
 // A temperature, a foot or a face of the dimension chain goes by nodes, and so by whole faces.
-void require_middles(const casefile::Case& input, const Machine& machine, Observer& observer)
+void require_middles(const casefile::Case& input, const Machine& machine, Mistakes& mistakes, Observer& observer)
 {
     constexpr double worth_a_word = 0.01;
     for (const auto& surface : machine.surfaces) {
@@ -117,11 +120,10 @@ void require_middles(const casefile::Case& input, const Machine& machine, Observ
             continue;
         const double held = area_by_middles(machine, surface);
         if (held == 0)
-            throw InputError(fmt::format("surfaces.{}: no face has its centre in the box, and a condition at nodes "
-                                         "applies to whole faces\n  help: correct the box, or make the cells there "
-                                         "smaller",
-                                         surface.name));
-        if (own.temperature || !own.temperature_formula.empty())
+            mistakes.add("surfaces." + surface.name,
+                         "no face has its centre in the box, and a condition at nodes applies to whole faces",
+                         "correct the box, or make the cells there smaller");
+        else if (own.temperature || !own.temperature_formula.empty())
             if (std::abs(held - surface.area) > worth_a_word * surface.area)
                 observer.warn(
                     fmt::format("surfaces.{}: the temperature is prescribed on whole faces, {:.4g} cm2, but the box "
@@ -141,20 +143,40 @@ private:
     Observer& to_;
 };
 
+/// What is wrong with the mesh of the deformation alone, since that of the heat was made before.
+CaseError of_deformation(const CaseError& error, double scale)
+{
+    auto found = error.diagnostics();
+    for (auto& diagnostic : found) {
+        diagnostic.message = fmt::format("in the mesh of the deformation, with cells {:.2f} times as large as those of "
+                                         "the heat: {}",
+                                         scale, diagnostic.message);
+        diagnostic.help = "choose numerics.deformation_size nearer to 1";
+    }
+    return {fmt::format("the mesh of the deformation, with cells {:.2f} times as large as those of the heat:\n{}\n  "
+                        "help: choose numerics.deformation_size nearer to 1",
+                        scale, error.what()),
+            std::move(found)};
+}
+
 }  // namespace
 
 Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer)
 {
     if (input.parts.empty())
-        throw InputError(
-            "the case has no [parts]: there is nothing to mesh\n  help: add the solids of its bodies; motion "
-            "and forces of the linkage alone are computed by 'deadpoint loads'");
+        throw mistake("parts", "the case has no [parts]: there is nothing to mesh",
+                      "add the solids of its bodies; motion and forces of the linkage alone are computed by 'deadpoint "
+                      "loads'");
     auto machine = machine::build_machine(describe_machine(input, size_scale), observer);
-    settle_claims(input, machine);
-    require_middles(input, machine, observer);
-    require_probes_on_parts(input, machine);
-    for (const auto& warning : cold_formulas(input, machine))
-        observer.warn(warning);
+    Mistakes mistakes;
+    settle_claims(input, machine, mistakes);
+    require_middles(input, machine, mistakes, observer);
+    mistakes.attempt("probes", [&] { require_probes_on_parts(input, machine); });
+    mistakes.attempt("surfaces", [&] {
+        for (const auto& warning : cold_formulas(input, machine))
+            observer.warn(warning);
+    });
+    mistakes.raise();
     for (const auto& warning : loose_bodies(machine))
         observer.warn(warning);
     return machine;
@@ -190,12 +212,12 @@ std::optional<Machine> prepare_deformation_machine(const casefile::Case& input, 
     Repeated quiet(observer);
     try {
         auto coarse = machine::build_machine(describe_machine(own, size_scale * scale), quiet);
-        settle_claims(input, coarse);
+        Mistakes mistakes;
+        settle_claims(input, coarse, mistakes);
+        mistakes.raise();
         return coarse;
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("the mesh of the deformation, with cells {:.2f} times as large as those of the "
-                                     "heat:\n{}\n  help: choose numerics.deformation_size nearer to 1",
-                                     scale, error.what()));
+    } catch (const CaseError& error) {
+        throw of_deformation(error, scale);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "deadpoint/study/pipeline/press.hpp"
 
+#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 
 #include <chrono>
@@ -66,7 +67,8 @@ const Machine& Press::machine(Observer& observer)
 {
     if (!machine_) {
         const Timer timer(mesh_seconds_);
-        machine_ = std::make_unique<Machine>(prepare_machine(input_, size_scale_, observer));
+        machine_ = casefile::with_places(
+            input_, [&] { return std::make_unique<Machine>(prepare_machine(input_, size_scale_, observer)); });
     }
     return *machine_;
 }
@@ -77,30 +79,44 @@ void Press::mesh(Observer& observer)
         return;
     const auto& machine = this->machine(observer);
     const Timer timer(mesh_seconds_);
-    if (auto own = prepare_deformation_machine(input_, size_scale_, machine, observer))
-        deformed_ = std::make_unique<Machine>(*std::move(own));
+    casefile::with_places(input_, [&] {
+        if (auto own = prepare_deformation_machine(input_, size_scale_, machine, observer))
+            deformed_ = std::make_unique<Machine>(*std::move(own));
+    });
     meshed_ = true;
 }
 
 LoadsResult Press::loads(int segment, Observer& observer)
 {
-    const Machine* parts = loads_need_machine(input_) ? &machine(observer) : machine_.get();
-    observer.stage("loads");
-    auto loads = compute_loads(input_, parts, segment);
-    for (const auto& warning : loads.warnings)
-        observer.warn(warning.text);
-    return loads;
+    return casefile::with_places(input_, [&] {
+        const Machine* parts = loads_need_machine(input_) ? &machine(observer) : machine_.get();
+        observer.stage("loads");
+        auto loads = compute_loads(input_, parts, segment);
+        for (const auto& warning : loads.warnings)
+            observer.warn(warning.text);
+        return loads;
+    });
 }
 
 HeatTables Press::heat_tables(int segment, Observer& observer)
 {
-    const Machine* parts = input_.parts.empty() ? nullptr : &machine(observer);
-    std::optional<LoadsResult> of_operation;
-    if (const int running = first_running_segment(input_); running >= 0 && has_loads(input_))
-        of_operation = loads(running, observer);
-    auto tables = study::heat_tables(input_, parts, of_operation ? &*of_operation : nullptr, segment);
-    pass_on(tables.warnings, observer);
-    return tables;
+    return casefile::with_places(input_, [&] {
+        const Machine* parts = input_.parts.empty() ? nullptr : &machine(observer);
+        std::optional<LoadsResult> of_operation;
+        if (const int running = first_running_segment(input_); running >= 0 && has_loads(input_))
+            of_operation = loads(running, observer);
+        auto tables = study::heat_tables(input_, parts, of_operation ? &*of_operation : nullptr, segment);
+        pass_on(tables.warnings, observer);
+        return tables;
+    });
+}
+
+void Press::check(Observer& observer)
+{
+    if (!input_.parts.empty())
+        casefile::with_places(input_, [&] { model(observer).check(input_, observer); });
+    else if (const int segment = first_running_segment(input_); segment >= 0)
+        loads(segment, observer);
 }
 
 SharedModel& Press::model(Observer& observer)
@@ -111,11 +127,14 @@ SharedModel& Press::model(Observer& observer)
     return *model_;
 }
 
-void Press::prepare(Observer& observer) { model(observer).prepare(input_, observer); }
+void Press::prepare(Observer& observer)
+{
+    casefile::with_places(input_, [&] { model(observer).prepare(input_, observer); });
+}
 
 RunResult Press::run(const RunOptions& options, Observer& observer)
 {
-    return model(observer).run(input_, options, observer);
+    return casefile::with_places(input_, [&] { return model(observer).run(input_, options, observer); });
 }
 
 void Press::drop_model() { model_.reset(); }

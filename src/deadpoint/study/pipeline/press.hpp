@@ -15,7 +15,7 @@ namespace deadpoint::study {
 
 /// A press that was read. It builds its meshes and its model when they are first needed, each once,
 /// and keeps them for later calls. The command line, sweeps, refinement and the public Press use
-/// it.
+/// it. It adds places in the files to mistakes of the case (casefile/files/case_source.hpp).
 class Press {
 public:
     /// @param size_scale  on all cell sizes, > 0
@@ -45,6 +45,10 @@ public:
     /// friction laws only. Warnings go to the observer too. Errors as study::heat_tables().
     HeatTables heat_tables(int segment, Observer& observer);
 
+    /// Finds what a run would refuse before it assembles anything: of the meshes, the loads, the laws, the dimension
+    /// chain and the preloads. A case without parts is checked for its loads only.
+    /// @throws CaseError, CaseDomainError
+    void check(Observer& observer);
     /// Builds everything that does not depend on the operating point, as SharedModel::prepare(). Collective.
     void prepare(Observer& observer);
     /// Computes the case, as run_case(). Collective.

@@ -1,7 +1,7 @@
 #include "deadpoint/study/pipeline/run.hpp"
 
 #include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
@@ -55,10 +55,13 @@ struct ModelParts {
     ModelParts(const Machine& m, const Machine* own) : machine(m), own_deformation(own) {}
 
     /// What the laws of a case come to; loads and friction go into the result.
-    HeatProblem translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer) const;
+    /// @throws CaseError with all that can be wrong with a case on its meshes: loads, laws, dimension chain, preloads
+    HeatProblem translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer);
     /// Unknowns, dimension chain and adjoints, where they are not there yet.
     void need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer);
     void need_chain(const casefile::Case& input);
+
+    HeatProblem laws(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer) const;
 
     /// The machine whose mesh the deformation lives on.
     [[nodiscard]] const Machine& deformed() const { return own_deformation ? *own_deformation : machine; }
@@ -76,10 +79,22 @@ struct ModelParts {
     std::optional<HeatProblem> assembled;  ///< that the prepared matrices are of
 };
 
-HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch, RunResult& result,
-                                  Observer& observer) const
+HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer)
 {
     result.whole = machine.half_model ? 2 : 1;
+    HeatProblem problem;
+    Mistakes mistakes;
+    mistakes.attempt("operation", [&] { problem = laws(input, watch, result, observer); });
+    watch.stop();
+    if (input.chain && !chain)
+        mistakes.attempt("chain", [&] { chain.emplace(input, deformed()); });
+    mistakes.attempt("preload", [&] { frame_gauges(input, deformed()); });
+    mistakes.raise();
+    return problem;
+}
+
+HeatProblem ModelParts::laws(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer) const
+{
     if (const int segment = first_running_segment(input); segment >= 0 && has_loads(input)) {
         watch.start("loads");
         result.loads = compute_loads(input, &machine, segment);
@@ -94,7 +109,6 @@ HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch,
         result.friction = friction.summaries();
     for (const auto& warning : friction.warnings(result.friction))
         observer.warn(warning);
-    watch.stop();
     return problem;
 }
 
@@ -121,7 +135,6 @@ void ModelParts::need_model(const casefile::Case& input, Stopwatch& watch, Obser
 
 void ModelParts::need_chain(const casefile::Case& input)
 {
-    chain.emplace(input, deformed());
     gaps = describe_gaps(input, deformed(), *chain);
     auto functionals = chain->dimensions;
     functionals.insert(functionals.end(), gaps->functionals.begin(), gaps->functionals.end());
@@ -324,6 +337,13 @@ SharedModel::SharedModel(const Machine& machine, const Machine* deformation)
 {}
 SharedModel::~SharedModel() = default;
 SharedModel::SharedModel(SharedModel&&) noexcept = default;
+
+void SharedModel::check(const casefile::Case& input, Observer& observer)
+{
+    RunResult unused;
+    Stopwatch watch(observer);
+    implementation_->translate(input, watch, unused, observer);
+}
 
 void SharedModel::prepare(const casefile::Case& input, Observer& observer)
 {

@@ -53,6 +53,10 @@ public:
     ~SharedModel();
     SharedModel(SharedModel&&) noexcept;
 
+    /// Checks what a run needs of a case on its meshes, before anything is assembled.
+    /// @throws CaseError with all that is wrong with loads, laws, dimension chain and preloads; CaseDomainError where
+    ///         values are out of the range of laws
+    void check(const casefile::Case& input, Observer& observer);
     /// Builds everything that does not depend on the operating point. A following run() of this or a similar case
     /// starts at the time steps. Errors as run_case.
     void prepare(const casefile::Case& input, Observer& observer);

@@ -1,7 +1,7 @@
 #include "deadpoint/study/translate/heat.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/pattern.hpp"
 #include "deadpoint/study/laws/conductance.hpp"
 #include "deadpoint/study/laws/film.hpp"
@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace deadpoint::study {
@@ -42,8 +43,8 @@ InterfaceLaw interface_law(const casefile::Case& input, const Machine& machine, 
     law.heat_weight = interface.heat_share;
     law.heat_part = interface.heat_into.empty() ? -1 : part_index(machine, interface.heat_into);
     if (!interface.heat_into.empty() && law.heat_part < 0)
-        throw InputError(fmt::format("joints.{}.interfaces.{}: part '{}' of `heat_into` is not in the modelled half",
-                                     name, interface.name, interface.heat_into));
+        throw mistake(fmt::format("joints.{}.interfaces.{}.heat_into", name, interface.name),
+                      fmt::format("part '{}' is not in the modelled half", interface.heat_into));
     if (interface.load_zone && loads)
         law.load_zone = load_zone(input, name, *loads);
     return law;
@@ -53,10 +54,29 @@ std::vector<InterfaceLaw> interface_laws(const casefile::Case& input, const Mach
                                          const std::vector<InterfaceConductance>& conductances)
 {
     std::vector<InterfaceLaw> laws;
+    Mistakes mistakes;
     for (const auto& [name, joint] : input.joints)
-        for (const auto& interface : joint.interfaces)
-            laws.push_back(interface_law(input, machine, loads, name, interface, conductances[laws.size()]));
+        for (const auto& interface : joint.interfaces) {
+            const auto& conductance = conductances[laws.size()];
+            auto& law = laws.emplace_back();
+            mistakes.attempt(fmt::format("joints.{}.interfaces.{}", name, interface.name), [&, &name = name] {
+                law = interface_law(input, machine, loads, name, interface, conductance);
+            });
+        }
+    mistakes.raise();
     return laws;
+}
+
+void require_conductances(const Machine& machine, const std::vector<InterfaceLaw>& laws)
+{
+    Mistakes mistakes;
+    for (std::size_t i = 0; i < laws.size(); ++i)
+        if (!(laws[i].film_a + laws[i].film_b + laws[i].oil > 0))
+            mistakes.add(interface_path(machine.interfaces[i].name),
+                         DomainError(fmt::format("interface '{}' conducts nothing to either side nor to the oil\n  "
+                                                 "help: give it a conductance",
+                                                 machine.interfaces[i].name)));
+    mistakes.raise();
 }
 
 /// The part of a case that gives each segment its laws.
@@ -70,10 +90,13 @@ public:
     void describe(HeatProblem& problem)
     {
         double start = 0;
+        Mistakes mistakes;
         for (std::size_t s = 0; s < input_.operation.size(); ++s) {
-            problem.segments.push_back(segment(s, start, problem));
+            mistakes.attempt(fmt::format("operation.{}", s),
+                             [&] { problem.segments.push_back(segment(s, start, problem)); });
             start += input_.operation[s].duration;
         }
+        mistakes.raise();
     }
 
     /// Interface laws at the operating point of a segment, before the oil warms. While the press stands its joints
@@ -96,23 +119,30 @@ private:
         HeatSegment result;
         result.duration = operation.duration;
         result.ambient = segment_ambient(input_, operation, start);
-        for (const auto& [name, row] : input_.friction) {
-            const auto friction = friction_.heat(name, operation);
-            result.heat.push_back(friction.heat);
-            result.ring_heat.push_back(friction.ring_heat);
-            result.zoned_heat.push_back(friction.load_part.value_or(0));
-            if (!friction.load_part)
-                refuse_zones(name, fmt::format("friction.{} has no load part of its own by its law", name));
-        }
+        Mistakes mistakes;
+        for (const auto& [name, row] : input_.friction)
+            mistakes.attempt("friction." + name, [&, &name = name] { add_friction(result, name, operation); });
+        mistakes.attempt("joints", [&] { result.interfaces = interfaces(s); });
+        mistakes.raise();
         for (const auto& [name, source] : input_.heat_sources)
             result.body_heat.push_back(operation.speed > 0 || source.at_rest
                                            ? scaled_power(*source.power, modelled_share(machine_))
                                            : TimeCourse{});
         result.enclosure_power = enclosure_power(input_, machine_, operation);
         result.oil_flow = oil_flows(input_, machine_, operation);
-        result.interfaces = interfaces(s);
         warm_within_joints(result.interfaces, machine_, problem.oil, result.oil_flow);
+        require_conductances(machine_, result.interfaces);
         return result;
+    }
+
+    void add_friction(HeatSegment& segment, const std::string& row, const casefile::Segment& operation)
+    {
+        const auto friction = friction_.heat(row, operation);
+        segment.heat.push_back(friction.heat);
+        segment.ring_heat.push_back(friction.ring_heat);
+        segment.zoned_heat.push_back(friction.load_part.value_or(0));
+        if (!friction.load_part)
+            refuse_zones(row, fmt::format("friction.{} has no load part of its own by its law", row));
     }
 
     /// The segment itself if the press runs in it, else the one before in which it ran, else the first that runs.
@@ -136,13 +166,13 @@ private:
 
     void refuse_zones(const std::string& row, const std::string& reason) const
     {
+        Mistakes mistakes;
         for (const auto& [name, joint] : input_.joints)
             for (const auto& interface : joint.interfaces)
                 if (interface.load_zone && (row.empty() || joint.friction == row))
-                    throw InputError(
-                        fmt::format("joints.{}.interfaces.{}: there is no load zone, since {}\n  help: remove "
-                                    "`load_zone`",
-                                    name, interface.name, reason));
+                    mistakes.add(fmt::format("joints.{}.interfaces.{}.load_zone", name, interface.name),
+                                 fmt::format("there is no load zone, since {}", reason), "remove `load_zone`");
+        mistakes.raise();
     }
 
     const casefile::Case& input_;
@@ -183,20 +213,21 @@ void name_rings(const casefile::Case& input, const Machine& machine, HeatProblem
             if (interface.seat)
                 source.outer_rings.push_back({index, on_ground(touching.part_b)});
         }
+    Mistakes mistakes;
     for (const auto& [name, row] : input.friction)
         if (follows_rings(row)) {
             const auto& source = problem.sources[static_cast<std::size_t>(index_of(input.friction, name))];
             if (source.inner_rings.empty() || source.outer_rings.empty())
-                throw InputError(
-                    fmt::format("friction.{}: the ring temperature difference needs the joint's journals and "
-                                "seats\n  help: mark its interfaces with journal = true and seat = true",
-                                name));
+                mistakes.add("friction." + name, "the ring temperature difference needs the joint's journals and seats",
+                             "mark its interfaces with journal = true and seat = true");
         }
+    mistakes.raise();
 }
 
 std::vector<BodyHeat> body_heats(const casefile::Case& input, const Machine& machine)
 {
     std::vector<BodyHeat> result;
+    Mistakes mistakes;
     for (const auto& [name, source] : input.heat_sources) {
         BodyHeat heat;
         heat.name = name;
@@ -206,9 +237,10 @@ std::vector<BodyHeat> body_heats(const casefile::Case& input, const Machine& mac
                 heat.parts.push_back(static_cast<int>(p));
         heat.surface = source.surface.empty() ? -1 : surface_index(machine, source.surface);
         if (heat.parts.empty() && heat.surface < 0)
-            throw InputError(fmt::format("heat_sources.{}: none of its parts is in the modelled half", name));
+            mistakes.add("heat_sources." + name, "none of its parts is in the modelled half");
         result.push_back(std::move(heat));
     }
+    mistakes.raise();
     return result;
 }
 
@@ -232,58 +264,76 @@ SurfaceCondition film_condition(const casefile::Case& input, const Machine& mach
 /// @throws DomainError, when it is called, where the formula is not above absolute zero
 std::function<double(const Vec3&, double)> formula_course(const std::string& surface, const std::string& text)
 {
-    return [surface, formula = std::make_shared<Formula>(text)](const Vec3& position, double time) {
-        const double value = (*formula)(position, time);
-        if (!(value > 0))
-            throw DomainError(fmt::format("surfaces.{}.temperature_formula gives {:.6g} K at ({:.4g}, {:.4g}, {:.4g}) "
-                                          "m, t = {:.6g} s, which is not "
-                                          "above absolute zero\n  help: its result is in kelvin: 20 degC are 293.15",
-                                          surface, value, position[0], position[1], position[2], time));
-        return value;
+    const auto path = fmt::format("surfaces.{}.temperature_formula", surface);
+    return [path, formula = std::make_shared<Formula>(text)](const Vec3& position, double time) {
+        return about(path, [&] {
+            const double value = (*formula)(position, time);
+            if (!(value > 0))
+                throw DomainError(fmt::format("it gives {:.6g} K at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.6g} s, which is "
+                                              "not above absolute zero\n  help: its result is in kelvin: 20 degC are "
+                                              "293.15",
+                                              value, position[0], position[1], position[2], time));
+            return value;
+        });
     };
+}
+
+/// @return nothing where the surface has no condition
+std::optional<SurfaceCondition> surface_condition(const casefile::Case& input, const Machine& machine,
+                                                  const std::string& name, const LoadsResult* loads)
+{
+    const auto& surface = input.surfaces.at(name);
+    SurfaceCondition condition;
+    if (surface.film) {
+        condition = film_condition(input, machine, name, loads);
+    } else if (surface.temperature) {
+        condition.kind = SurfaceCondition::Kind::temperature;
+        condition.temperature = [course = time_course(*surface.temperature, 0)](const Vec3&, double time) {
+            return course(time);
+        };
+    } else if (!surface.temperature_formula.empty()) {
+        condition.kind = SurfaceCondition::Kind::temperature;
+        condition.temperature = formula_course(name, surface.temperature_formula);
+    } else if (surface.heat_flux) {
+        condition.kind = SurfaceCondition::Kind::flux;
+        condition.flux = time_course(*surface.heat_flux, 0);
+    } else {
+        return std::nullopt;
+    }
+    condition.name = name;
+    condition.enclosure = enclosure_of(input, name);
+    condition.surface = surface_index(machine, name);
+    return condition;
 }
 
 std::vector<SurfaceCondition> surface_conditions(const casefile::Case& input, const Machine& machine,
                                                  const LoadsResult* loads)
 {
     std::vector<SurfaceCondition> conditions;
-    for (const auto& [name, surface] : input.surfaces) {
-        SurfaceCondition condition;
-        if (surface.film) {
-            condition = film_condition(input, machine, name, loads);
-        } else if (surface.temperature) {
-            condition.kind = SurfaceCondition::Kind::temperature;
-            condition.temperature = [course = time_course(*surface.temperature, 0)](const Vec3&, double time) {
-                return course(time);
-            };
-        } else if (!surface.temperature_formula.empty()) {
-            condition.kind = SurfaceCondition::Kind::temperature;
-            condition.temperature = formula_course(name, surface.temperature_formula);
-        } else if (surface.heat_flux) {
-            condition.kind = SurfaceCondition::Kind::flux;
-            condition.flux = time_course(*surface.heat_flux, 0);
-        } else {
-            continue;
-        }
-        condition.name = name;
-        condition.enclosure = enclosure_of(input, name);
-        condition.surface = surface_index(machine, name);
-        conditions.push_back(std::move(condition));
-    }
+    Mistakes mistakes;
+    for (const auto& [name, surface] : input.surfaces)
+        mistakes.attempt("surfaces." + name, [&, &name = name] {
+            if (auto condition = surface_condition(input, machine, name, loads))
+                conditions.push_back(*std::move(condition));
+        });
+    mistakes.raise();
     return conditions;
 }
 
 std::vector<HeatProbe> heat_probes(const casefile::Case& input, const Machine& machine)
 {
     std::vector<HeatProbe> probes;
+    Mistakes mistakes;
     for (const auto& [name, probe] : input.probes) {
         HeatProbe result{name, part_index(machine, probe.part), probe.position};
         if (result.part < 0)
-            throw InputError(fmt::format("probes.{}: part '{}' is not in the modelled half", name, probe.part));
+            mistakes.add(fmt::format("probes.{}.part", name),
+                         fmt::format("part '{}' is not in the modelled half", probe.part));
         if (machine.half_model && result.position[0] > 0)
             result.position[0] = -result.position[0];
         probes.push_back(std::move(result));
     }
+    mistakes.raise();
     return probes;
 }
 
@@ -358,16 +408,20 @@ HeatProblem describe_heat(const casefile::Case& input, const Machine& machine, O
     HeatProblem problem;
     for (const auto& [name, row] : input.friction)
         problem.sources.push_back({name, machine.half_model ? 0.5 : 1.0, {}, {}});
-    name_rings(input, machine, problem);
-    problem.oil = oil_circuits(input, machine);
-    problem.enclosures = enclosures(input, machine);
-    problem.body_heat = body_heats(input, machine);
-    problem.surfaces = surface_conditions(input, machine, loads);
-    problem.radiation = radiation_inside(problem.surfaces, machine);
+    Mistakes mistakes;
+    mistakes.attempt("friction", [&] { name_rings(input, machine, problem); });
+    mistakes.attempt("oil_circuits", [&] { problem.oil = oil_circuits(input, machine); });
+    mistakes.attempt("enclosures", [&] { problem.enclosures = enclosures(input, machine); });
+    mistakes.attempt("heat_sources", [&] { problem.body_heat = body_heats(input, machine); });
+    mistakes.attempt("surfaces", [&] {
+        problem.surfaces = surface_conditions(input, machine, loads);
+        problem.radiation = radiation_inside(problem.surfaces, machine);
+    });
     Segments segments(input, machine, friction, loads, observer);
-    problem.interfaces = segments.interfaces(0);
-    segments.describe(problem);
-    problem.probes = heat_probes(input, machine);
+    mistakes.attempt("joints", [&] { problem.interfaces = segments.interfaces(0); });
+    mistakes.attempt("operation", [&] { segments.describe(problem); });
+    mistakes.attempt("probes", [&] { problem.probes = heat_probes(input, machine); });
+    mistakes.raise();
     problem.initial_temperature = [start = initial_temperatures(input, machine)](int part, const Vec3&) {
         return start[static_cast<std::size_t>(part)];
     };

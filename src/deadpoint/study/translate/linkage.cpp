@@ -1,7 +1,7 @@
 #include "deadpoint/study/translate/linkage.hpp"
 
 #include "deadpoint/casefile/check/directions.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/study/translate/bearing_groups.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 
@@ -45,13 +45,15 @@ std::vector<drift::ContactSide> sides_on(const Machine& machine, const casefile:
     return sides;
 }
 
-void require_sides(const std::vector<drift::ContactSide>& sides, const std::string& joint, const std::string& body)
+void require_sides(const std::vector<drift::ContactSide>& sides, const std::string& joint, const std::string& body,
+                   Mistakes& mistakes)
 {
     if (sides.empty())
-        throw InputError(fmt::format(
-            "joints.{}: no interface of this joint lies on a part of body '{}', so its centre there cannot follow "
-            "the deformation; add the interface",
-            joint, body));
+        mistakes.add("joints." + joint,
+                     fmt::format("no interface of this joint lies on a part of body '{}', so its centre there cannot "
+                                 "follow the deformation",
+                                 body),
+                     "add the interface");
 }
 
 }  // namespace
@@ -60,8 +62,8 @@ Linkage describe_linkage(const casefile::Case& input)
 {
     const auto& stated = input.mechanism.slide_body;
     if (stated.empty() && !input.chain)
-        throw InputError(
-            "the case does not say which body carries the tool; add slide_body to [mechanism], or a [chain]");
+        throw mistake("mechanism", "the case does not say which body carries the tool",
+                      "add slide_body to [mechanism], or a [chain]");
     Linkage linkage;
     linkage.stroke_direction = casefile::stroke_direction(input);
     for (const auto& [name, body] : input.bodies) {
@@ -92,11 +94,12 @@ Linkage describe_linkage(const casefile::Case& input)
         linkage.joints.push_back(result);
     }
     if (linkage.driver < 0)
-        throw InputError("no joint has driver = true; mark the joint of the crank in the frame");
+        throw mistake("joints", "no joint has driver = true; mark the joint of the crank in the frame");
     const auto& slide = stated.empty() ? input.chain->slide_body : stated;
     linkage.slide_body = body_index(linkage, slide);
     if (linkage.slide_body < 0)
-        throw InputError(fmt::format("body '{}' carries the tool, but no joint holds it; add its guide", slide));
+        throw mistake(stated.empty() ? "chain.slide_body" : "mechanism.slide_body",
+                      fmt::format("body '{}' carries the tool, but no joint holds it; add its guide", slide));
     return linkage;
 }
 
@@ -110,12 +113,13 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
     result.pressed = chain.reaction_angle ? Vec2{std::cos(*chain.reaction_angle), std::sin(*chain.reaction_angle)}
                                           : linkage.stroke_direction;
     int index = 0;
+    Mistakes mistakes;
     for (const auto& [name, joint] : input.joints) {
         drift::JointSurfaces surfaces{sides_on(machine, joint, first.at(name), joint.bodies.at(0)),
                                       sides_on(machine, joint, first.at(name), joint.bodies.at(1))};
         if (joint.kind == casefile::Joint::Kind::revolute) {
-            require_sides(surfaces.in_a, name, joint.bodies[0]);
-            require_sides(surfaces.in_b, name, joint.bodies[1]);
+            require_sides(surfaces.in_a, name, joint.bodies[0], mistakes);
+            require_sides(surfaces.in_b, name, joint.bodies[1], mistakes);
         }
         if (name == chain.crank_joint) {
             result.crank_joint = index;
@@ -131,10 +135,10 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
         ++index;
     }
     if (result.seats.empty() || result.bearings.empty())
-        throw InputError(fmt::format("joints.{}: the crank's bearings need interfaces on the frame, marked 'seat' "
-                                     "(ring or bush in the frame) and "
-                                     "'journal' (ring or bush on the shaft)",
-                                     chain.crank_joint));
+        mistakes.add("joints." + chain.crank_joint,
+                     "the crank's bearings need interfaces on the frame, marked 'seat' (ring or bush in the frame) and "
+                     "'journal' (ring or bush on the shaft)");
+    mistakes.raise();
     return result;
 }
 

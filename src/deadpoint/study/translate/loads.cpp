@@ -1,7 +1,7 @@
 #include "deadpoint/study/translate/loads.hpp"
 
 #include "deadpoint/casefile/check/directions.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,11 +95,11 @@ void require_pin_on_shaft(const casefile::Crankshaft& given)
         end += section.length;
     const double half = 0.5 * given.pin_width;
     if (given.pin_position - half < given.start - 1e-9 || given.pin_position + half > end + 1e-9)
-        throw InputError(fmt::format(
-            "crankshaft.pin_position, pin_width: the crank pin, {:.6g} mm wide at {:.6g} mm, is not on the shaft, "
-            "which runs "
-            "from {:.6g} to {:.6g} mm\n  help: state pin_position (0 mm without it) on the axis of crankshaft.start",
-            1e3 * given.pin_width, 1e3 * given.pin_position, 1e3 * given.start, 1e3 * end));
+        throw mistake("crankshaft.pin_position",
+                      fmt::format("the crank pin, {:.6g} mm wide (pin_width) at {:.6g} mm, is not on the shaft, which "
+                                  "runs from {:.6g} to {:.6g} mm",
+                                  1e3 * given.pin_width, 1e3 * given.pin_position, 1e3 * given.start, 1e3 * end),
+                      "state pin_position (0 mm without it) on the axis of crankshaft.start");
 }
 
 }  // namespace
@@ -207,8 +207,8 @@ int crank_pin_joint(const Linkage& linkage)
         }
     }
     if (pin < 0)
-        throw InputError(fmt::format("the crank '{}' has no joint away from its axis; add the joint of its pin",
-                                     linkage.bodies[static_cast<std::size_t>(crank)]));
+        throw mistake("joints", fmt::format("the crank '{}' has no joint away from its axis; add the joint of its pin",
+                                            linkage.bodies[static_cast<std::size_t>(crank)]));
     return pin;
 }
 

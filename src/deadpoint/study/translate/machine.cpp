@@ -1,6 +1,6 @@
 #include "deadpoint/study/translate/machine.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/study/translate/travel.hpp"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ template <typename T>
 T needed(const std::optional<T>& value, const char* key, const casefile::Surface& surface, const std::string& name)
 {
     if (!value)
-        throw InputError(
-            fmt::format("surfaces.{}: select = \"{}\" needs '{}'", name, casefile::name_of(surface.select), key));
+        throw mistake("surfaces." + name,
+                      fmt::format("select = \"{}\" needs '{}'", casefile::name_of(surface.select), key));
     return *value;
 }
 
@@ -23,9 +23,9 @@ PartDescription part_of(const casefile::Case& input, const std::string& name, co
 {
     const auto material = input.materials.find(part.material);
     if (material == input.materials.end())
-        throw InputError(fmt::format("parts.{}: there is no material '{}'", name, part.material));
+        throw mistake(fmt::format("parts.{}.material", name), fmt::format("there is no material '{}'", part.material));
     if (!input.bodies.contains(part.body))
-        throw InputError(fmt::format("parts.{}: there is no body '{}'", name, part.body));
+        throw mistake(fmt::format("parts.{}.body", name), fmt::format("there is no body '{}'", part.body));
 
     PartDescription result;
     result.name = name;
@@ -37,7 +37,7 @@ PartDescription part_of(const casefile::Case& input, const std::string& name, co
     result.second_order = (part.order > 0 ? part.order : input.numerics.order) == 2;
     const int sources = (part.shapes.empty() ? 0 : 1) + (part.step.empty() ? 0 : 1) + (part.mesh.empty() ? 0 : 1);
     if (sources != 1)
-        throw InputError(fmt::format("parts.{}: give exactly one of 'shapes', 'step' and 'mesh'", name));
+        throw mistake("parts." + name, "give exactly one of 'shapes', 'step' and 'mesh'");
     if (!part.shapes.empty())
         result.source = part.shapes;
     else if (!part.step.empty())
@@ -48,7 +48,7 @@ PartDescription part_of(const casefile::Case& input, const std::string& name, co
 }
 
 SurfaceSelector side_of(const casefile::Case& input, const casefile::Joint& joint, const casefile::Interface& interface,
-                        const std::string& side, const std::string& name)
+                        const std::string& side)
 {
     if (interface.diameter && input.parts.contains(side)) {
         SurfaceSelector selector;
@@ -63,12 +63,20 @@ SurfaceSelector side_of(const casefile::Case& input, const casefile::Joint& join
     if (surface != input.surfaces.end())
         return selector_of(surface->second, side);
     if (input.parts.contains(side))
-        throw InputError(
-            fmt::format("joints: interface '{}' names the part '{}' but no diameter; add the diameter of its "
-                        "cylinder about the joint's centre, or name a surface",
-                        name, side));
-    throw InputError(
-        fmt::format("joints: interface '{}' names '{}', which is neither a surface nor a part", name, side));
+        throw InputError(fmt::format("'{}' is a part, and no diameter is given\n  help: add the diameter of its "
+                                     "cylinder about the joint's centre, or name a surface",
+                                     side));
+    throw InputError(fmt::format("'{}' is neither a surface nor a part", side));
+}
+
+InterfaceDescription interface_of(const casefile::Case& input, const std::string& joint,
+                                  const casefile::Interface& interface, const Travel& travel, Mistakes& mistakes)
+{
+    const std::string path = fmt::format("joints.{}.interfaces.{}", joint, interface.name);
+    InterfaceDescription result{joint + "." + interface.name, {}, {}, 0, travel, interface.partial};
+    mistakes.attempt(path + ".a", [&] { result.a = side_of(input, input.joints.at(joint), interface, interface.a); });
+    mistakes.attempt(path + ".b", [&] { result.b = side_of(input, input.joints.at(joint), interface, interface.b); });
+    return result;
 }
 
 void set_plane(SurfaceSelector& selector, const casefile::Surface& surface, const std::string& name)
@@ -130,20 +138,20 @@ MachineDescription describe_machine(const casefile::Case& input, double size_sca
     result.seam_tolerance = input.numerics.seam_tolerance;
     result.half_model = input.machine.half_model;
     result.unbonded = input.machine.unbonded;
+    Mistakes mistakes;
     for (const auto& [name, part] : input.parts)
-        result.parts.push_back(part_of(input, name, part));
+        mistakes.attempt("parts." + name,
+                         [&, &name = name, &part = part] { result.parts.push_back(part_of(input, name, part)); });
     for (const auto& [name, surface] : input.surfaces)
-        result.surfaces.push_back({name, selector_of(surface, name)});
-    const auto travels = describe_travel(input);
-    for (const auto& [joint_name, joint] : input.joints) {
-        const auto travel = travels.find(joint_name);
-        for (const casefile::Interface& interface : joint.interfaces) {
-            const std::string name = joint_name + "." + interface.name;
-            result.interfaces.push_back({name, side_of(input, joint, interface, interface.a, name),
-                                         side_of(input, joint, interface, interface.b, name), 0,
-                                         travel == travels.end() ? Travel{} : travel->second, interface.partial});
-        }
-    }
+        mistakes.attempt("surfaces." + name, [&, &name = name, &surface = surface] {
+            result.surfaces.push_back({name, selector_of(surface, name)});
+        });
+    std::map<std::string, Travel> travels;
+    mistakes.attempt("joints", [&] { travels = describe_travel(input); });
+    for (const auto& [name, joint] : input.joints)
+        for (const casefile::Interface& interface : joint.interfaces)
+            result.interfaces.push_back(interface_of(input, name, interface, travels[name], mistakes));
+    mistakes.raise();
     return result;
 }
 
