@@ -1,6 +1,8 @@
 #include "commands.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "options/case_options.hpp"
 #include "output.hpp"
 

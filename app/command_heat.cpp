@@ -1,6 +1,8 @@
 #include "commands.hpp"
 #include "deadpoint/report/files/heat_files.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 

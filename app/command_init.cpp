@@ -1,6 +1,6 @@
 #include "commands.hpp"
 #include "deadpoint/casefile/files/shipped.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "output.hpp"
 

@@ -1,7 +1,9 @@
 #include "commands.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 

@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/report/page/page.hpp"
 #include "deadpoint/report/page/sweep_page.hpp"
 #include "options/result_options.hpp"

@@ -5,6 +5,7 @@
 #include "deadpoint/report/text/plan_text.hpp"
 #include "deadpoint/report/text/run_text.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 #include "interrupt.hpp"
 #include "options/checkpoint_options.hpp"
@@ -64,7 +65,7 @@ study::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOpti
             return of_last;
         },
         ranks.console);
-    warn_of_plan(run.press, ranks.console);
+    warn_of_plan(*run.press, ranks.console);
     return run;
 }
 
@@ -81,7 +82,7 @@ study::RefinedRun compute_once(const casefile::Case& input, const RunOptions& op
     auto result = press.run(wanted, console);
     press.drop_model();
     result.timings.insert(result.timings.begin(), {"mesh", press.mesh_seconds()});
-    return {std::move(press), std::move(result)};
+    return {std::make_unique<study::Press>(std::move(press)), std::move(result)};
 }
 
 /// The checkpoint of a run that is over is of no use.
@@ -129,14 +130,14 @@ int run_case(RunOptions options, const OnRanks& ranks)
     const auto& result = run.result;
     console.finish();
     if (folder) {
-        report::write_run_files(folder->path(), run.press.input(), run.press.machine(console), result,
+        report::write_run_files(folder->path(), run.press->input(), run.press->machine(console), result,
                                 console.warnings());
         report::write_manifest(folder->path());
         const bool has_page = add_page(*folder, console);
         commit(*folder, console);
         const auto where = folder->target().string();
         const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
-        print_out("{}\nresults{} are in {}\n", report::run_text(run.press.input(), result, detail),
+        print_out("{}\nresults{} are in {}\n", report::run_text(run.press->input(), result, detail),
                   result.thermal.interrupted ? " up to the interruption" : "", where);
         say_or_remove(checkpoint_of(options.folder), result.thermal.interrupted);
         if (has_page)

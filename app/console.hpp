@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <chrono>
 #include <memory>

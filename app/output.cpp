@@ -1,6 +1,6 @@
 #include "output.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "ranks.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "errors.hpp"
 #include "interrupt.hpp"

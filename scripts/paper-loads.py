@@ -224,7 +224,7 @@ EQUATIONS = """| equation of the paper | what | here |
 | 14b-14e | motion of the beam | `crankshaft/element`, with the signs of shear and axial force corrected |
 | 15 | element matrices | `crankshaft/element` (`beam_matrices`): G(8,5) = -m7, K_P over (1 + Phi)^2; checked against quadrature and another code |
 | 16 | bearing with housing | `crankshaft/system`: optional housing mass and support |
-| 17 | system | `crankshaft/system` with C = C_s - omega G; solved by `crankshaft/periodic` with explicit modal damping, without which no periodic answer exists |
+| 17 | system | `crankshaft/system` with C = C_s - omega G; solved by `crankshaft/response/periodic` with explicit modal damping, without which no periodic answer exists |
 | A.1-A.24 | positions, velocities, accelerations | replaced by the constraint equations of `mechanism/planar_system`, for any linkage; A.3 (sign of phi3), A.6b, A.9, A.11-A.13, A.15, A.18a and A.23 are wrong as printed |
 | A.25-A.46 | joint forces, body by body | replaced by J^T lambda = Q - M q'' in `mechanism/cycle`; wrong as printed are the inertias m l^2 / 3 beside centroidal terms (A.27-A.43), A.32 (weight), A.33 and A.37 (moment of link 11 missing), A.38-A.40 (signs, 0/0 for l5a = l6) and A.45 (no torque) |
 """

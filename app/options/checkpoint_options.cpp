@@ -2,10 +2,12 @@
 
 #include "deadpoint/casefile/describe/accuracy.hpp"
 #include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/quantity.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
+#include "deadpoint/io/binary_file.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 #include "output.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Each cases/NAME.toml is broken in the way its name says; cases/NAME.txt holds the message it must give.
 #include "broken.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>

@@ -5,8 +5,8 @@
 #include "deadpoint/casefile/files/reference_file.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>

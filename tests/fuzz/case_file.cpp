@@ -2,7 +2,7 @@
 /// without mistakes reads back from what is written of it.
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "input_file.hpp"
 
 #include <cstdlib>

@@ -3,7 +3,7 @@
 /// chance does not find them; all others are a file as they are.
 #include "deadpoint/fem/conduction/checkpoint.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/binary_file.hpp"
 #include "input_file.hpp"
 

@@ -1,7 +1,7 @@
 /// Requirement: whatever stands in a table, reading it and its columns gives finite numbers or an error of ours.
 #include "deadpoint/io/csv_table.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "input_file.hpp"
 
 #include <algorithm>

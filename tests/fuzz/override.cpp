@@ -1,6 +1,6 @@
 /// Requirement: whatever is given as --set, the case is read or an error of ours comes.
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 /// is a formula or an error of ours. The first byte of the input chooses the dimension, or the formula.
 #include "deadpoint/core/quantity.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/formula.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,7 @@
 /// Requirement: whatever stands in a reference file, reading it gives figures or an error of ours.
 #include "deadpoint/casefile/files/reference_file.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "input_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -1,6 +1,6 @@
 /// Requirement: whatever stands in a file of a results folder or of a study, its page is written or an error of ours
 /// comes. The first byte of the input chooses the file; the others are sound.
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/page.hpp"
 #include "deadpoint/report/page/page_parts.hpp"

@@ -1,7 +1,7 @@
 /// Requirement: whatever stands in a study file, reading it gives a study or an error of ours.
 #include "deadpoint/casefile/files/study_file.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "input_file.hpp"
 
 #include <filesystem>

@@ -1,6 +1,9 @@
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/exchange/stress.hpp"
 #include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 
 #include <exception>

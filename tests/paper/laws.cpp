@@ -1,6 +1,10 @@
 /// Tables 3, 4 and 5 of the paper: contact resistance, static factors and joint heat by the program's laws.
+#include "deadpoint/observer.hpp"
 #include "deadpoint/study/laws/friction.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/result/friction_summary.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/tribology/conductance/conductance.hpp"
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
 #include "deadpoint/tribology/friction/rolling_bearing.hpp"
 #include "paper.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <string>
 

@@ -1,6 +1,7 @@
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>
@@ -29,7 +30,7 @@ Bent bent(int order, double scale)
     const auto field = model.interpolate_field([](const Vec3& x) { return 293.15 + 4000 * x[0] * x[1]; });
     model.support(study::surface_index(machine, "bottom"));
     const auto u = model.displacement(field, 293.15);
-    const auto parts = model.deformation_errors(u, {model.deformation_dual(side)}).front();
+    const auto parts = model.deformation_errors(u, {model.deformation_adjoint(side)}).front();
     return {model.evaluate({side}, u)[0], std::accumulate(parts.begin(), parts.end(), 0.0)};
 }
 

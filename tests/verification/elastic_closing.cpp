@@ -1,4 +1,5 @@
 #include "../record.hpp"
+#include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 #include "deadpoint/study/translate/lookup.hpp"

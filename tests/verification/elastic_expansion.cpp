@@ -1,9 +1,11 @@
 #include "deadpoint/exchange/face_points.hpp"
-#include "deadpoint/fem/estimate/field_modes.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/fem/estimate/pod.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/pipeline/view_data.hpp"
+#include "deadpoint/study/pipeline/view_recorder.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

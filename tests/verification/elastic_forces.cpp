@@ -1,7 +1,10 @@
 #include "deadpoint/fem/estimate/tighten.hpp"
+#include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -1,7 +1,10 @@
+#include "deadpoint/drift/chain.hpp"
 #include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

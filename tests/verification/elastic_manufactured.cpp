@@ -2,6 +2,7 @@
 #include "../scratch_folder.hpp"
 #include "brick_elements.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "elastic_model.hpp"
 #include "grid_mesh.hpp"
 

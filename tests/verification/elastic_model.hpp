@@ -1,9 +1,11 @@
 #pragma once
 
 #include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "solved_case.hpp"
 
 /// A case's machine with its finite elements, for deformations without a run.

@@ -1,4 +1,5 @@
 #include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>

@@ -1,11 +1,12 @@
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/drift/chain.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -1,7 +1,14 @@
 #include "../turned_case.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/mechanism/planar_motion.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

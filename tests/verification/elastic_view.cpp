@@ -1,6 +1,8 @@
-#include "deadpoint/fem/estimate/field_modes.hpp"
-#include "deadpoint/study/pipeline/view_data.hpp"
+#include "deadpoint/fem/estimate/pod.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/pipeline/view_recorder.hpp"
 #include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -55,14 +57,14 @@ TEST_CASE("modes: fields of rank two need two modes, whatever the number of time
     for (const double t : {0.0, 0.1, 0.3, 0.6, 0.8, 1.0})
         fields.push_back(snapshot(bar.model.interpolate_field(
             [&](const Vec3& x) { return start + 40 * t * x[1] + 15 * t * t * std::cos(20 * x[0]); })));
-    const auto modes = fem::field_modes(fields, 1e-5, 10);
+    const auto modes = fem::pod(fields, 1e-5, 10);
     CHECK(modes.modes.size() == 2);
     // 40 K per metre at the top of the upper cap, 1.02 m up, and 15 K on the axis
     CHECK(modes.largest_rise == Approx(1.02 * 40 + 15).scale(0).epsilon(1e-2));
-    REQUIRE(modes.rest.size() == 2);
-    CHECK(modes.rest[0] == Approx(1));
-    CHECK(modes.rest[1] > 0.01);  // neither shape is small beside the other
-    CHECK(modes.rest[1] < 0.7);
+    REQUIRE(modes.residual_energy.size() == 2);
+    CHECK(modes.residual_energy[0] == Approx(1));
+    CHECK(modes.residual_energy[1] > 0.01);  // neither shape is small beside the other
+    CHECK(modes.residual_energy[1] < 0.7);
     CHECK(modes.error < 1e-4);  // float: 6e-8 of 330 K, a few times over
 }
 
@@ -74,7 +76,7 @@ TEST_CASE("modes: what is left out stays below the tolerance, and the error told
     for (const double t : times)
         fields.push_back(snapshot(bar.model.interpolate_field([&](const Vec3& x) { return temperature(x, t); })));
     for (const double tolerance : {0.3, 0.005, 1e-6}) {
-        const auto modes = fem::field_modes(fields, tolerance, 10);
+        const auto modes = fem::pod(fields, tolerance, 10);
         CHECK(modes.error <= tolerance * modes.largest_rise);
         double largest = 0;
         for (std::size_t j = 0; j < times.size(); ++j)
@@ -86,15 +88,15 @@ TEST_CASE("modes: what is left out stays below the tolerance, and the error told
             }
         CHECK(largest == Approx(modes.error).scale(0).epsilon(0.02).scale(1e-3));
     }
-    CHECK(fem::field_modes(fields, 0.005, 10).modes.size() == 2);
-    CHECK(fem::field_modes(fields, 1e-9, 1).modes.size() == 1);
+    CHECK(fem::pod(fields, 0.005, 10).modes.size() == 2);
+    CHECK(fem::pod(fields, 1e-9, 1).modes.size() == 1);
 }
 
 TEST_CASE("modes: a field that does not change needs none")
 {
     const Bar bar;
     const auto field = snapshot(bar.model.constant_field(300));
-    const auto modes = fem::field_modes({field, field}, 0.005, 10);
+    const auto modes = fem::pod({field, field}, 0.005, 10);
     CHECK(modes.modes.empty());
     CHECK(modes.largest_rise == 0);
     CHECK(modes.base.owned.front() == Approx(300));

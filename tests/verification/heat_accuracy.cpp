@@ -1,3 +1,7 @@
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/refine/estimate.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 #include "solved_case.hpp"
 
@@ -28,7 +32,7 @@ Estimated estimated(const casefile::Case& input, const std::function<double(cons
     study::RunOptions options;
     options.kept_times = {study::estimate_times(input).back()};
     Estimated outcome{};
-    options.at_end = [&](const study::RunInside& run) {
+    options.on_finish = [&](const study::RunContext& run) {
         outcome.estimate = study::estimate_error(run, casefile::Accuracy::Of::rises).total;
     };
     outcome.result = study::run_case(input, machine, options, silent);
@@ -69,7 +73,10 @@ double difference(const study::RunResult& one, const study::RunResult& other)
     return largest;
 }
 
-double size_of(const study::RefinedRun& run, const std::string& part) { return *run.press.input().parts.at(part).size; }
+double size_of(const study::RefinedRun& run, const std::string& part)
+{
+    return *run.press->input().parts.at(part).size;
+}
 
 }  // namespace
 
@@ -128,7 +135,7 @@ TEST_CASE("estimate: the mean temperature of a cube that is heated inside and co
         study::RunOptions options;
         options.kept_times = {study::estimate_times(input).back()};
         Mean outcome{};
-        options.at_end = [&](const study::RunInside& run) {
+        options.on_finish = [&](const study::RunContext& run) {
             const auto& [time, field] = run.fields.at(0);
             fem::Adjoint mean{"mean", std::vector<double>(field.owned.size(), 0.0)};
             for (const auto& point : points) {
@@ -136,7 +143,7 @@ TEST_CASE("estimate: the mean temperature of a cube that is heated inside and co
                 for (std::size_t i = 0; i < mean.owned.size(); ++i)
                     mean.owned[i] += one.owned[i] / static_cast<double>(points.size());
             }
-            const auto dual = run.model.heat_duals(run.problem, time, field, {mean});
+            const auto dual = run.model.heat_adjoints(run.problem, time, field, {mean});
             outcome = {run.model.conduction_errors(field, dual)[0][0], exact - run.model.apply(mean, field, 293.15)};
         };
         study::run_case(input, machine, options, silent);
@@ -170,7 +177,7 @@ TEST_CASE("refinement goes where the field is steep, and keeps its promise")
     REQUIRE(report.rounds.size() > 1);
     CHECK(*report.rounds.back().change <= 0.1);
     CHECK(report.rounds.back().estimate + report.time_change <= 0.1);
-    auto fine = run.press.input();  // 24 000 cells, and time steps half as long
+    auto fine = run.press->input();  // 24 000 cells, and time steps half as long
     for (auto& [name, part] : fine.parts)
         part.size = 0.005;
     fine.numerics.time_tolerance /= 8;

@@ -1,6 +1,10 @@
+#include "deadpoint/exchange/heat_causes.hpp"
+
 #include "busy_blocks.hpp"
 #include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 
 #include <cmath>
 #include <numeric>

@@ -1,5 +1,6 @@
-#include "deadpoint/core/error.hpp"
-#include "deadpoint/exchange/step_tolerance.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/heat/tr_bdf2.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 #include "solved_case.hpp"
 
 #include <algorithm>
@@ -92,13 +93,13 @@ std::string warnings_of(const Case& input)
 
 TEST_CASE("what a step may err by falls with the power 3/2 of the time tolerance, below the default")
 {
-    using deadpoint::step_tolerance;
-    CHECK(step_tolerance(0.05) == doctest::Approx(0.05));
-    CHECK(step_tolerance(0.02) == doctest::Approx(0.02));
-    CHECK(step_tolerance(0.005) == doctest::Approx(0.005 / 2));
-    CHECK(step_tolerance(0.0002) == doctest::Approx(0.0002 / 10));
+    CHECK(deadpoint::heat::step_tolerance(0.05) == doctest::Approx(0.05));
+    CHECK(deadpoint::heat::step_tolerance(0.02) == doctest::Approx(0.02));
+    CHECK(deadpoint::heat::step_tolerance(0.005) == doctest::Approx(0.005 / 2));
+    CHECK(deadpoint::heat::step_tolerance(0.0002) == doctest::Approx(0.0002 / 10));
     for (const double tolerance : {0.3, 0.02, 0.004, 1e-5})
-        CHECK(deadpoint::time_tolerance_of(step_tolerance(tolerance)) == doctest::Approx(tolerance));
+        CHECK(deadpoint::heat::time_tolerance_of(deadpoint::heat::step_tolerance(tolerance)) ==
+              doctest::Approx(tolerance));
 }
 
 TEST_CASE("a sump keeps to the time tolerance, between the steps too")

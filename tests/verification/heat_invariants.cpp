@@ -386,9 +386,9 @@ TEST_CASE("half a symmetric machine stands for the whole")
     CHECK(half.machine.interfaces[0].area == doctest::Approx(0.5 * whole.machine.interfaces[0].area).epsilon(1e-9));
     // Two different meshes of the same machine.
     CHECK(largest_difference(whole, half) < 0.01 * largest_rise(whole));
-    CHECK(half.result.whole * half.history().energy.generated ==
+    CHECK(half.result.symmetry_factor * half.history().energy.generated ==
           doctest::Approx(whole.history().energy.generated).epsilon(0.005));
-    CHECK(half.result.whole * half.history().energy.to_air ==
+    CHECK(half.result.symmetry_factor * half.history().energy.to_air ==
           doctest::Approx(whole.history().energy.to_air).epsilon(0.02));
 }
 

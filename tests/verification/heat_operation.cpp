@@ -1,8 +1,10 @@
 #include "../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/hash.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "../record.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/materials.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

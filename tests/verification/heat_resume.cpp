@@ -1,7 +1,8 @@
 #include "../scratch_folder.hpp"
 #include "busy_blocks.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/hash.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 
 #include <cstring>
 #include <limits>

@@ -1,5 +1,5 @@
 #include "../record.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/study/sweep/sweep.hpp"
+#include "deadpoint/study/sweep/sweep_plan.hpp"
 #include "solved_case.hpp"
 
 #include <csignal>

@@ -1,8 +1,13 @@
 #pragma once
 
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/study/result/run_result.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>

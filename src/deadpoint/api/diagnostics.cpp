@@ -5,6 +5,7 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/syntax/diagnostics.hpp"
 #include "deadpoint/casefile/syntax/document.hpp"
+#include "deadpoint/casefile/syntax/file_access.hpp"
 
 namespace deadpoint {
 namespace {

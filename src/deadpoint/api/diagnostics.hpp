@@ -2,7 +2,6 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/diagnostic.hpp"
-#include "deadpoint/press.hpp"
 
 #include <filesystem>
 #include <string>
@@ -10,6 +9,8 @@
 
 /// Internal to api/: a case file with all its mistakes, as data.
 namespace deadpoint {
+
+struct ReadOptions;
 
 struct CheckedCase {
     casefile::Case value;                      ///< invalid if there are errors

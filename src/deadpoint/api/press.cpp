@@ -5,8 +5,18 @@
 #include "deadpoint/api/press_parts.hpp"
 #include "deadpoint/api/result_writer.hpp"
 #include "deadpoint/api/results.hpp"
+#include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/casefile/syntax/file_access.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/study/pipeline/heat_tables.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
 
 #include <algorithm>
 #include <string>

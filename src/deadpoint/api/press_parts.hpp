@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/syntax/file_access.hpp"
 #include "deadpoint/press.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 

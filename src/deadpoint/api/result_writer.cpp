@@ -1,8 +1,15 @@
 #include "deadpoint/api/result_writer.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/press.hpp"
 #include "deadpoint/report/files/run_files.hpp"
+#include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/folder/result_folder.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 
 #include <functional>
 
@@ -43,6 +50,8 @@ ResultWriter::ResultWriter(const RunOptions& options, const std::vector<std::fil
     });
     path_ = fem::from_first_rank(folder_ ? folder_->path().string() : std::string{});
 }
+
+ResultWriter::~ResultWriter() = default;
 
 study::RunOptions ResultWriter::wanted() const
 {

@@ -1,16 +1,24 @@
 #pragma once
 
-#include "deadpoint/press.hpp"
-#include "deadpoint/report/folder/result_folder.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace deadpoint::report {
+class ResultFolder;
+}
+namespace deadpoint::study {
+class Press;
+struct RunOptions;
+struct RunResult;
+}  // namespace deadpoint::study
+
 /// Internal to api/: the result folder of a run.
 namespace deadpoint {
+
+class Observer;
+struct RunOptions;
 
 class ResultWriter {
 public:
@@ -18,6 +26,7 @@ public:
     /// @param inputs  files of the user; a folder that holds one of them is never replaced
     /// @throws InputError, IoError on all ranks alike
     ResultWriter(const RunOptions& options, const std::vector<std::filesystem::path>& inputs);
+    ~ResultWriter();
 
     /// Start and output options of a run.
     [[nodiscard]] study::RunOptions wanted() const;

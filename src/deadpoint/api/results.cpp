@@ -1,6 +1,15 @@
 #include "deadpoint/api/results.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/result.hpp"
+#include "deadpoint/study/result/frame_result.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -47,7 +56,7 @@ private:
     /// Heat of the model becomes that of the press.
     void add_heat(Kind kind, const std::string& name, const char* quantity, const std::vector<double>& watts)
     {
-        add(kind, name, quantity, "W", scaled(watts, result_.whole));
+        add(kind, name, quantity, "W", scaled(watts, result_.symmetry_factor));
     }
 
     void add_temperatures()
@@ -138,8 +147,9 @@ private:
 EnergyFigures energy_of(const study::RunResult& result)
 {
     const auto& energy = result.thermal.energy;
-    return {result.whole * energy.generated, result.whole * energy.from_surfaces, result.whole * energy.to_air,
-            result.whole * energy.to_oil,    result.whole * energy.stored,        energy.mismatch()};
+    return {result.symmetry_factor * energy.generated, result.symmetry_factor * energy.from_surfaces,
+            result.symmetry_factor * energy.to_air,    result.symmetry_factor * energy.to_oil,
+            result.symmetry_factor * energy.stored,    energy.mismatch()};
 }
 
 void add_components(std::vector<NamedSeries>& series, Kind kind, const std::string& name,

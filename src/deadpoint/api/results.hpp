@@ -1,16 +1,23 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/result.hpp"
-#include "deadpoint/study/pipeline/heat_tables.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-
 #include <string>
 #include <vector>
 
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::study {
+struct HeatTables;
+struct LoadsResult;
+struct RunResult;
+}  // namespace deadpoint::study
+
 /// Internal to api/: results of the stages in the types of the public headers.
 namespace deadpoint {
+
+struct HeatTables;
+struct LoadsResult;
+struct RunResult;
 
 RunResult public_run(const casefile::Case& input, const study::RunResult& result, std::vector<std::string> warnings,
                      std::string folder);

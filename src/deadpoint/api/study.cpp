@@ -3,13 +3,20 @@
 #include "deadpoint/api/listener.hpp"
 #include "deadpoint/api/press_parts.hpp"
 #include "deadpoint/api/results.hpp"
+#include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/casefile/syntax/file_access.hpp"
 #include "deadpoint/core/quantity.hpp"
 #include "deadpoint/report/files/compare_files.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/study/compare/compare.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 #include "deadpoint/study/refine/refine.hpp"
+#include "deadpoint/study/result/run_result.hpp"
 #include "deadpoint/study/sweep/sweep.hpp"
+#include "deadpoint/study/sweep/sweep_plan.hpp"
 
 #include <numeric>
 #include <utility>
@@ -71,9 +78,9 @@ Refinement refinement_of(const Press::Implementation& parts, study::RefinedRun r
     result.why_not = report.why_not;
     for (const auto& round : report.rounds)
         result.rounds.push_back({round.cells, round.value, round.change, round.estimate});
-    result.result = public_run(run.press.input(), run.result, std::move(warnings), {});
+    result.result = public_run(run.press->input(), run.result, std::move(warnings), {});
     result.press = Press(std::make_unique<Press::Implementation>(
-        Press::Implementation{std::move(run.press), parts.file, parts.options, parts.warnings, parts.inputs}));
+        Press::Implementation{std::move(*run.press), parts.file, parts.options, parts.warnings, parts.inputs}));
     return result;
 }
 

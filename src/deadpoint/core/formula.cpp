@@ -1,6 +1,6 @@
 #include "deadpoint/core/formula.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <muParser.h>

@@ -1,7 +1,8 @@
 #include "deadpoint/core/quantity.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/suggest.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/error.hpp"
 
 #include <array>
 #include <charconv>
@@ -79,9 +80,9 @@ constexpr std::array named_scales{
     NamedScale{"deg/s", D::angular_velocity, {pi / 180, 0}},
     NamedScale{"K", D::temperature, {1, 0}},
     NamedScale{"kelvin", D::temperature, {1, 0}},
-    NamedScale{"degC", D::temperature, {1, 273.15}},
-    NamedScale{"celsius", D::temperature, {1, 273.15}},
-    NamedScale{"\u00b0C", D::temperature, {1, 273.15}},
+    NamedScale{"degC", D::temperature, {1, zero_celsius}},
+    NamedScale{"celsius", D::temperature, {1, zero_celsius}},
+    NamedScale{"\u00b0C", D::temperature, {1, zero_celsius}},
     NamedScale{"degF", D::temperature, {5.0 / 9.0, 459.67 * 5.0 / 9.0}},
     NamedScale{"fahrenheit", D::temperature, {5.0 / 9.0, 459.67 * 5.0 / 9.0}},
     NamedScale{"\u00b0F", D::temperature, {5.0 / 9.0, 459.67 * 5.0 / 9.0}},

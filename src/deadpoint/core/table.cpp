@@ -1,6 +1,6 @@
 #include "deadpoint/core/table.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,24 +41,6 @@ CurvePoint interpolate_linear(std::span<const double> x, std::span<const double>
     const auto i = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin()) - 1;
     const double slope = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
     return {y[i] + slope * (at - x[i]), slope, false};
-}
-
-CurvePoint interpolate_log_linear(std::span<const double> x, std::span<const double> y, double at)
-{
-    check_curve(x, y, at);
-    if (!std::ranges::all_of(y, [](double v) { return v > 0; })) {
-        throw DomainError("a log-linear curve needs positive values");
-    }
-    if (at < x.front()) {
-        return {y.front(), 0, true};
-    }
-    if (at >= x.back()) {
-        return {y.back(), 0, at > x.back()};
-    }
-    const auto i = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin()) - 1;
-    const double rate = std::log(y[i + 1] / y[i]) / (x[i + 1] - x[i]);
-    const double value = y[i] * std::exp(rate * (at - x[i]));
-    return {value, rate * value, false};
 }
 
 }  // namespace deadpoint

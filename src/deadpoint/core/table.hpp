@@ -18,8 +18,4 @@ struct CurvePoint {
 /// @throws DomainError if the sizes differ, x does not increase, or a number is not finite
 CurvePoint interpolate_linear(std::span<const double> x, std::span<const double> y, double at);
 
-/// As interpolate_linear, but ln y is linear in x between the points (viscosity over temperature).
-/// @throws DomainError also if a y is not positive
-CurvePoint interpolate_log_linear(std::span<const double> x, std::span<const double> y, double at);
-
 }  // namespace deadpoint

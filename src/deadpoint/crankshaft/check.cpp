@@ -1,6 +1,8 @@
 #include "deadpoint/crankshaft/check.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/crankshaft/shaft.hpp"
+#include "deadpoint/exchange/warning.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,16 @@
 #pragma once
 
-#include "deadpoint/crankshaft/shaft.hpp"
-#include "deadpoint/exchange/warning.hpp"
-
 #include <string>
 #include <vector>
 
+namespace deadpoint {
+struct Warning;
+}
+
 namespace deadpoint::crankshaft {
+
+struct Section;
+struct Shaft;
 
 /// Checks that the description is valid.
 /// @throws CaseError with every wrong section, disk and bearing: sizes or moduli not positive or not finite, a bore not

@@ -1,9 +1,13 @@
 #include "deadpoint/crankshaft/cycle.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/crankshaft/check.hpp"
-#include "deadpoint/crankshaft/load_channels.hpp"
-#include "deadpoint/exchange/friction.hpp"
+#include "deadpoint/crankshaft/response/load_channels.hpp"
+#include "deadpoint/crankshaft/response/periodic.hpp"
+#include "deadpoint/crankshaft/response/periodic_load.hpp"
+#include "deadpoint/crankshaft/shaft_loads.hpp"
+#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/laws/friction.hpp"
 
 #include <algorithm>
 #include <array>

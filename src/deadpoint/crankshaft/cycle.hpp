@@ -1,9 +1,8 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
-#include "deadpoint/crankshaft/periodic.hpp"
+#include "deadpoint/crankshaft/response/periodic_load.hpp"
 #include "deadpoint/crankshaft/shaft.hpp"
-#include "deadpoint/crankshaft/shaft_loads.hpp"
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/exchange/warning.hpp"
 
@@ -13,6 +12,10 @@
 
 /// Loads of the crankshaft's bearings over one turn: the rigid (traditional) and the flexible (improved) model.
 namespace deadpoint::crankshaft {
+
+struct PeriodicSettings;
+
+struct ShaftLoads;
 
 /// Bearing loads of one turn. Bearings in the order of Shaft::bearings.
 struct ShaftCycle {

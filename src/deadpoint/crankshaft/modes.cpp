@@ -1,11 +1,15 @@
 #include "deadpoint/crankshaft/modes.hpp"
 
-#include "deadpoint/core/error.hpp"
-#include "deadpoint/crankshaft/modal_basis.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/crankshaft/eigen_views.hpp"
+#include "deadpoint/crankshaft/response/modal_basis.hpp"
+#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace deadpoint::crankshaft {
 namespace {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "deadpoint/crankshaft/system.hpp"
-
 #include <complex>
 #include <span>
 #include <vector>
 
 /// Free vibration of the shaft: natural frequencies, whirl and critical speeds.
 namespace deadpoint::crankshaft {
+
+struct ShaftSystem;
 
 enum class Whirl { forward, backward, planar };
 

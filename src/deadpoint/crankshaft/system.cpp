@@ -1,9 +1,9 @@
 #include "deadpoint/crankshaft/system.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/crankshaft/check.hpp"
 #include "deadpoint/crankshaft/eigen_views.hpp"
 #include "deadpoint/crankshaft/element.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/drift/contact_side.hpp"
 #include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/exchange/linkage.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -2,12 +2,16 @@
 
 #include "deadpoint/drift/joint_surfaces.hpp"
 #include "deadpoint/exchange/deformation.hpp"
-#include "deadpoint/exchange/linkage.hpp"
-#include "deadpoint/exchange/machine.hpp"
 
 #include <array>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct BottomDeadPointSensitivity;
+struct Linkage;
+struct Machine;
+}  // namespace deadpoint
 
 /// The dimension chain at bottom dead point, as linear functionals of the displacement.
 namespace deadpoint::drift {

@@ -1,5 +1,6 @@
 #include "deadpoint/drift/clearances.hpp"
 
+#include "deadpoint/drift/chain.hpp"
 #include "deadpoint/drift/contact_side.hpp"
 
 #include <algorithm>

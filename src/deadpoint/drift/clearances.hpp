@@ -1,9 +1,14 @@
 #pragma once
 
-#include "deadpoint/drift/chain.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/deformation.hpp"
 
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct Machine;
+}
 
 namespace deadpoint::drift {
 

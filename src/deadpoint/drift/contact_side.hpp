@@ -1,12 +1,21 @@
 #pragma once
 
-#include "deadpoint/drift/joint_surfaces.hpp"
-#include "deadpoint/exchange/deformation.hpp"
-#include "deadpoint/exchange/linkage.hpp"
-#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/core/vec.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace deadpoint {
+struct Functional;
+struct Linkage;
+struct Machine;
+struct MeshPart;
+}  // namespace deadpoint
 
 /// Internal to drift/: the points of one side of a contact.
 namespace deadpoint::drift {
+
+struct ContactSide;
 
 struct SurfacePoint {
     std::uint32_t face;

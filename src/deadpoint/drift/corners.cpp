@@ -1,7 +1,9 @@
 #include "deadpoint/drift/corners.hpp"
 
+#include "deadpoint/drift/chain.hpp"
 #include "deadpoint/drift/contact_side.hpp"
 #include "deadpoint/drift/tilt.hpp"
+#include "deadpoint/exchange/linkage.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,20 @@
 #pragma once
 
-#include "deadpoint/drift/chain.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/deformation.hpp"
 
 #include <string>
 #include <vector>
 
+namespace deadpoint {
+struct BottomDeadPointSensitivity;
+struct Linkage;
+struct Machine;
+}  // namespace deadpoint
+
 namespace deadpoint::drift {
+
+struct ChainDescription;
 
 /// Rotation of the slide by the closing of the linkage, with the crank held.
 struct SlideTurn {

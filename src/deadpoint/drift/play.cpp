@@ -18,12 +18,4 @@ double BearingPlay::taken(double growth) const
 
 double BearingPlay::share(double growth) const { return growth == 0 ? slope(growth) : taken(growth) / growth; }
 
-double mean_taken(const BearingPlay& play, const std::vector<double>& growths)
-{
-    double sum = 0;
-    for (const double growth : growths)
-        sum += play.taken(growth);
-    return growths.empty() ? 0 : sum / static_cast<double>(growths.size());
-}
-
 }  // namespace deadpoint::drift

@@ -22,7 +22,4 @@ struct BearingPlay {
     [[nodiscard]] double slope(double growth) const;
 };
 
-/// Mean of taken() over bearings [m]; 0 without bearings.
-double mean_taken(const BearingPlay& play, const std::vector<double>& growths);
-
 }  // namespace deadpoint::drift

@@ -1,6 +1,8 @@
 #include "deadpoint/drift/tilt.hpp"
 
+#include "deadpoint/drift/chain.hpp"
 #include "deadpoint/drift/contact_side.hpp"
+#include "deadpoint/exchange/linkage.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,12 +1,23 @@
 #pragma once
 
-#include "deadpoint/drift/chain.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/deformation.hpp"
 
 #include <optional>
 #include <vector>
 
+namespace deadpoint {
+struct BottomDeadPointSensitivity;
+struct Linkage;
+struct Machine;
+}  // namespace deadpoint
+
 /// Internal to drift/: the tilt of bodies, held by joints.
 namespace deadpoint::drift {
+
+struct ContactSide;
+
+struct ChainDescription;
 
 /// Rotation about an axis of a body's surfaces of one joint as the body deforms.
 struct TiltFit {

@@ -1,5 +1,6 @@
 #include "deadpoint/exchange/face_points.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/exchange/round_edges.hpp"
 
 #include <cmath>

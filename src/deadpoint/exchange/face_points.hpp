@@ -1,10 +1,13 @@
 #pragma once
 
-#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/core/vec.hpp"
 
 #include <vector>
 
 namespace deadpoint {
+
+struct Face;
+struct Machine;
 
 struct FacePoint {
     Vec3 position{};

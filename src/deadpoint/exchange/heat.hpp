@@ -1,9 +1,8 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
-#include "deadpoint/exchange/law_table.hpp"
-#include "deadpoint/exchange/laws.hpp"
-#include "deadpoint/exchange/material.hpp"
+#include "deadpoint/exchange/laws/law_table.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
 
 #include <functional>
 #include <string>

@@ -1,5 +1,7 @@
 #include "deadpoint/exchange/round_edges.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
+
 #include <algorithm>
 #include <utility>
 

@@ -1,11 +1,17 @@
 #pragma once
 
-#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/core/vec.hpp"
+
+#include <cstdint>
 
 /// The shape of faces and cells whose edges are round: bilinear or linear between the nodes, with
 /// the bulge of each edge added by the shape function of its middle node in an element of eight or
 /// twenty (six or ten) nodes.
 namespace deadpoint {
+
+struct Cell;
+struct Face;
+struct Machine;
 
 /// From the middle of the chord between two nodes to the middle of their edge; zero where it is straight [m].
 Vec3 bulge(const Machine& machine, std::uint32_t a, std::uint32_t b);

@@ -1,13 +1,21 @@
 #include "deadpoint/fem/model.hpp"
 
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/exchange/decimated_surface.hpp"
+#include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/fem/conduction/heat_solver.hpp"
 #include "deadpoint/fem/conduction/thermal_state.hpp"
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
 #include "deadpoint/fem/elastic/expansion.hpp"
+#include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/elastic/stress_recovery.hpp"
 #include "deadpoint/fem/estimate/error_estimate.hpp"
+#include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/fem/transfer/fitted_transfer.hpp"
+#include "deadpoint/fem/transfer/transfer.hpp"
 #include "deadpoint/io/vtu.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -374,8 +382,8 @@ Field Model::interpolate_field(const std::function<double(const Vec3&)>& tempera
     return field;
 }
 
-std::vector<Field> Model::heat_duals(const HeatProblem& problem, double time, const Field& temperature,
-                                     const std::vector<Adjoint>& weights)
+std::vector<Field> Model::heat_adjoints(const HeatProblem& problem, double time, const Field& temperature,
+                                        const std::vector<Adjoint>& weights)
 {
     HeatSolver solver(implementation_->space, implementation_->materials, problem);
     solver.start_from(start_of(problem, temperature));
@@ -394,7 +402,7 @@ Adjoint Model::probe_weights(const HeatProbe& probe)
     return result;
 }
 
-Displacement Model::deformation_dual(const Functional& functional)
+Displacement Model::deformation_adjoint(const Functional& functional)
 {
     return implementation_->deformation().dual(functional);
 }
@@ -444,72 +452,104 @@ std::vector<Vec3> Model::at_corners(const std::vector<CellCorner>& corners, cons
     return result;
 }
 
-std::string Model::write_fields(const std::string& folder, const std::string& name, const Field& temperature,
-                                const Displacement* displacement, const std::vector<RigidMotion>& motion_of_part,
-                                const std::vector<int>& body_of_part, const std::vector<std::string>& comments,
-                                const std::vector<PointData>& point_data)
-{
-    const auto& space = implementation_->space;
-    const auto& machine = implementation_->machine;
-    int rank = 0, ranks = 1;
-    MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
-    MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
+namespace {
 
-    const auto rise = gather_all(space, temperature.owned, 1);
-    const auto moved =
-        displacement ? gather_all(space, implementation_->on_heat_mesh(*displacement), 3) : std::vector<double>();
+/// What a field file shows: values at all unknowns, and what to say of each part.
+struct ShownFields {
+    std::vector<double> temperature;   ///< [K]
+    std::vector<double> displacement;  ///< three for each unknown [m]; empty: none
+    const std::vector<RigidMotion>& motion_of_part;
+    const std::vector<int>& body_of_part;
+    const std::vector<PointData>& point_data;
+};
 
-    VtuGrid grid;
-    std::vector<std::int64_t> local(machine.nodes.size(), -1);
-    std::vector<float> celsius, millimetre;
-    std::vector<std::int32_t> part, body;
-    std::vector<std::vector<float>> more(point_data.size());
-    for (std::uint32_t c = 0; c < machine.cells.size(); ++c) {
-        const auto cell = space.cell(c);
-        if (!cell->is_locally_owned())
-            continue;
-        std::vector<std::uint32_t> nodes;
-        const unsigned count = machine.cells[c].kind == CellKind::hexahedron ? 8 : 4;
-        for (unsigned i = 0; i < count; ++i) {
-            const auto node = machine.cells[c].nodes[i];
-            if (local[node] < 0) {
-                local[node] = static_cast<std::int64_t>(grid.points.size());
-                grid.points.push_back(machine.nodes[node]);
-                const auto dof = space.vertex_unknown(c, i);
-                celsius.push_back(static_cast<float>(rise[dof] - 273.15));
-                for (std::size_t k = 0; k < point_data.size(); ++k) {
-                    const int count_k = point_data[k].components;
-                    const auto* from = point_data[k].values.data() + static_cast<std::size_t>(count_k) * node;
-                    more[k].insert(more[k].end(), from, from + count_k);
-                }
-                if (displacement) {
-                    const Vec3 u = Vec3{moved[3 * dof], moved[3 * dof + 1], moved[3 * dof + 2]} +
-                                   rigid_displacement(motion_of_part[machine.cells[c].part], machine.nodes[node]);
-                    for (const double value : u)
-                        millimetre.push_back(static_cast<float>(1000 * value));
-                }
-            }
-            nodes.push_back(static_cast<std::uint32_t>(local[node]));
-        }
-        grid.add_cell(count == 8 ? VtuCell::hexahedron : VtuCell::tetrahedron, nodes);
-        part.push_back(static_cast<std::int32_t>(machine.cells[c].part));
-        body.push_back(body_of_part[machine.cells[c].part]);
+/// This rank's cells with their values, node by node as cells name them.
+class FieldPiece {
+public:
+    FieldPiece(const Discretisation& space, const Machine& machine, const ShownFields& shown)
+        : space_(space), machine_(machine), shown_(shown), local_(machine.nodes.size(), -1),
+          more_(shown.point_data.size())
+    {
+        for (std::uint32_t c = 0; c < machine.cells.size(); ++c)
+            if (space.cell(c)->is_locally_owned())
+                add_cell(c);
     }
-    std::vector<VtuArray> arrays{{"temperature [degC]", VtuArray::Place::point, 1, celsius},
-                                 {"part", VtuArray::Place::cell, 1, part},
-                                 {"body", VtuArray::Place::cell, 1, body}};
-    if (displacement)
-        arrays.push_back({"displacement [mm]", VtuArray::Place::point, 3, millimetre});
-    for (std::size_t k = 0; k < point_data.size(); ++k)
-        arrays.push_back({point_data[k].name, VtuArray::Place::point, point_data[k].components, std::move(more[k])});
-    if (ranks == 1) {
-        write_vtu(folder + "/" + name + ".vtu", grid, arrays, {std::nullopt, comments});
+
+    [[nodiscard]] const VtuGrid& grid() const { return grid_; }
+    [[nodiscard]] std::vector<VtuArray> arrays()
+    {
+        std::vector<VtuArray> arrays{{"temperature [degC]", VtuArray::Place::point, 1, celsius_},
+                                     {"part", VtuArray::Place::cell, 1, part_},
+                                     {"body", VtuArray::Place::cell, 1, body_}};
+        if (!shown_.displacement.empty())
+            arrays.push_back({"displacement [mm]", VtuArray::Place::point, 3, millimetre_});
+        for (std::size_t k = 0; k < more_.size(); ++k)
+            arrays.push_back({shown_.point_data[k].name, VtuArray::Place::point, shown_.point_data[k].components,
+                              std::move(more_[k])});
+        return arrays;
+    }
+
+private:
+    void add_cell(std::uint32_t c)
+    {
+        const auto& cell = machine_.cells[c];
+        const unsigned count = cell.kind == CellKind::hexahedron ? 8 : 4;
+        std::vector<std::uint32_t> nodes;
+        for (unsigned i = 0; i < count; ++i) {
+            auto& local = local_[cell.nodes[i]];
+            if (local < 0) {
+                local = static_cast<std::int64_t>(grid_.points.size());
+                add_node(cell.nodes[i], space_.vertex_unknown(c, i), cell.part);
+            }
+            nodes.push_back(static_cast<std::uint32_t>(local));
+        }
+        grid_.add_cell(count == 8 ? VtuCell::hexahedron : VtuCell::tetrahedron, nodes);
+        part_.push_back(static_cast<std::int32_t>(cell.part));
+        body_.push_back(shown_.body_of_part[cell.part]);
+    }
+
+    void add_node(std::uint32_t node, std::size_t unknown, std::uint32_t part)
+    {
+        grid_.points.push_back(machine_.nodes[node]);
+        celsius_.push_back(static_cast<float>(shown_.temperature[unknown] - zero_celsius));
+        for (std::size_t k = 0; k < more_.size(); ++k) {
+            const int count = shown_.point_data[k].components;
+            const auto* from = shown_.point_data[k].values.data() + static_cast<std::size_t>(count) * node;
+            more_[k].insert(more_[k].end(), from, from + count);
+        }
+        if (shown_.displacement.empty())
+            return;
+        const double* u = shown_.displacement.data() + 3 * unknown;
+        const Vec3 moved =
+            Vec3{u[0], u[1], u[2]} + rigid_displacement(shown_.motion_of_part[part], machine_.nodes[node]);
+        for (const double value : moved)
+            millimetre_.push_back(static_cast<float>(1000 * value));
+    }
+
+    const Discretisation& space_;
+    const Machine& machine_;
+    const ShownFields& shown_;
+    VtuGrid grid_;
+    std::vector<std::int64_t> local_;  ///< per node: its number in the file, or -1
+    std::vector<float> celsius_, millimetre_;
+    std::vector<std::int32_t> part_, body_;
+    std::vector<std::vector<float>> more_;
+};
+
+/// Writes one file, or a file for each rank and one that names them.
+std::string write_pieces(const std::string& folder, const std::string& name, FieldPiece& piece,
+                         const std::vector<std::string>& comments)
+{
+    const auto arrays = piece.arrays();
+    if (ranks() == 1) {
+        write_vtu(folder + "/" + name + ".vtu", piece.grid(), arrays, {std::nullopt, comments});
         return name + ".vtu";
     }
-    write_vtu(folder + "/" + name + "_" + std::to_string(rank) + ".vtu", grid, arrays, {std::nullopt, comments});
-    if (rank == 0) {
+    write_vtu(folder + "/" + name + "_" + std::to_string(rank()) + ".vtu", piece.grid(), arrays,
+              {std::nullopt, comments});
+    if (rank() == 0) {
         std::vector<std::string> pieces;
-        for (int r = 0; r < ranks; ++r)
+        for (int r = 0; r < ranks(); ++r)
             pieces.push_back(name + "_" + std::to_string(r) + ".vtu");
         std::vector<VtuDeclaration> declarations;
         for (const auto& array : arrays)
@@ -517,6 +557,22 @@ std::string Model::write_fields(const std::string& folder, const std::string& na
         write_pvtu(folder + "/" + name + ".pvtu", pieces, declarations, {std::nullopt, comments});
     }
     return name + ".pvtu";
+}
+
+}  // namespace
+
+std::string Model::write_fields(const std::string& folder, const std::string& name, const Field& temperature,
+                                const Displacement* displacement, const std::vector<RigidMotion>& motion_of_part,
+                                const std::vector<int>& body_of_part, const std::vector<std::string>& comments,
+                                const std::vector<PointData>& point_data)
+{
+    const auto& space = implementation_->space;
+    auto moved =
+        displacement ? gather_all(space, implementation_->on_heat_mesh(*displacement), 3) : std::vector<double>();
+    const ShownFields shown{gather_all(space, temperature.owned, 1), std::move(moved), motion_of_part, body_of_part,
+                            point_data};
+    FieldPiece piece(space, implementation_->machine, shown);
+    return write_pieces(folder, name, piece, comments);
 }
 
 }  // namespace deadpoint::fem

@@ -1,11 +1,7 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
 #include "deadpoint/exchange/deformation.hpp"
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/exchange/heat_causes.hpp"
-#include "deadpoint/exchange/light_surface.hpp"
-#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/exchange/stress.hpp"
 #include "deadpoint/fem/fields.hpp"
 
@@ -13,6 +9,17 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+
+class Observer;
+struct CellCorner;
+struct HeatCauses;
+struct HeatProbe;
+struct HeatProblem;
+struct Machine;
+struct ThermalHistory;
+}  // namespace deadpoint
 
 namespace deadpoint::fem {
 
@@ -100,7 +107,7 @@ public:
     [[nodiscard]] bool expands_linearly() const;
     /// The rise [K] in which the deformation is linear: T - T_reference if the expansion is
     /// constant, else the rise that gives the same strain with the part's expansion_scale()
-    /// (exchange/material).
+    /// (exchange/laws/material).
     [[nodiscard]] Field expansion_rise(const Field& temperature, double reference_temperature) const;
     /// The deformation for such a rise.
     Displacement displacement_of_rise(const Field& rise);
@@ -125,12 +132,12 @@ public:
     /// unit / W]. Joints, convection coefficients and the slopes of their laws are those at that
     /// time; the oil has its initial temperatures.
     /// @param time  since the start of the run, > 0 [s]
-    std::vector<Field> heat_duals(const HeatProblem& problem, double time, const Field& temperature,
-                                  const std::vector<Adjoint>& weights);
+    std::vector<Field> heat_adjoints(const HeatProblem& problem, double time, const Field& temperature,
+                                     const std::vector<Adjoint>& weights);
     /// The temperature at a point as a functional. @throws InputError if the point is off its part
     Adjoint probe_weights(const HeatProbe& probe);
     /// Displacement under the weights of a functional as forces [m/N].
-    Displacement deformation_dual(const Functional& functional);
+    Displacement deformation_adjoint(const Functional& functional);
     /// Estimated change of functionals by finer parts, per adjoint solution and part
     /// (error_estimate.hpp).
     std::vector<std::vector<double>> conduction_errors(const Field& temperature, const std::vector<Field>& duals);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
-#include "deadpoint/heat/run.hpp"
+#include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/system.hpp"
+#include "deadpoint/heat/tr_bdf2.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +12,9 @@
 #include <vector>
 
 namespace deadpoint::heat {
+
+template <class System>
+class HeatRun;  // run.hpp
 
 /// Interface that the adjoint of the steps needs besides HeatSystem: matrices with constant
 /// convection coefficients, and the shares of prescribed temperatures.

@@ -13,6 +13,8 @@
 
 namespace deadpoint::heat {
 
+struct HeatBalance;
+
 /// The air of one enclosure between two steps.
 struct AirState {
     double start = 0;  ///< temperature [K]

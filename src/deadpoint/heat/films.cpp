@@ -1,5 +1,8 @@
 #include "deadpoint/heat/films.hpp"
 
+#include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/functionals.hpp"
+
 #include <algorithm>
 
 namespace deadpoint::heat {

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/heat/balance.hpp"
-#include "deadpoint/heat/functionals.hpp"
 
 #include <vector>
 
 namespace deadpoint::heat {
+
+struct HeatBalance;
+struct HeatGeometry;
 
 inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< [W/m2/K4]
 

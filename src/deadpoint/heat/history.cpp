@@ -1,5 +1,7 @@
 #include "deadpoint/heat/history.hpp"
 
+#include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/functionals.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
 
 #include <algorithm>

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/heat/balance.hpp"
-#include "deadpoint/heat/functionals.hpp"
 
 #include <vector>
 
 namespace deadpoint::heat {
+
+struct FunctionalLayout;
+struct HeatBalance;
 
 /// Records the steps of a run.
 class HistoryRecorder {

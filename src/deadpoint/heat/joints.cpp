@@ -1,6 +1,7 @@
 #include "deadpoint/heat/joints.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/heat/balance.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/heat/balance.hpp"
 #include "deadpoint/heat/functionals.hpp"
 
 #include <vector>
 
 namespace deadpoint::heat {
+
+struct HeatBalance;
 
 /// Friction heat and contact layers of the joints, on scalars: from the mean temperatures of their
 /// sides to watts by functional.

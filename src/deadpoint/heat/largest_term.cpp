@@ -1,5 +1,8 @@
 #include "deadpoint/heat/largest_term.hpp"
 
+#include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/joints.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,13 +1,22 @@
 #pragma once
 
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/heat/joints.hpp"
 #include "deadpoint/heat/system.hpp"
 
 #include <string>
 #include <vector>
 
 namespace deadpoint::heat {
+struct HeatBalance;
+}
+
+namespace deadpoint {
+struct HeatProblem;
+struct HeatSegment;
+}  // namespace deadpoint
+
+namespace deadpoint::heat {
+
+class JointBalance;
 
 /// A number with six digits, for messages.
 std::string short_text(double value);

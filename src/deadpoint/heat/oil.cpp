@@ -1,6 +1,8 @@
 #include "deadpoint/heat/oil.hpp"
 
-#include "deadpoint/exchange/step_tolerance.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/joints.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
 
 #include <algorithm>

@@ -1,12 +1,18 @@
 #pragma once
 
 #include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/heat/balance.hpp"
-#include "deadpoint/heat/joints.hpp"
 
 #include <vector>
 
+namespace deadpoint {
+struct HeatProblem;
+struct HeatSegment;
+}  // namespace deadpoint
+
 namespace deadpoint::heat {
+
+class JointBalance;
+struct HeatBalance;
 
 /// Circulating oil, marched from joint to joint, and its sumps, one unknown each in addition to the
 /// field.

@@ -1,15 +1,18 @@
 #include "deadpoint/heat/run.hpp"
 
+#include "deadpoint/observer.hpp"
+
 #include <fmt/format.h>
 
 namespace deadpoint::heat {
 
-void warn_of_many_steps(const HeatProblem& problem, std::size_t done, double time, double duration, Observer& observer)
+bool report_step(const HeatProblem& problem, std::size_t done, double time, double duration, Observer& observer)
 {
     constexpr std::size_t judged_after = 1000;
     constexpr double many = 1e5;
+    const bool cancelled = observer.cancelled();
     if (done != judged_after)
-        return;
+        return cancelled;
     double left = -time;
     for (const auto& segment : problem.segments)
         left += segment.duration;
@@ -20,6 +23,7 @@ void warn_of_many_steps(const HeatProblem& problem, std::size_t done, double tim
                         "step, {:.2g} more follow; loosen numerics.time_tolerance, or look for a law or a "
                         "course that changes fast",
                         judged_after, time, time + left, duration, more));
+    return cancelled;
 }
 
 }  // namespace deadpoint::heat

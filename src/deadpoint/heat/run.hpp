@@ -1,10 +1,10 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/heat/history.hpp"
 #include "deadpoint/heat/run_state.hpp"
-#include "deadpoint/heat/step_control.hpp"
 #include "deadpoint/heat/stepper.hpp"
+#include "deadpoint/heat/tr_bdf2.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -12,6 +12,10 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace deadpoint {
+class Observer;
+}
 
 namespace deadpoint::heat {
 
@@ -23,10 +27,12 @@ struct RunHooks {
     std::function<void(bool interrupted)> on_between_steps;    ///< when state() and vectors() are valid
 };
 
-/// Warns if steps stay so short that a run would not end in a reasonable time.
+/// Tells an observer of a step; warns if steps stay so short that a run would not end in
+/// a reasonable time.
 /// @param done      steps so far
 /// @param duration  of the last one [s]
-void warn_of_many_steps(const HeatProblem& problem, std::size_t done, double time, double duration, Observer& observer);
+/// @return whether the run is to stop
+bool report_step(const HeatProblem& problem, std::size_t done, double time, double duration, Observer& observer);
 
 /// Length of the first step that is tried [s].
 inline double first_step(const HeatProblem& problem)
@@ -201,11 +207,11 @@ private:
 
     void after_step(const RunHooks<Vector>& hooks, Observer& observer)
     {
-        warn_of_many_steps(problem_, steps_.size(), place_.time, steps_.back().duration, observer);
         if (hooks.on_step)
             hooks.on_step(place_.time);
+        const bool stop = report_step(problem_, steps_.size(), place_.time, steps_.back().duration, observer);
         auto& interrupted = recorder_.history().interrupted;
-        interrupted = system_.any(observer.cancelled());
+        interrupted = system_.any(stop);
         if (hooks.on_between_steps)
             hooks.on_between_steps(interrupted);
     }

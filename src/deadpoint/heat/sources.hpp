@@ -1,11 +1,11 @@
 #pragma once
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/heat/balance.hpp"
 #include "deadpoint/heat/enclosed_air.hpp"
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/heat/joints.hpp"
 #include "deadpoint/heat/oil.hpp"
-#include "deadpoint/heat/system.hpp"
 
 #include <cmath>
 #include <string>

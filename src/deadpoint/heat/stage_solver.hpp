@@ -1,9 +1,11 @@
 #pragma once
 
-#include "deadpoint/exchange/step_tolerance.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/heat/balance.hpp"
 #include "deadpoint/heat/largest_term.hpp"
-#include "deadpoint/heat/not_finite.hpp"
 #include "deadpoint/heat/sources.hpp"
+#include "deadpoint/heat/system.hpp"
+#include "deadpoint/heat/tr_bdf2.hpp"
 
 #include <algorithm>
 #include <cmath>

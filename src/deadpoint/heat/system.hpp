@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/heat/functionals.hpp"
 
@@ -10,6 +10,10 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace deadpoint {
+struct InterfaceLaw;
+}
 
 /// Interface of a system of temperatures for the time integration.
 ///
@@ -41,6 +45,11 @@ struct LowRank {
 struct SolveTolerance {
     double relative = 0;
     double absolute = 0;
+};
+
+/// A linear solve in which a value became infinite or not a number, or whose matrix holds such values.
+struct NotFinite : ConvergenceError {
+    using ConvergenceError::ConvergenceError;
 };
 
 /// One term of the heat balance, for error messages.

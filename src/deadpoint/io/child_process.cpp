@@ -1,6 +1,6 @@
 #include "deadpoint/io/child_process.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/confine.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "deadpoint/io/csv_table.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/suggest.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "deadpoint/io/file_lock.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <array>
 #include <cerrno>

@@ -1,6 +1,6 @@
 #include "deadpoint/io/read_file.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 #include "deadpoint/io/vtu.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/write_file.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "deadpoint/io/write_file.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/unique_name.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/rename.hpp"
 
 #include <cerrno>

@@ -1,6 +1,7 @@
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/mechanism/planar_system.hpp"
 #include "deadpoint/mechanism/slide_motion.hpp"
 
 #include <algorithm>

@@ -1,8 +1,12 @@
 #pragma once
 
-#include "deadpoint/exchange/linkage.hpp"
-
 #include <vector>
+
+namespace deadpoint {
+struct BottomDeadPointSensitivity;
+struct LengthSensitivity;
+struct Linkage;
+}  // namespace deadpoint
 
 namespace deadpoint::mechanism {
 

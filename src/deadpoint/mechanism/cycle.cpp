@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
+#include "deadpoint/mechanism/planar_system.hpp"
 #include "deadpoint/mechanism/slide_motion.hpp"
 
 #include <algorithm>

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "deadpoint/exchange/cycle.hpp"
-#include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/mechanism/process_force.hpp"
 
 #include <functional>
 #include <vector>
+
+namespace deadpoint {
+struct Linkage;
+}
 
 namespace deadpoint::mechanism {
 

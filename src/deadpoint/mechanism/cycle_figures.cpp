@@ -1,5 +1,6 @@
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
+#include "deadpoint/mechanism/planar_system.hpp"
 #include "deadpoint/mechanism/slide_motion.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "deadpoint/mechanism/mirror.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/cycle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 
 #include <vector>
+
+namespace deadpoint {
+struct BodyMass;
+}
 
 /// Full linkages from one given half.
 namespace deadpoint::mechanism {

@@ -1,6 +1,7 @@
 #include "deadpoint/mechanism/planar_algebra.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/mechanism/planar_layout.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -11,6 +11,8 @@
 /// Internal: the constraint equations of PlanarSystem as matrices.
 namespace deadpoint::mechanism {
 
+struct PlanarLayout;
+
 struct PlanarPosition::Factors {
     Eigen::PartialPivLU<Eigen::MatrixXd> lu;
     int determinant_sign = 1;

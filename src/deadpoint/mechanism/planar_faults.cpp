@@ -1,4 +1,5 @@
 #include "deadpoint/mechanism/planar_algebra.hpp"
+#include "deadpoint/mechanism/planar_layout.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "deadpoint/exchange/linkage.hpp"
-#include "deadpoint/mechanism/planar_motion.hpp"
 
 #include <vector>
 

@@ -1,5 +1,6 @@
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/planar_algebra.hpp"
+#include "deadpoint/mechanism/planar_layout.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "deadpoint/mechanism/process_force.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/table.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "deadpoint/mechanism/slide_motion.hpp"
 
+#include "deadpoint/mechanism/planar_system.hpp"
+
 #include <cmath>
 
 namespace deadpoint::mechanism {

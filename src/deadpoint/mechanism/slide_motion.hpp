@@ -1,11 +1,15 @@
 #pragma once
 
-#include "deadpoint/mechanism/planar_system.hpp"
+#include "deadpoint/core/vec.hpp"
 
 #include <functional>
 
 /// Internal: the slide's height over the driver's angle and its extrema.
 namespace deadpoint::mechanism {
+
+struct PlanarPosition;
+
+class PlanarSystem;
 
 /// Travel of the slide along the stroke direction.
 class SlideMotion {

@@ -1,6 +1,6 @@
 #include "deadpoint/surroundings/air.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/surroundings/forms.hpp"
 
 #include <cmath>

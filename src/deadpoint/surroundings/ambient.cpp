@@ -1,6 +1,6 @@
 #include "deadpoint/surroundings/ambient.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -27,11 +27,6 @@ double phase(const DailyCourse& course, double time)
 double daily_temperature(const DailyCourse& course, double time)
 {
     return course.mean + course.amplitude * std::cos(phase(course, time));
-}
-
-double daily_rate(const DailyCourse& course, double time)
-{
-    return -course.amplitude * 2 * std::numbers::pi / course.period * std::sin(phase(course, time));
 }
 
 }  // namespace deadpoint::surroundings

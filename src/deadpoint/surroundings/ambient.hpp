@@ -18,7 +18,4 @@ struct DailyCourse {
 ///         temperature is not above zero kelvin
 double daily_temperature(const DailyCourse& course, double time);
 
-/// Its rate of change [K/s]. @throws DomainError as daily_temperature
-double daily_rate(const DailyCourse& course, double time);
-
 }  // namespace deadpoint::surroundings

@@ -1,6 +1,6 @@
 #include "deadpoint/surroundings/film.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/surroundings/air.hpp"
 #include "deadpoint/surroundings/forms.hpp"
 #include "deadpoint/surroundings/radiation.hpp"
@@ -215,23 +215,6 @@ FilmLaw enclosed_film(FilmLaw open, double area, double exchange)
         const double factor = 1 / (1 + film.value * ratio);
         return LawValue{film.value * factor, film.slope * factor * factor, film.in_range};
     };
-}
-
-double enclosed_air_temperature(std::span<const EnclosedSurface> surfaces, double exchange, double ambient)
-{
-    double conductance = exchange;
-    double flow = 0;  // relative to the ambient, so that equal temperatures give exactly that temperature
-    bool sound = exchange >= 0 && std::isfinite(exchange) && std::isfinite(ambient);
-    for (const auto& surface : surfaces) {
-        sound = sound && surface.film >= 0 && surface.area >= 0;
-        conductance += surface.film * surface.area;
-        flow += surface.film * surface.area * (surface.temperature - ambient);
-    }
-    if (!sound || !(conductance > 0) || !std::isfinite(flow / conductance))
-        throw DomainError(fmt::format("enclosed air with an exchange of {} W/K and {} surfaces has no temperature\n"
-                                      "  help: films, areas and exchange must be finite, not negative, not all zero",
-                                      exchange, surfaces.size()));
-    return ambient + flow / conductance;
 }
 
 namespace {

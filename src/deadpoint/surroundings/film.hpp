@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/exchange/laws.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
 #include "deadpoint/surroundings/convection.hpp"
 
 #include <span>
@@ -75,17 +75,5 @@ NaturalFlow natural_flow_of_face(double up);
 /// @param exchange  G >= 0, e.g. density times c_p times air flow plus walls [W/K]
 /// @throws DomainError outside these ranges
 FilmLaw enclosed_film(FilmLaw open, double area, double exchange);
-
-/// A surface of an enclosed volume of air.
-struct EnclosedSurface {
-    double film = 0;         ///< [W/m2/K]
-    double area = 0;         ///< [m2]
-    double temperature = 0;  ///< mean of the surface [K]
-};
-
-/// Steady temperature of enclosed air: (sum h_i A_i T_i + G T_a) / (sum h_i A_i + G) [K]. Left out: the heat stored in
-/// the air (seconds) and its stratification.
-/// @throws DomainError if a film, area or G is negative, or nothing at all exchanges heat
-double enclosed_air_temperature(std::span<const EnclosedSurface> surfaces, double exchange, double ambient);
 
 }  // namespace deadpoint::surroundings

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/surroundings/dual.hpp"
 
 #include <cmath>
@@ -18,7 +19,7 @@ inline constexpr double air_heat_capacity = 1006;
 template <class S>
 AirForm<S> air_form(S T)
 {
-    const double T0 = 273.15;
+    const double T0 = zero_celsius;
     const S reduced = power(T / T0, 1.5);
     AirForm<S> air;
     air.viscosity = 1.716e-5 * reduced * (T0 + 110.4) / (T + 110.4);

@@ -1,6 +1,6 @@
 #include "deadpoint/surroundings/oil_circuit.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "deadpoint/surroundings/paper_film.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/table.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/surroundings/air.hpp"
 
 #include <array>

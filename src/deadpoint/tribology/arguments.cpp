@@ -1,6 +1,6 @@
 #include "deadpoint/tribology/arguments.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

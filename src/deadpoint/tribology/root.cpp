@@ -1,6 +1,6 @@
 #include "deadpoint/tribology/root.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>

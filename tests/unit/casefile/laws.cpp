@@ -4,6 +4,7 @@
 #include "../messages.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/error.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>

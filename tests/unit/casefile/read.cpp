@@ -6,6 +6,7 @@
 #include "deadpoint/casefile/files/reference.hpp"
 #include "deadpoint/casefile/files/shipped.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cstdlib>
 #include <doctest/doctest.h>

@@ -3,7 +3,7 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/reference_file.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -195,7 +195,7 @@ TEST_CASE("the paper's reference files hold every printed figure of a run, at it
         }
         return false;
     };
-    const auto has_chain = [](const ReferenceFile& file, const std::string& at, double um) {
+    const auto has_chain = [](const ReferenceFile& file, ReferenceChain::At at, double um) {
         for (const auto& entry : file.chain) {
             if (entry.dimension == "E_SW" && entry.at == at && entry.opposite_sign &&
                 std::abs(entry.value - um * 1e-6) < 1e-15) {
@@ -206,7 +206,7 @@ TEST_CASE("the paper's reference files hold every printed figure of a run, at it
     };
     const auto has_peak = [](const ReferenceFile& file, double seconds) {
         for (const auto& entry : file.times) {
-            if (entry.of == "largest_E_SW" && entry.value == seconds) {
+            if (entry.of == ReferenceTime::Of::largest_E_SW && entry.value == seconds) {
                 return true;
             }
         }
@@ -217,12 +217,12 @@ TEST_CASE("the paper's reference files hold every printed figure of a run, at it
         CHECK(has_rise(base, probe, value));
     }
     for (const char* which : {"improved", "measured"}) {
-        CHECK(has_chain(base, "largest", errors.at("base").at(which).at("max")));
-        CHECK(has_chain(base, "end", errors.at("base").at(which).at("equilibrium")));
+        CHECK(has_chain(base, ReferenceChain::At::largest, errors.at("base").at(which).at("max")));
+        CHECK(has_chain(base, ReferenceChain::At::end, errors.at("base").at(which).at("equilibrium")));
     }
     const auto traditional = read_reference(press / "paper.toml", "traditional");
-    CHECK(has_chain(traditional, "largest", errors.at("base").at("traditional").at("max")));
-    CHECK(has_chain(traditional, "end", errors.at("base").at("traditional").at("equilibrium")));
+    CHECK(has_chain(traditional, ReferenceChain::At::largest, errors.at("base").at("traditional").at("max")));
+    CHECK(has_chain(traditional, ReferenceChain::At::end, errors.at("base").at("traditional").at("equilibrium")));
     std::size_t loads = 0;
     for (const auto& [model, name] : {std::pair{"traditional", "rigid"}, {"improved", "flexible"}}) {
         for (const char* seat : {"B", "E"}) {
@@ -254,8 +254,8 @@ TEST_CASE("the paper's reference files hold every printed figure of a run, at it
             for (const char* probe : {"A", "B", "C", "D", "E", "F"}) {
                 CHECK(has_rise(file, probe, rises.at(key).at(probe).at(i)));
             }
-            CHECK(has_chain(file, "largest", errors.at(key).at("max").at(i)));
-            CHECK(has_chain(file, "end", errors.at(key).at("equilibrium").at(i)));
+            CHECK(has_chain(file, ReferenceChain::At::largest, errors.at(key).at("max").at(i)));
+            CHECK(has_chain(file, ReferenceChain::At::end, errors.at(key).at("equilibrium").at(i)));
             CHECK(has_peak(file, errors.at(key).at("time_of_max_s").at(i)));
         }
     }

@@ -2,7 +2,7 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/reference.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cstdlib>
 #include <doctest/doctest.h>

@@ -1,9 +1,9 @@
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/core/pattern.hpp"
 #include "deadpoint/core/suggest.hpp"
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/error.hpp"
 
 #include <array>
 #include <cmath>
@@ -73,18 +73,6 @@ TEST_CASE("linear curves and their derivative")
     CHECK(interpolate_linear(x, y, 4).outside);
 }
 
-TEST_CASE("log-linear curves: the logarithm is linear, the derivative is that of the curve")
-{
-    const std::array x{293.15, 303.15};
-    const std::array y{70e-6, 50e-6};
-    const auto middle = interpolate_log_linear(x, y, 298.15);
-    CHECK(middle.value == doctest::Approx(std::sqrt(70e-6 * 50e-6)).epsilon(1e-14));
-    const double h = 1e-3;  // central difference of a smooth curve: error h^2 k^3 / 6, k = 0.034 1/K, far below 1e-8
-    const double slope =
-        (interpolate_log_linear(x, y, 298.15 + h).value - interpolate_log_linear(x, y, 298.15 - h).value) / (2 * h);
-    CHECK(middle.derivative == doctest::Approx(slope).epsilon(1e-8));
-}
-
 TEST_CASE("curves that mean nothing are refused")
 {
     const std::array y2{1.0, 2.0};
@@ -94,7 +82,6 @@ TEST_CASE("curves that mean nothing are refused")
     CHECK_THROWS_AS(interpolate_linear(std::span<const double>(), std::span<const double>(), 0), DomainError);
     CHECK_THROWS_AS(interpolate_linear(std::array{0.0, 1.0}, y2, std::numeric_limits<double>::quiet_NaN()),
                     DomainError);
-    CHECK_THROWS_AS(interpolate_log_linear(std::array{0.0, 1.0}, std::array{1.0, 0.0}, 0.5), DomainError);
 }
 
 TEST_CASE("the version in the header is that of the project")

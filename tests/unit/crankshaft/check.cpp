@@ -1,6 +1,7 @@
 #include "deadpoint/crankshaft/check.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/warning.hpp"
 #include "shafts.hpp"
 
 #include <algorithm>

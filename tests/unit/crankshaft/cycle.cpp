@@ -1,7 +1,9 @@
 #include "deadpoint/crankshaft/cycle.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/crankshaft/check.hpp"
+#include "deadpoint/crankshaft/response/periodic_load.hpp"
+#include "deadpoint/crankshaft/shaft_loads.hpp"
+#include "deadpoint/error.hpp"
 #include "shafts.hpp"
 
 #include <cmath>

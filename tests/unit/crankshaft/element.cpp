@@ -1,6 +1,6 @@
 #include "deadpoint/crankshaft/element.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "shafts.hpp"
 
 #include <array>

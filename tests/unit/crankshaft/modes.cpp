@@ -1,6 +1,6 @@
 #include "deadpoint/crankshaft/modes.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "shafts.hpp"
 
 #include <cmath>

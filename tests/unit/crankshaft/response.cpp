@@ -1,7 +1,8 @@
-#include "deadpoint/core/error.hpp"
-#include "deadpoint/crankshaft/harmonic_response.hpp"
 #include "deadpoint/crankshaft/modes.hpp"
-#include "deadpoint/crankshaft/periodic.hpp"
+#include "deadpoint/crankshaft/response/harmonic_response.hpp"
+#include "deadpoint/crankshaft/response/periodic.hpp"
+#include "deadpoint/crankshaft/response/periodic_load.hpp"
+#include "deadpoint/error.hpp"
 #include "shafts.hpp"
 
 #include <algorithm>

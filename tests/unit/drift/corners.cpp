@@ -1,6 +1,7 @@
 #include "deadpoint/drift/corners.hpp"
 
 #include "contacts.hpp"
+#include "deadpoint/exchange/linkage.hpp"
 
 using namespace deadpoint;
 using namespace deadpoint::drift;

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 using deadpoint::drift::BearingPlay;
-using deadpoint::drift::mean_taken;
 using enum BearingPlay::Kind;
 
 TEST_CASE("play: what closes further than it goes does not move the crank; what opens does")
@@ -27,11 +26,4 @@ TEST_CASE("play: none and whole")
         CHECK(BearingPlay{whole, 0}.taken(growth) == growth);
         CHECK(BearingPlay{whole, 0}.share(growth) == 1);
     }
-}
-
-TEST_CASE("play: each bearing ends where its own is used up")
-{
-    // -30 stops at -20, -10 goes on: the mean of both, not the mean held at -20
-    CHECK(mean_taken({limited, 20e-6}, {-30e-6, -10e-6}) == doctest::Approx(-15e-6).scale(0).epsilon(1e-14));
-    CHECK(mean_taken({whole, 0}, {}) == 0);
 }

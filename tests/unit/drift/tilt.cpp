@@ -1,6 +1,7 @@
 #include "deadpoint/drift/tilt.hpp"
 
 #include "contacts.hpp"
+#include "deadpoint/exchange/linkage.hpp"
 
 using namespace deadpoint;
 using namespace deadpoint::drift;

@@ -1,6 +1,6 @@
-#include "deadpoint/exchange/law_table.hpp"
+#include "deadpoint/exchange/laws/law_table.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

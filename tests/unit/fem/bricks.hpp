@@ -1,6 +1,8 @@
 #pragma once
 
-#include "deadpoint/exchange/material.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/fem/space/vectors.hpp"
 

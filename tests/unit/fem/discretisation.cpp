@@ -1,7 +1,8 @@
 /// Requirement: the space of shape functions on a machine: each part by itself, polynomials of its order exact, and
 /// functionals, vectors and patterns that fit its numbering.
 #include "bricks.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <doctest/doctest.h>
 #include <set>
@@ -275,13 +276,13 @@ TEST_CASE("what is gathered on every rank is the vector as it is then, as often 
 {
     const bricks::Space part(box({1, 2, 1}), 1);
     auto vector = bricks::vector_of(part.space, linear);
-    Everywhere everywhere(vector);
-    const double* all = everywhere.gather(vector);
+    Gathered gathered(vector);
+    const double* all = gathered.gather(vector);
     const auto values = bricks::values_of(part.space, linear);
     for (std::size_t i = 0; i < values.size(); ++i)
         CHECK(all[i] == values[i]);
     DEADPOINT_PETSC(VecScale(vector, 2));
-    all = everywhere.gather(vector);
+    all = gathered.gather(vector);
     CHECK(all[3] == 2 * values[3]);
     std::vector<double> three(3 * values.size());
     for (std::size_t i = 0; i < three.size(); ++i)

@@ -1,12 +1,15 @@
 /// Requirement: ties, rigid pieces and the solve of the deformation pass what must pass exactly: rigid motions, even
 /// warmth, uniform stress; and the adjoint says what the deformation says.
 #include "bricks.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/elastic/dual_functions.hpp"
 #include "deadpoint/fem/elastic/elastic_law.hpp"
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
+#include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/elastic/stress_recovery.hpp"
+#include "deadpoint/fem/fields.hpp"
 
 #include <doctest/doctest.h>
 #include <numeric>

@@ -1,5 +1,5 @@
 /// Requirement: who has opened MPI and PETSc keeps them, and a communicator of some ranks is all that is worked on.
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/fem/space/session.hpp"
 
 #include <doctest/doctest.h>

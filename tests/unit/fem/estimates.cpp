@@ -1,8 +1,10 @@
 /// Requirement: estimates of the error are the error where it is known on paper, and modes are those of the fields.
 #include "bricks.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/estimate/error_estimate.hpp"
-#include "deadpoint/fem/estimate/field_modes.hpp"
+#include "deadpoint/fem/estimate/pod.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -159,7 +161,7 @@ std::vector<float> snapshot(double a, double b, double c)
     return result;
 }
 
-double rebuilt(const FieldModes& modes, std::size_t time, std::size_t unknown)
+double rebuilt(const Pod& modes, std::size_t time, std::size_t unknown)
 {
     double value = modes.base.owned[unknown];
     for (std::size_t k = 0; k < modes.modes.size(); ++k)
@@ -173,7 +175,7 @@ TEST_CASE("fields of two shapes have two modes that make each of them again")
 {
     const std::vector<std::vector<float>> fields{snapshot(0, 0, 0), snapshot(3, 1, 0), snapshot(5, 4, 0),
                                                  snapshot(1, 9, 0)};
-    const auto modes = field_modes(fields, 1e-5, 10);
+    const auto modes = pod(fields, 1e-5, 10);
     REQUIRE(modes.modes.size() == 2);
     double largest = 0;
     for (std::size_t j = 0; j < fields.size(); ++j)
@@ -181,8 +183,8 @@ TEST_CASE("fields of two shapes have two modes that make each of them again")
             largest = std::max(largest, std::abs(rebuilt(modes, j, i) - static_cast<double>(fields[j][i])));
     CHECK(largest < 1e-4);  // float: 3e-5 at 300 K
     CHECK(modes.error == Approx(largest).scale(1).epsilon(1e-4));
-    CHECK(modes.rest[0] == Approx(1).epsilon(1e-12));
-    CHECK(modes.rest[1] < modes.rest[0]);
+    CHECK(modes.residual_energy[0] == Approx(1).epsilon(1e-12));
+    CHECK(modes.residual_energy[1] < modes.residual_energy[0]);
     // Modes are orthogonal, the strongest first.
     const auto first = bricks::column(modes.modes[0].owned), second = bricks::column(modes.modes[1].owned);
     CHECK(std::abs(first.dot(second)) < 1e-6 * first.norm() * second.norm());
@@ -194,13 +196,13 @@ TEST_CASE("as few modes as the tolerance allows, and never more than wanted")
 {
     const std::vector<std::vector<float>> fields{snapshot(0, 0, 0), snapshot(3, 1, 0.01), snapshot(5, 4, -0.02),
                                                  snapshot(1, 9, 0.03)};
-    CHECK(field_modes(fields, 0.01, 10).modes.size() == 2);
-    CHECK(field_modes(fields, 1e-4, 10).modes.size() == 3);
-    const auto one = field_modes(fields, 1e-9, 1);
+    CHECK(pod(fields, 0.01, 10).modes.size() == 2);
+    CHECK(pod(fields, 1e-4, 10).modes.size() == 3);
+    const auto one = pod(fields, 1e-9, 1);
     CHECK(one.modes.size() == 1);
     CHECK(one.error > 1e-9 * one.largest_rise);
     for (const double tolerance : {0.3, 0.01, 1e-4}) {
-        const auto modes = field_modes(fields, tolerance, 10);
+        const auto modes = pod(fields, tolerance, 10);
         CHECK(modes.error <= tolerance * modes.largest_rise);
         double largest = 0;
         for (const auto& later : fields)
@@ -213,10 +215,10 @@ TEST_CASE("as few modes as the tolerance allows, and never more than wanted")
 
 TEST_CASE("a single field is its own base; none, or fields of unlike length, are refused")
 {
-    const auto modes = field_modes({snapshot(1, 2, 3)}, 1e-3, 10);
+    const auto modes = pod({snapshot(1, 2, 3)}, 1e-3, 10);
     CHECK(modes.modes.empty());
     CHECK(modes.error == 0);
     CHECK(modes.base.owned[7] == static_cast<double>(snapshot(1, 2, 3)[7]));
-    CHECK_THROWS_AS(field_modes({}, 1e-3, 10), InputError);
-    CHECK_THROWS_AS(field_modes({snapshot(1, 2, 3), {1.0F, 2.0F}}, 1e-3, 10), InputError);
+    CHECK_THROWS_AS(pod({}, 1e-3, 10), InputError);
+    CHECK_THROWS_AS(pod({snapshot(1, 2, 3), {1.0F, 2.0F}}, 1e-3, 10), InputError);
 }

@@ -1,9 +1,14 @@
 /// Requirement: films that follow the temperature give off what their laws say at every point, with tangents that are
 /// derivatives; radiation inside a room keeps its heat.
-#include "deadpoint/fem/conduction/film_points.hpp"
+#include "deadpoint/fem/conduction/terms/film_points.hpp"
 
 #include "bricks.hpp"
-#include "deadpoint/fem/conduction/joint_terms.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/conduction/terms/joint_terms.hpp"
+#include "deadpoint/fem/conduction/terms/prescribed.hpp"
+#include "deadpoint/heat/films.hpp"
 
 #include <doctest/doctest.h>
 #include <memory>

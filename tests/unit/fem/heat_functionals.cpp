@@ -2,7 +2,9 @@
 #include "deadpoint/fem/conduction/heat_functionals.hpp"
 
 #include "bricks.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <doctest/doctest.h>
 #include <numeric>

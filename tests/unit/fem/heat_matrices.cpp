@@ -1,9 +1,11 @@
 /// Requirement: the matrices of heat conduction are the integrals they stand for, and are integrated once.
-#include "deadpoint/fem/conduction/heat_matrices.hpp"
+#include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 
 #include "bricks.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/conduction/heat_system.hpp"
 #include "deadpoint/heat/run.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <doctest/doctest.h>
 

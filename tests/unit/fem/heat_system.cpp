@@ -2,6 +2,8 @@
 #include "deadpoint/fem/conduction/heat_system.hpp"
 
 #include "bricks.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/conduction/terms/prescribed.hpp"
 
 #include <doctest/doctest.h>
 #include <numeric>

@@ -1,7 +1,9 @@
 /// Requirement: what joints and films add to the conduction matrix, term by term, against integrals on paper.
-#include "deadpoint/fem/conduction/joint_terms.hpp"
+#include "deadpoint/fem/conduction/terms/joint_terms.hpp"
 
 #include "bricks.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <doctest/doctest.h>
 

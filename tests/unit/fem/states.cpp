@@ -2,11 +2,13 @@
 /// bit.
 #include "../../scratch_folder.hpp"
 #include "bricks.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/fem/conduction/heat_solver.hpp"
 #include "deadpoint/fem/conduction/thermal_state.hpp"
 #include "deadpoint/fem/space/file_order.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>

@@ -1,7 +1,10 @@
 /// Requirement: fields between unlike meshes of the same parts: polynomials pass exactly, weights go the transposed
 /// way, and the fit keeps a part's heat.
+#include "deadpoint/fem/transfer/transfer.hpp"
+
 #include "bricks.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/transfer/fitted_transfer.hpp"
 
 #include <doctest/doctest.h>

@@ -1,3 +1,6 @@
+#include "deadpoint/heat/adjoint.hpp"
+
+#include "deadpoint/exchange/machine.hpp"
 #include "lumps.hpp"
 
 #include <cmath>

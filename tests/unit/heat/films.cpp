@@ -2,6 +2,9 @@
 /// room, the enclosed air or the prescribed flux that it belongs to.
 #include "deadpoint/heat/films.hpp"
 
+#include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/functionals.hpp"
+
 #include <cmath>
 #include <doctest/doctest.h>
 

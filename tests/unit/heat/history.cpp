@@ -1,6 +1,9 @@
 /// Requirement: a run's history holds what was handed to it, with slopes and sums that fit its steps.
 #include "deadpoint/heat/history.hpp"
 
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/functionals.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "deadpoint/core/error.hpp"
-#include "deadpoint/heat/step_control.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/heat/tr_bdf2.hpp"
 #include "lumps.hpp"
 
 #include <cmath>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/heat/run.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/online/dense_system.hpp"
 
 #include <Eigen/Dense>

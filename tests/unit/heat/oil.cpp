@@ -1,3 +1,4 @@
+#include "deadpoint/exchange/machine.hpp"
 #include "lumps.hpp"
 
 #include <cmath>

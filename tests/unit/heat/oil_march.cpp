@@ -1,6 +1,9 @@
 /// Requirement: oil carries heat from joint to joint without losing any, and a sump follows its balance, of any
 /// capacity and with any flow.
-#include "deadpoint/exchange/step_tolerance.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/functionals.hpp"
+#include "deadpoint/heat/joints.hpp"
 #include "deadpoint/heat/oil.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
 
@@ -223,7 +226,7 @@ TEST_CASE("a sump's error: that of its slopes, sharper for a sump that forgets s
     CHECK(oil.step_error(dt, false, start, middle, end) == Approx(raw / (1 + diagonal * dt * 10)).epsilon(1e-12));
     // One that forgets nothing: of the segment's ten steps each may err by a tenth, not by the step's share.
     end.oil[0].sump_relaxation = 0;
-    const double of_a_step = step_tolerance(at.problem.time_tolerance) / at.problem.time_tolerance;
+    const double of_a_step = heat::step_tolerance(at.problem.time_tolerance) / at.problem.time_tolerance;
     CHECK(oil.step_error(dt, true, start, middle, end) == Approx(raw * of_a_step * 1000 / dt).epsilon(1e-12));
     // No circuit, no error.
     CHECK(oil.step_error(dt, true, {}, {}, {}) == 0);

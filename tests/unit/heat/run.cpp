@@ -188,11 +188,11 @@ TEST_CASE("steps that would number more than a hundred thousand are warned of, o
     problem.segments[0].duration = 1e6;
     problem.segments[1].duration = 1e6;
     Stopping observer(0);
-    warn_of_many_steps(problem, 999, 100, 0.1, observer);
-    warn_of_many_steps(problem, 1001, 100, 0.1, observer);
-    warn_of_many_steps(problem, 1000, 100, 20, observer);  // 99 995 more
+    report_step(problem, 999, 100, 0.1, observer);
+    report_step(problem, 1001, 100, 0.1, observer);
+    report_step(problem, 1000, 100, 20, observer);  // 99 995 more
     CHECK(observer.warnings.empty());
-    warn_of_many_steps(problem, 1000, 100, 19, observer);
+    report_step(problem, 1000, 100, 19, observer);
     REQUIRE(observer.warnings.size() == 1);
     CHECK(observer.warnings[0].find("t = 100 s of 2e+06 s") != std::string::npos);
     CHECK(observer.warnings[0].find("19 s a step, 1.1e+05 more follow") != std::string::npos);

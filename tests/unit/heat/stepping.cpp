@@ -1,6 +1,5 @@
 /// Requirement: the constants of TR-BDF2 make it second order and L-stable, its companion is of third order, and step
 /// sizes move by powers of two without slivers.
-#include "deadpoint/heat/step_control.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
 
 #include <algorithm>

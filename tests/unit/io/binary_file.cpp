@@ -1,7 +1,7 @@
 #include "deadpoint/io/binary_file.hpp"
 
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <bit>
 #include <cmath>

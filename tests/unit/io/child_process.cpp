@@ -2,7 +2,7 @@
 #include "deadpoint/io/child_process.hpp"
 
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <csignal>
 #include <cstdio>

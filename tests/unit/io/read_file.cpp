@@ -1,7 +1,7 @@
 #include "deadpoint/io/read_file.hpp"
 
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>

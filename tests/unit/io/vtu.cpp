@@ -1,7 +1,7 @@
 #include "deadpoint/io/vtu.hpp"
 
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cstring>
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "deadpoint/io/write_file.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <doctest/doctest.h>
 #include <fstream>

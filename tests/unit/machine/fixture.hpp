@@ -1,7 +1,10 @@
 #pragma once
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/machine/assembly/build.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <doctest/doctest.h>
 #include <numbers>

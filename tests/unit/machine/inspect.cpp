@@ -95,8 +95,9 @@ TEST_CASE("a cell that a mesh file holds twice is refused with its place, on the
     CHECK(said_about(mesh).empty());
     Cells twice = mesh;
     twice.cells.push_back(mesh.cells.back());
-    CHECK(said_about(twice) == "part 'import': cells overlap at (500.0000, 500.0000, 500.0000) mm: two of them "
-                               "are on the same side of one face; mesh it again without overlaps");
+    CHECK(said_about(twice) ==
+          "parts.import: part 'import': cells overlap at (500.0000, 500.0000, 500.0000) mm: two of them "
+          "are on the same side of one face; mesh it again without overlaps");
     Cells corner = mesh;
     corner.cells.push_back(mesh.cells.front());
     CHECK(contains(said_about(corner), "cells overlap at (250.0000, 250.0000, 250.0000) mm"));

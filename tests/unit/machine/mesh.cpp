@@ -1,3 +1,4 @@
+#include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/parts/part_mesh.hpp"
 #include "fixture.hpp"
 

@@ -1,4 +1,5 @@
 /// Interfaces of bodies that slide along each other: contact spread over the stroke by the share of time.
+#include "deadpoint/machine/assembly/limits.hpp"
 #include "fixture.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
 #include "linkages.hpp"
 

@@ -1,9 +1,9 @@
 #include "deadpoint/mechanism/cycle.hpp"
 
 #include "balance.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
-#include "deadpoint/mechanism/driver_speed.hpp"
+#include "driver_speed.hpp"
 #include "linkages.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
 #include "linkages.hpp"

@@ -1,8 +1,8 @@
 #include "balance.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
-#include "deadpoint/mechanism/driver_speed.hpp"
 #include "deadpoint/mechanism/mirror.hpp"
+#include "driver_speed.hpp"
 #include "linkages.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "deadpoint/mechanism/process_force.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

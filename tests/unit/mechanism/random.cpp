@@ -1,5 +1,5 @@
 #include "balance.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
 #include "linkages.hpp"
 

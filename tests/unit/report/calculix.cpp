@@ -1,4 +1,5 @@
 #include "../../scratch_folder.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/report/files/calculix_mesh.hpp"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,17 @@
+#include "deadpoint/study/compare/compare.hpp"
+
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/report/files/compare_files.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/text/drift_summary_text.hpp"
+#include "deadpoint/study/drift/drift_summary.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
+#include "deadpoint/study/result/histories.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>
@@ -114,14 +122,14 @@ TEST_CASE("the comparison as text, page and JSON: shown units, signs, baselines,
     file.rises[0].note = "read by eye | twice";
     casefile::ReferenceChain chain;
     chain.dimension = "E_SW";
-    chain.at = "end";
+    chain.at = casefile::ReferenceChain::At::end;
     chain.value = 5e-6;
     chain.opposite_sign = true;
     chain.group = "dial";
     file.chain.push_back(chain);
     casefile::ReferenceClaim claim;
     claim.text = "The gap opens.";
-    claim.kind = "opens";
+    claim.kind = casefile::ReferenceClaim::Kind::opens;
     file.claims.push_back(claim);
     const auto comparison = study::compare(run, file);
     const auto text = compare_text(run, comparison);

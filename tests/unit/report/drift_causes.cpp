@@ -1,4 +1,5 @@
 #include "../../scratch_folder.hpp"
+#include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/report/text/drift_causes_text.hpp"
 
 #include <doctest/doctest.h>

@@ -1,10 +1,22 @@
 #pragma once
 
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/gaps.hpp"
+#include "deadpoint/report/charts/sweep_figures.hpp"
 #include "deadpoint/report/files/sweep_files.hpp"
 #include "deadpoint/study/compare/compare.hpp"
 #include "deadpoint/study/pipeline/heat_tables.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
+#include "deadpoint/study/result/accuracy.hpp"
+#include "deadpoint/study/result/frame_result.hpp"
+#include "deadpoint/study/result/friction_summary.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/result/view_data.hpp"
 
 #include <filesystem>
 
@@ -128,7 +140,7 @@ inline study::RunResult run_of_all(const casefile::Case& input)
     result.enclosures = {{"crank_case", result.thermal.enclosures[0]}};
     result.joints = {{"pin", {series(300), values(100)}}};
     result.friction = {friction()};
-    result.loads = study::compute_loads(input, nullptr, 0);
+    result.loads = std::make_shared<const study::LoadsResult>(study::compute_loads(input, nullptr, 0));
     result.drift = drift();
     result.causes = {causes()};
     result.gaps = gaps();
@@ -210,8 +222,8 @@ inline study::Comparison comparison_of_all()
 {
     study::Comparison all;
     all.values.push_back(
-        {"rises", "rises", "top at 1 h", Dimension::temperature_difference, 1, 2, 3.0, true, "a note"});
-    all.groups.push_back({"rises", "rises", Dimension::temperature_difference, true, {}, "top"});
+        {study::ValueKind::rises, "rises", "top at 1 h", Dimension::temperature_difference, 1, 2, 3.0, true, "a note"});
+    all.groups.push_back({study::ValueKind::rises, "rises", Dimension::temperature_difference, true, {}, "top"});
     study::ComparedCurve curve;
     curve.name = "top";
     curve.time = curve.reference = curve.computed = curve.baseline = {0};

@@ -1,5 +1,8 @@
 #include "../../scratch_folder.hpp"
+#include "deadpoint/exchange/stress.hpp"
 #include "deadpoint/report/files/frame_files.hpp"
+#include "deadpoint/study/result/frame_result.hpp"
+#include "deadpoint/study/result/histories.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>

@@ -1,6 +1,8 @@
 /// Requirement: a run tells friction heat row by row, its load part, and what the shaft model changes.
 #include "../messages.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
+#include "deadpoint/study/result/friction_summary.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

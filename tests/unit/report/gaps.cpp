@@ -1,3 +1,6 @@
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/drift/chain.hpp"
+#include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/report/files/gaps_files.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
 

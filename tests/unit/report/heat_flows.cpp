@@ -1,5 +1,8 @@
 #include "deadpoint/report/files/heat_flows.hpp"
 
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
@@ -15,7 +18,7 @@ TEST_CASE(
     "the air of an enclosure in the table, the summary and the text: temperatures as they are, heat of the whole press")
 {
     study::RunResult result;
-    result.whole = 2;
+    result.symmetry_factor = 2;
     result.enclosures = {{"crank_case", {{{293.15, 313.15}, {0, 0}}, {0, 40}, {30, 30}, {0, 65}}}};
     std::vector<report::CsvColumn> columns;
     const auto at_steps = [](std::vector<double> values, double factor, double offset) {

@@ -1,10 +1,14 @@
 /// Files, pictures and text of the loads, on a slider-crank that is solved in milliseconds.
+#include "deadpoint/study/pipeline/loads.hpp"
+
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/report/charts/linkage_drawing.hpp"
 #include "deadpoint/report/charts/loads_charts.hpp"
 #include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>

@@ -1,3 +1,7 @@
+#include "deadpoint/exchange/machine.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/case_films.hpp"
 #include "deadpoint/report/files/mesh_files.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
 

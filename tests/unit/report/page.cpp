@@ -1,7 +1,7 @@
 #include "deadpoint/report/page/page.hpp"
 
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/report/files/view_file.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"

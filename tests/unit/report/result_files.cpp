@@ -2,7 +2,7 @@
 #include "deadpoint/report/folder/result_files.hpp"
 
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "deadpoint/report/schema/schema.hpp"
 
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/report/files/compare_files.hpp"
 #include "deadpoint/report/files/heat_files.hpp"
 #include "deadpoint/report/files/mesh_files.hpp"

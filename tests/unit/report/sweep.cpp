@@ -1,10 +1,13 @@
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/csv_table.hpp"
+#include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/charts/sweep_charts.hpp"
+#include "deadpoint/report/charts/sweep_figures.hpp"
 #include "deadpoint/report/files/sweep_files.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 
 #include <cmath>
 #include <cstdlib>

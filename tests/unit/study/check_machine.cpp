@@ -1,6 +1,9 @@
 #include "deadpoint/study/pipeline/check_machine.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <doctest/doctest.h>
 

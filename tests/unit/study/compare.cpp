@@ -1,13 +1,18 @@
 #include "deadpoint/study/compare/compare.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::study;
+using casefile::ReferenceChain;
 using casefile::ReferenceClaim;
+using casefile::ReferenceCurve;
+using casefile::ReferenceTime;
 using Outcome = Verdict::Outcome;
 
 namespace {
@@ -33,7 +38,7 @@ RunRecord record()
     return run;
 }
 
-ReferenceClaim claim(const std::string& kind)
+ReferenceClaim claim(ReferenceClaim::Kind kind)
 {
     ReferenceClaim c;
     c.text = "said";
@@ -71,19 +76,19 @@ TEST_CASE("values are taken at their time, in the program's sign, and grouped by
     file.rises[0].values = {{"frame", 2}, {"shaft", 12}};
     casefile::ReferenceChain chain;
     chain.dimension = "E_SW";
-    chain.at = "largest";
+    chain.at = ReferenceChain::At::largest;
     chain.value = 25e-6;
     chain.opposite_sign = true;
     file.chain.push_back(chain);
-    chain.at = "end";
+    chain.at = ReferenceChain::At::end;
     chain.opposite_sign = false;
     chain.value = -12e-6;
     file.chain.push_back(chain);
     auto& peak = file.times.emplace_back();
-    peak.of = "largest_E_SW";
+    peak.of = ReferenceTime::Of::largest_E_SW;
     peak.value = 3000;
     auto& warm = file.times.emplace_back();
-    warm.of = "share_of_rise";
+    warm.of = ReferenceTime::Of::share_of_rise;
     warm.probe = "shaft";
     warm.value = 3600;
     file.loads.emplace_back().quantity = "slide.stroke_mm";
@@ -162,12 +167,12 @@ TEST_CASE("curves: temperatures, rises and dimensions against rows of a file")
 {
     casefile::ReferenceFile file;
     auto& curve = file.curves.emplace_back();
-    curve.measures = "temperature";
+    curve.measures = ReferenceCurve::Measures::temperature;
     curve.probe = "frame";
     curve.time = {0, 900, 3600};
     curve.value = {293.15, 294.15, 295.15};  // 0, 1 and 2 K; computed 0, 0.5 and 2 K
     auto gap = casefile::ReferenceCurve{};
-    gap.measures = "E_SW";
+    gap.measures = ReferenceCurve::Measures::E_SW;
     gap.time = {3600};
     gap.value = {-21e-6};
     file.curves.push_back(gap);
@@ -182,21 +187,21 @@ TEST_CASE("curves: temperatures, rises and dimensions against rows of a file")
 TEST_CASE("claims of temperature")
 {
     const auto run = record();
-    auto c = claim("hottest");
+    auto c = claim(ReferenceClaim::Kind::hottest);
     c.probes = {"shaft"};
     CHECK(judge(run, c).outcome == Outcome::holds);
     CHECK(has(judge(run, c).evidence, "warmest after 4 h: shaft 16.00 K, frame 8.00 K"));
     c.probes = {"frame"};
     CHECK(judge(run, c).outcome == Outcome::fails);
 
-    c = claim("warmer");
+    c = claim(ReferenceClaim::Kind::warmer);
     c.probes = {"shaft"};
     c.than = {"frame"};
     CHECK(judge(run, c).outcome == Outcome::holds);
     std::swap(c.probes, c.than);
     CHECK(judge(run, c).outcome == Outcome::fails);
 
-    c = claim("slower");  // 95 %: frame after 4 h, shaft after 1 h
+    c = claim(ReferenceClaim::Kind::slower);  // 95 %: frame after 4 h, shaft after 1 h
     c.probes = {"frame"};
     c.than = {"shaft"};
     CHECK(judge(run, c).outcome == Outcome::holds);
@@ -205,7 +210,7 @@ TEST_CASE("claims of temperature")
     std::swap(c.probes, c.than);
     CHECK(judge(run, c).outcome == Outcome::fails);
 
-    c = claim("steady");
+    c = claim(ReferenceClaim::Kind::steady);
     c.at_most = 3.5 * 3600;
     CHECK(judge(run, c).outcome == Outcome::fails);  // the frame is last
     CHECK(has(judge(run, c).evidence, "frame"));
@@ -216,7 +221,7 @@ TEST_CASE("claims of temperature")
     c.at_least = 3600;
     CHECK(judge(run, c).outcome == Outcome::holds);
 
-    c = claim("share_reached");  // after 2 h: frame 50 %, shaft 100 %
+    c = claim(ReferenceClaim::Kind::share_reached);  // after 2 h: frame 50 %, shaft 100 %
     c.probes = {"frame", "shaft"};
     c.time = 2 * 3600;
     c.share = 0.5;
@@ -229,23 +234,23 @@ TEST_CASE("claims of temperature")
 TEST_CASE("claims of the gap")
 {
     const auto run = record();
-    auto c = claim("peak_within");
+    auto c = claim(ReferenceClaim::Kind::peak_within);
     c.at_most = 3600;
     CHECK(judge(run, c).outcome == Outcome::holds);
     CHECK(has(judge(run, c).evidence, "-20 um, after 1 h"));
     c.at_most = 3500;
     CHECK(judge(run, c).outcome == Outcome::fails);
-    CHECK(judge(run, claim("declines")).outcome == Outcome::holds);
-    c = claim("declines");
+    CHECK(judge(run, claim(ReferenceClaim::Kind::declines)).outcome == Outcome::holds);
+    c = claim(ReferenceClaim::Kind::declines);
     c.share = 0.6;  // 12 of 20 um is not less
     CHECK(judge(run, c).outcome == Outcome::fails);
-    c = claim("slows");
+    c = claim(ReferenceClaim::Kind::slows);
     c.time = 3600;
     CHECK(judge(run, c).outcome == Outcome::holds);
     CHECK(has(judge(run, c).evidence, "-20 um/h on average until 1 h, by +2.667 um/h after"));
-    CHECK(judge(run, claim("closes")).outcome == Outcome::holds);
-    CHECK(judge(run, claim("opens")).outcome == Outcome::fails);
-    c = claim("unchecked");
+    CHECK(judge(run, claim(ReferenceClaim::Kind::closes)).outcome == Outcome::holds);
+    CHECK(judge(run, claim(ReferenceClaim::Kind::opens)).outcome == Outcome::fails);
+    c = claim(ReferenceClaim::Kind::unchecked);
     c.reason = "takes two runs";
     CHECK(judge(run, c).outcome == Outcome::unchecked);
     CHECK(judge(run, c).evidence == "takes two runs");
@@ -259,7 +264,7 @@ TEST_CASE("another run as baseline: its values and its errors stand beside")
     file.loads.emplace_back().quantity = "seat.peak_N";
     file.loads[0].force = 10000;
     auto& curve = file.curves.emplace_back();
-    curve.measures = "rise";
+    curve.measures = ReferenceCurve::Measures::rise;
     curve.probe = "frame";
     curve.time = {3600};
     curve.value = {1};

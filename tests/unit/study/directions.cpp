@@ -2,8 +2,10 @@
 
 #include "../../turned_case.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/mechanism/process_force.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>

@@ -1,6 +1,7 @@
 #include "deadpoint/study/drift/drift_summary.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/heat.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

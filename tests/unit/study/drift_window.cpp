@@ -1,6 +1,6 @@
 #include "deadpoint/study/sweep/drift_window.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <bit>

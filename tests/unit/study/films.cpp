@@ -1,14 +1,20 @@
 /// Requirement: interfaces and surfaces that name a law get the library's values for what the case says.
 #include "../messages.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/study/laws/conductance.hpp"
 #include "deadpoint/study/laws/film.hpp"
 #include "deadpoint/study/laws/surface_geometry.hpp"
 #include "deadpoint/study/pipeline/heat_tables.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/surroundings/paper_film.hpp"
 #include "deadpoint/tribology/conductance/bearing_conductance.hpp"
+#include "deadpoint/tribology/conductance/conductance.hpp"
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
 
 #include <algorithm>

@@ -4,8 +4,16 @@
 
 #include "../messages.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/exchange/cycle.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/exchange/warning.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/result/friction_summary.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/tribology/friction/ball_bearing.hpp"
+#include "deadpoint/tribology/friction/load_zone.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -301,11 +309,11 @@ TEST_CASE("the crankshaft's bearings by Palmgren with spin: torques and load by 
     CHECK(*spinning.load_part - *rolling.load_part == Approx(spin).epsilon(1e-8));
 }
 
-TEST_CASE("what a law lacks is said with the row's name")
+TEST_CASE("what a law lacks is said with the key that lacks it")
 {
     auto input = press_case({}, "physics.toml");
     input.lubricants.at("oil").density = 0;
-    CHECK(has(error_of([&] { heat(input, "crank_pin"); }), "friction.crank_pin: the shear of an oil film needs"));
+    CHECK(has(error_of([&] { heat(input, "crank_pin"); }), "lubricants.oil: the shear of an oil film needs"));
     input = press_case({}, "physics.toml");
     std::get<casefile::PinFriction>(input.friction.at("crank_pin").law).length.reset();
     CHECK(has(error_of([&] { heat(input, "crank_pin"); }), "the length of the pin of joints.crank_pin is missing"));

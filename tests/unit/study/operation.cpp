@@ -1,10 +1,14 @@
 /// Requirement: oil circuits, heat of other kinds, load zones and warm rings reach the heat stage as the case states
 /// them.
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/study/laws/friction_physics.hpp"
 #include "deadpoint/study/laws/load_zone.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/oil.hpp"
 

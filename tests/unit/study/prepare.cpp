@@ -1,7 +1,8 @@
 /// Requirement: surfaces share the faces between their boxes, and what is exposed gets the rest.
 #include "deadpoint/study/pipeline/prepare.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>

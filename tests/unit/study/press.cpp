@@ -1,6 +1,12 @@
 #include "deadpoint/study/pipeline/press.hpp"
 
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
+#include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 #include "deadpoint/study/sweep/sweep_plan.hpp"
 
 #include "deadpoint/casefile/files/study_file.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>

@@ -1,4 +1,7 @@
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/translate/machine.hpp"
 
 #include <doctest/doctest.h>
@@ -121,7 +124,7 @@ TEST_CASE("names that lead nowhere and missing numbers are refused")
     };
     casefile::Case input = two_links();
     input.parts["link"].material = "stone";
-    refused(input, "parts.link: there is no material 'stone'");
+    refused(input, "parts.link.material: there is no material 'stone'");
 
     input = two_links();
     input.parts["link"].mesh = "also.msh";

@@ -3,7 +3,9 @@
 
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/drift/chain.hpp"
+#include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 #include "deadpoint/study/translate/machine.hpp"

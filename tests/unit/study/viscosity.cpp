@@ -2,7 +2,7 @@
 #include "deadpoint/study/laws/viscosity.hpp"
 
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

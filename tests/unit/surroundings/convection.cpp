@@ -1,6 +1,6 @@
 #include "deadpoint/surroundings/convection.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/surroundings/air.hpp"
 #include "deadpoint/surroundings/film.hpp"
 #include "deadpoint/surroundings/radiation.hpp"

@@ -1,6 +1,6 @@
 #include "deadpoint/surroundings/film.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/surroundings/air.hpp"
 #include "deadpoint/surroundings/paper_film.hpp"
 #include "deadpoint/surroundings/radiation.hpp"
@@ -181,14 +181,10 @@ TEST_CASE("enclosed surfaces: limits, slope, and agreement with the balance of t
     const double h = 1e-3;
     CHECK(enclosed(300).slope ==
           doctest::Approx((enclosed(300 + h).value - enclosed(300 - h).value) / (2 * h)).epsilon(1e-7));
-    // With the same film the air's own balance gives the same heat.
-    const std::vector<EnclosedSurface> walls{{open(300).value, 1, 300}, {open(300).value, 2, 300}};
-    const double air = enclosed_air_temperature(walls, 8, ambient);
+    // The air's own balance, h A (300 K - air) = G (air - ambient), gives the same heat.
+    const double taken = open(300).value * area;
+    const double air = (taken * 300 + 8 * ambient) / (taken + 8);
     CHECK(8 * (air - ambient) == doctest::Approx(enclosed(300).value * area * (300 - ambient)).epsilon(1e-12));
-    CHECK(enclosed_air_temperature({}, 8, ambient) == ambient);
-    const std::vector<EnclosedSurface> two{{4, 1, 310}, {4, 3, 300}};
-    CHECK(enclosed_air_temperature(two, 0, ambient) == doctest::Approx(302.5).epsilon(1e-14));
-    CHECK_THROWS_AS((void)enclosed_air_temperature({}, 0, ambient), DomainError);
     CHECK_THROWS_AS((void)enclosed_film(open, 0, 5), DomainError);
     CHECK_THROWS_AS((void)enclosed_film(open, 1, -5), DomainError);
 }

@@ -1,4 +1,4 @@
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/surroundings/oil_circuit.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "deadpoint/surroundings/radiation.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

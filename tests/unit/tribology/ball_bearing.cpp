@@ -1,6 +1,9 @@
 #include "deadpoint/tribology/friction/ball_bearing.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
+#include "deadpoint/tribology/friction/hertz.hpp"
+#include "deadpoint/tribology/friction/load_zone.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

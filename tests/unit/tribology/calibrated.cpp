@@ -1,6 +1,8 @@
 #include "deadpoint/tribology/friction/calibrated.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/laws/friction.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "deadpoint/tribology/friction/ball_bearing.hpp"
 #include "deadpoint/tribology/friction/calibrated.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/heat_law.hpp"
 #include "deadpoint/tribology/friction/pin.hpp"
 #include "deadpoint/tribology/friction/rolling_bearing.hpp"

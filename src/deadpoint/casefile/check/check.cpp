@@ -5,8 +5,13 @@
 #include "deadpoint/casefile/check/directions.hpp"
 #include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/accuracy.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/case_films.hpp"
+#include "deadpoint/casefile/describe/case_heat.hpp"
+#include "deadpoint/casefile/describe/case_loads.hpp"
 #include "deadpoint/core/formula.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +31,38 @@ public:
     std::vector<Finding> run()
     {
         check_bodies();
+        check_parts_and_joints();
+        check_oil_circuits();
+        check_heat_sources();
+        check_air();
+        check_places();
+        if (c_.chain) {
+            check_chain(*c_.chain);
+        }
+        add_all(check_elastic(c_));
+        refer("mechanism.slide_body", "body", c_.mechanism.slide_body, c_.bodies);
+        check_slide();
+        add_all(check_directions(c_));
+        check_process_force();
+        check_mirrors();
+        check_operation();
+        if (auto finding = check_accuracy(c_)) {
+            add(std::move(*finding));
+        }
+        check_reference();
+        return take();
+    }
+
+private:
+    void add_all(std::vector<Finding> findings)
+    {
+        for (auto& finding : findings) {
+            add(std::move(finding));
+        }
+    }
+
+    void check_parts_and_joints()
+    {
         for (const auto& [name, part] : c_.parts) {
             check_part(name, part);
         }
@@ -39,7 +76,10 @@ public:
         for (const auto& [law, coefficient] : c_.oil) {
             refer("oil." + law, "friction law", law, c_.friction);
         }
-        check_oil_circuits();
+    }
+
+    void check_heat_sources()
+    {
         for (const auto& [name, source] : c_.heat_sources) {
             check_heat_source("heat_sources." + name, source);
             if (c_.joints.contains(name)) {
@@ -48,17 +88,23 @@ public:
                        std::string("rename one of the two: the list of causes names both"));
             }
         }
+    }
+
+    void check_air()
+    {
         for (const auto& [name, enclosure] : c_.enclosures) {
             for (std::size_t i = 0; i < enclosure.surfaces.size(); ++i) {
                 refer(fmt::format("enclosures.{}.surfaces.{}", name, i), "surface", enclosure.surfaces[i], c_.surfaces);
             }
         }
-        for (auto& finding : check_enclosures(c_)) {
-            add(std::move(finding));
-        }
+        add_all(check_enclosures(c_));
         for (const auto& [name, surface] : c_.surfaces) {
             check_surface("surfaces." + name, surface);
         }
+    }
+
+    void check_places()
+    {
         for (const auto& [name, probe] : c_.probes) {
             refer("probes." + name + ".part", "part", probe.part, c_.parts);
         }
@@ -68,32 +114,18 @@ public:
         if (c_.crankshaft) {
             refer("crankshaft.material", "material", c_.crankshaft->material, c_.materials);
         }
-        if (c_.chain) {
-            check_chain(*c_.chain);
-        }
-        for (auto& finding : check_elastic(c_)) {
-            add(std::move(finding));
-        }
-        refer("mechanism.slide_body", "body", c_.mechanism.slide_body, c_.bodies);
-        check_slide();
-        for (auto& finding : check_directions(c_)) {
-            add(std::move(finding));
-        }
-        check_process_force();
-        check_mirrors();
-        check_operation();
-        if (auto finding = check_accuracy(c_)) {
-            add(std::move(*finding));
-        }
-        if (c_.reference) {
-            for (const auto& [probe, rise] : c_.reference->rises) {
-                refer("reference.rises." + probe, "probe", probe, c_.probes);
-            }
-        }
-        return take();
     }
 
-private:
+    void check_reference()
+    {
+        if (!c_.reference) {
+            return;
+        }
+        for (const auto& [probe, rise] : c_.reference->rises) {
+            refer("reference.rises." + probe, "probe", probe, c_.probes);
+        }
+    }
+
     void check_bodies()
     {
         std::string first;
@@ -492,7 +524,8 @@ private:
                    "its result is in kelvin: 20 degC are 293.15");
         } else if (least < coldest_meant) {
             warn("cold-formula", path,
-                 fmt::format("the formula gives {:.6g} K ({:.4g} degC) at t = {:.6g} s", least, least - 273.15, when),
+                 fmt::format("the formula gives {:.6g} K ({:.4g} degC) at t = {:.6g} s", least, least - zero_celsius,
+                             when),
                  "if degC are meant, add 273.15: the result of a formula is in kelvin");
         }
     }

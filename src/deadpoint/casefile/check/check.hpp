@@ -1,11 +1,11 @@
 #pragma once
 
-#include "deadpoint/casefile/check/findings.hpp"
-#include "deadpoint/casefile/describe/case.hpp"
-
 #include <vector>
 
 namespace deadpoint::casefile {
+
+struct Case;
+struct Finding;
 
 /// Checks every name that refers to something else, and the rules that span sections. It does not
 /// check geometry. It skips empty names, since reading reports missing names.

@@ -1,5 +1,11 @@
 #include "deadpoint/casefile/check/check_elastic.hpp"
 
+#include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/case_elastic.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
 #include <fmt/format.h>
 
 namespace deadpoint::casefile {

@@ -1,8 +1,12 @@
 #pragma once
 
-#include "deadpoint/casefile/check/findings.hpp"
+#include <vector>
 
 namespace deadpoint::casefile {
+
+struct Case;
+
+struct Finding;
 
 /// Checks foundation, preload, and the names in output.stress.
 std::vector<Finding> check_elastic(const Case& c);

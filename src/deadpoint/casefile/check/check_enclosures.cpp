@@ -1,5 +1,10 @@
 #include "deadpoint/casefile/check/check_enclosures.hpp"
 
+#include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/case_films.hpp"
+#include "deadpoint/casefile/describe/case_heat.hpp"
+
 #include <fmt/format.h>
 
 namespace deadpoint::casefile {

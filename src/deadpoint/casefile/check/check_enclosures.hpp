@@ -1,8 +1,12 @@
 #pragma once
 
-#include "deadpoint/casefile/check/findings.hpp"
+#include <vector>
 
 namespace deadpoint::casefile {
+
+struct Case;
+
+struct Finding;
 
 /// Surfaces of enclosures: each faces at most one enclosure, and has a `film` without an ambient of
 /// its own. Skips surfaces that the case does not have.

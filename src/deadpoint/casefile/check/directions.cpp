@@ -1,6 +1,8 @@
 #include "deadpoint/casefile/check/directions.hpp"
 
 #include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/case_films.hpp"
 #include "deadpoint/core/mistakes.hpp"
 
 #include <algorithm>

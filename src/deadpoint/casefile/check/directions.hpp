@@ -1,13 +1,15 @@
 #pragma once
 
 #include "deadpoint/casefile/check/findings.hpp"
-#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/vec.hpp"
 
 #include <variant>
 #include <vector>
 
 /// The directions of a case: of gravity and of the stroke.
 namespace deadpoint::casefile {
+
+struct Case;
 
 /// Unit direction of the slide's stroke, from the table towards the slide:
 /// `mechanism.stroke_direction`; without it along the guide that holds the slide on the ground,

@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/check/findings.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/pattern.hpp"
 #include "deadpoint/core/suggest.hpp"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/suggest.hpp"
 
 #include <map>
@@ -11,6 +10,8 @@
 
 /// Mistakes found in a case, and the list that collects them.
 namespace deadpoint::casefile {
+
+struct Case;
 
 /// No press is colder [K]; a formula with a lower result was probably meant in degC.
 inline constexpr double coldest_meant = 150;

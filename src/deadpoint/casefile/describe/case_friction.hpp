@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/casefile/describe/spelling.hpp"
-#include "deadpoint/exchange/friction.hpp"
+#include "deadpoint/exchange/laws/friction.hpp"
 
 #include <array>
 #include <optional>

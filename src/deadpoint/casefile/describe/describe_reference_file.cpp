@@ -28,27 +28,28 @@ void describe_value(Visitor& v, ReferenceValue& n)
 }
 
 /// A key belongs to some kinds only; it is needed there, or allowed.
+template <class E>
 struct KindKeys {
     Visitor& v;
     std::string_view chooser;
-    const std::string& kind;
+    std::optional<E> kind;
 
-    void allowed(bool given, std::string_view key, std::initializer_list<std::string_view> kinds) const
+    void allowed(bool given, std::string_view key, std::initializer_list<E> kinds) const
     {
-        v.expect(!given || kind.empty() || named(kinds), key,
-                 fmt::format("{} = \"{}\" does not use '{}'", chooser, kind, key),
+        v.expect(!given || !kind || is(kinds), key, fmt::format("{} does not use '{}'", stated(), key),
                  fmt::format("remove it, or take another `{}`", chooser));
     }
-    void needed(bool given, std::string_view key, std::initializer_list<std::string_view> kinds) const
+    void needed(bool given, std::string_view key, std::initializer_list<E> kinds) const
     {
         allowed(given, key, kinds);
-        v.expect(given || !named(kinds), chooser, fmt::format("'{}' is missing for {} = \"{}\"", key, chooser, kind),
+        v.expect(given || !is(kinds), chooser, fmt::format("'{}' is missing for {}", key, stated()),
                  fmt::format("add `{}`", key));
     }
-    [[nodiscard]] bool named(std::initializer_list<std::string_view> kinds) const
+    [[nodiscard]] bool is(std::initializer_list<E> kinds) const
     {
-        return std::ranges::find(kinds, kind) != kinds.end();
+        return kind && std::ranges::find(kinds, *kind) != kinds.end();
     }
+    [[nodiscard]] std::string stated() const { return fmt::format("{} = \"{}\"", chooser, kind ? name_of(*kind) : ""); }
 };
 
 }  // namespace
@@ -102,15 +103,15 @@ void describe(Visitor& v, ReferenceCurve& c)
     v.text({"time_column", "the times"}, c.time_column);
     v.text({"unit", "unit of the values, instead of that in the heading"}, c.unit);
     v.text({"time_unit", "unit of the times, instead of that in the heading"}, c.time_unit);
-    choose(v, {"measures", "temperature or rise of a probe, or a dimension of the chain", required}, c.measures,
-           {"temperature", "rise", "E_SW", "E_BG", "E_WG", "E_CS", "E_BC"});
+    choose(v, {"measures", "temperature or rise of a probe, or a dimension of the chain", required}, c.measures);
     v.text({"probe", "probe to which the temperature or rise belongs"}, c.probe);
     v.quantity({"until", "rows after this time are left out"}, c.until, D::time, positive);
     v.flag({"opposite_sign", "for a dimension: the file has the opposite sign"}, c.opposite_sign);
     describe_value(v, c);
-    const KindKeys keys{v, "measures", c.measures};
-    keys.needed(!c.probe.empty(), "probe", {"temperature", "rise"});
-    keys.allowed(c.opposite_sign, "opposite_sign", {"E_SW", "E_BG", "E_WG", "E_CS", "E_BC"});
+    using enum ReferenceCurve::Measures;
+    const KindKeys<ReferenceCurve::Measures> keys{v, "measures", c.measures};
+    keys.needed(!c.probe.empty(), "probe", {temperature, rise});
+    keys.allowed(c.opposite_sign, "opposite_sign", {E_SW, E_BG, E_WG, E_CS, E_BC});
 }
 
 void describe(Visitor& v, ReferenceChain& c)
@@ -121,12 +122,12 @@ void describe(Visitor& v, ReferenceChain& c)
     choose(v,
            {"at", "`time`: at that time; `largest`: where it is largest in magnitude; `end`: at the end of the run",
             required},
-           c.at, {"time", "largest", "end"});
+           c.at);
     v.quantity({"time", "for at = \"time\""}, c.time, D::time, non_negative);
     v.quantity({"value", "value with the sign of the source", required}, c.value, D::length, any_value);
     v.flag({"opposite_sign", "the source has the opposite sign"}, c.opposite_sign);
     describe_value(v, c);
-    KindKeys{v, "at", c.at}.needed(c.time.has_value(), "time", {"time"});
+    KindKeys<ReferenceChain::At>{v, "at", c.at}.needed(c.time.has_value(), "time", {ReferenceChain::At::time});
 }
 
 void describe(Visitor& v, ReferenceTime& t)
@@ -137,12 +138,12 @@ void describe(Visitor& v, ReferenceTime& t)
             "`largest_E_SW`: E_SW is largest in magnitude; `share_of_rise`: from then on a probe has at least this "
             "share of its rise at the end",
             required},
-           t.of, {"largest_E_SW", "share_of_rise"});
+           t.of);
     v.text({"probe", "probe, for `share_of_rise`"}, t.probe);
     v.number({"share", "share, for `share_of_rise`"}, t.share, {0, 1, true});
     v.quantity({"value", "the time", required}, t.value, D::time, non_negative);
     describe_value(v, t);
-    KindKeys{v, "of", t.of}.needed(!t.probe.empty(), "probe", {"share_of_rise"});
+    KindKeys<ReferenceTime::Of>{v, "of", t.of}.needed(!t.probe.empty(), "probe", {ReferenceTime::Of::share_of_rise});
 }
 
 void describe(Visitor& v, ReferenceLoad& l)
@@ -177,9 +178,7 @@ void describe(Visitor& v, ReferenceClaim& c)
             "E_SW moves faster before `time` than after it; `closes`, `opens`: the sign of E_SW where it is largest; "
             "`unchecked`: one run cannot show it, for the `reason` given",
             required},
-           c.kind,
-           {"hottest", "warmer", "slower", "steady", "share_reached", "peak_within", "declines", "slows", "closes",
-            "opens", "unchecked"});
+           c.kind);
     v.texts({"probes", "names of probes"}, c.probes);
     v.texts({"than", "the probes to compare with"}, c.than);
     v.quantity({"time", "time of the statement; default: the end of the run"}, c.time, D::time, positive);
@@ -189,24 +188,25 @@ void describe(Visitor& v, ReferenceClaim& c)
                D::none, {0, 1, false});
     v.text({"reason", "reason why it is not checked"}, c.reason);
     describe_note(v, c);
-    const KindKeys keys{v, "kind", c.kind};
-    keys.needed(!c.than.empty(), "than", {"warmer", "slower"});
-    if (keys.named({"steady"})) {
-        keys.allowed(!c.probes.empty(), "probes", {"steady"});
+    using enum ReferenceClaim::Kind;
+    const KindKeys<ReferenceClaim::Kind> keys{v, "kind", c.kind};
+    keys.needed(!c.than.empty(), "than", {warmer, slower});
+    if (keys.is({steady})) {
+        keys.allowed(!c.probes.empty(), "probes", {steady});
     } else {
-        keys.needed(!c.probes.empty(), "probes", {"hottest", "warmer", "slower", "share_reached"});
+        keys.needed(!c.probes.empty(), "probes", {hottest, warmer, slower, share_reached});
     }
-    if (keys.named({"hottest", "warmer"})) {
-        keys.allowed(c.time.has_value(), "time", {"hottest", "warmer"});
+    if (keys.is({hottest, warmer})) {
+        keys.allowed(c.time.has_value(), "time", {hottest, warmer});
     } else {
-        keys.needed(c.time.has_value(), "time", {"share_reached", "slows"});
+        keys.needed(c.time.has_value(), "time", {share_reached, slows});
     }
-    keys.allowed(c.at_least.has_value(), "at_least", {"steady", "peak_within"});
-    keys.allowed(c.at_most.has_value(), "at_most", {"steady", "peak_within"});
-    keys.allowed(c.share.has_value(), "share", {"slower", "steady", "share_reached", "declines"});
-    keys.needed(!c.reason.empty(), "reason", {"unchecked"});
-    v.expect(!keys.named({"steady", "peak_within"}) || c.at_least || c.at_most, "kind",
-             "the claim names no time to check", "add `at_least` or `at_most`");
+    keys.allowed(c.at_least.has_value(), "at_least", {steady, peak_within});
+    keys.allowed(c.at_most.has_value(), "at_most", {steady, peak_within});
+    keys.allowed(c.share.has_value(), "share", {slower, steady, share_reached, declines});
+    keys.needed(!c.reason.empty(), "reason", {unchecked});
+    v.expect(!keys.is({steady, peak_within}) || c.at_least || c.at_most, "kind", "the claim names no time to check",
+             "add `at_least` or `at_most`");
     v.expect(!c.at_least || !c.at_most || *c.at_least <= *c.at_most, "at_most",
              "the latest time lies before the earliest", "exchange `at_least` and `at_most`");
 }

@@ -1,11 +1,12 @@
 #include "deadpoint/casefile/files/read.hpp"
 
 #include "deadpoint/casefile/check/check.hpp"
+#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/library.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/shipped.hpp"
 #include "deadpoint/casefile/syntax/reader.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 namespace deadpoint::casefile {
 namespace {

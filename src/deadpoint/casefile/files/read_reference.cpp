@@ -19,12 +19,13 @@ namespace {
 
 constexpr double same_time = 1e-9;  ///< relative, so that "3 h" is the end of a run of 10800 s
 
-Dimension measured_dimension(const std::string& measures)
+Dimension measured_dimension(ReferenceCurve::Measures measures)
 {
-    if (measures == "temperature") {
+    using enum ReferenceCurve::Measures;
+    if (measures == temperature) {
         return Dimension::temperature;
     }
-    return measures == "rise" ? Dimension::temperature_difference : Dimension::length;
+    return measures == rise ? Dimension::temperature_difference : Dimension::length;
 }
 
 /// Checks what spans several values of the file, reads its curves, and holds it against a result.
@@ -127,7 +128,7 @@ private:
 
     void check(const ReferenceTime& t, const std::string& at)
     {
-        if (t.of == "largest_E_SW") {
+        if (t.of == ReferenceTime::Of::largest_E_SW) {
             check_dimension(at + ".of");
         }
         check_probe(at + ".probe", t.probe);
@@ -182,8 +183,9 @@ private:
         for (std::size_t i = 0; i < c.than.size(); ++i) {
             check_probe(fmt::format("{}.than.{}", at, i), c.than[i]);
         }
-        constexpr std::array<std::string_view, 5> of_the_gap{"peak_within", "declines", "slows", "closes", "opens"};
-        if (std::ranges::find(of_the_gap, c.kind) != of_the_gap.end()) {
+        using enum ReferenceClaim::Kind;
+        constexpr std::array of_the_gap{peak_within, declines, slows, closes, opens};
+        if (std::ranges::find(of_the_gap, *c.kind) != of_the_gap.end()) {
             check_dimension(at + ".kind");
         }
         if (c.time) {
@@ -193,7 +195,8 @@ private:
 
     void check(ReferenceCurve& c, const std::string& at)
     {
-        if (c.measures == "temperature" || c.measures == "rise") {
+        using enum ReferenceCurve::Measures;
+        if (c.measures == temperature || c.measures == rise) {
             check_probe(at + ".probe", c.probe);
         } else {
             check_dimension(at + ".measures");
@@ -212,7 +215,7 @@ private:
         const auto times = table.column(c.time_column);
         const auto values = table.column(c.column);
         c.time = in_si(table, times, c.time_unit, Dimension::time, at, "time_unit");
-        c.value = in_si(table, values, c.unit, measured_dimension(c.measures), at, "unit");
+        c.value = in_si(table, values, c.unit, measured_dimension(*c.measures), at, "unit");
         if (c.name.empty()) {
             c.name = fmt::format("{} of {}", c.column, std::filesystem::path(c.file).filename().string());
         }

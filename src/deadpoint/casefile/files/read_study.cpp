@@ -2,8 +2,8 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/syntax/reader.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "deadpoint/casefile/describe/spelling.hpp"
 #include "deadpoint/core/quantity.hpp"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -33,13 +35,14 @@ struct ReferenceRises : ReferenceValue {
 };
 
 struct ReferenceCurve : ReferenceValue {
+    enum class Measures { temperature, rise, E_SW, E_BG, E_WG, E_CS, E_BC };
     std::string name;
     std::string file;
     std::string column;
     std::string time_column = "time";
-    std::string unit;       ///< of the column, where its heading has none
-    std::string time_unit;  ///< of the times, likewise
-    std::string measures;   ///< "temperature", "rise", "E_SW", ...
+    std::string unit;                  ///< of the column, where its heading has none
+    std::string time_unit;             ///< of the times, likewise
+    std::optional<Measures> measures;  ///< stated once the file is read
     std::string probe;
     std::optional<double> until;  ///< later rows are left out [s]
     bool opposite_sign = false;   ///< for a dimension: the file has the opposite sign
@@ -48,15 +51,17 @@ struct ReferenceCurve : ReferenceValue {
 };
 
 struct ReferenceChain : ReferenceValue {
+    enum class At { time, largest, end };
     std::string dimension;  ///< "E_SW", ...
-    std::string at;         ///< "time", "largest", "end"
+    std::optional<At> at;   ///< stated once the file is read
     std::optional<double> time;
     double value = 0;            ///< in the sign of the source [m]
     bool opposite_sign = false;  ///< the source has the opposite sign
 };
 
 struct ReferenceTime : ReferenceValue {
-    std::string of;  ///< "largest_E_SW", "share_of_rise"
+    enum class Of { largest_E_SW, share_of_rise };
+    std::optional<Of> of;  ///< stated once the file is read
     std::string probe;
     double share = 0.95;
     double value = 0;  ///< [s]
@@ -69,8 +74,21 @@ struct ReferenceLoad : ReferenceValue {
 
 /// A statement in words, in a form that can be checked.
 struct ReferenceClaim : ReferenceNote {
+    enum class Kind {
+        hottest,
+        warmer,
+        slower,
+        steady,
+        share_reached,
+        peak_within,
+        declines,
+        slows,
+        closes,
+        opens,
+        unchecked
+    };
     std::string text;
-    std::string kind;
+    std::optional<Kind> kind;  ///< stated once the file is read
     std::vector<std::string> probes;
     std::vector<std::string> than;
     std::optional<double> time;
@@ -79,6 +97,18 @@ struct ReferenceClaim : ReferenceNote {
     std::optional<double> share;
     std::string reason;  ///< why it cannot be checked
 };
+
+template <>
+inline constexpr auto spelling<ReferenceCurve::Measures> =
+    std::array<std::string_view, 7>{"temperature", "rise", "E_SW", "E_BG", "E_WG", "E_CS", "E_BC"};
+template <>
+inline constexpr auto spelling<ReferenceChain::At> = std::array<std::string_view, 3>{"time", "largest", "end"};
+template <>
+inline constexpr auto spelling<ReferenceTime::Of> = std::array<std::string_view, 2>{"largest_E_SW", "share_of_rise"};
+template <>
+inline constexpr auto spelling<ReferenceClaim::Kind> =
+    std::array<std::string_view, 11>{"hottest",  "warmer", "slower", "steady", "share_reached", "peak_within",
+                                     "declines", "slows",  "closes", "opens",  "unchecked"};
 
 /// Another operating point: what to change in the case.
 struct ReferencePoint {

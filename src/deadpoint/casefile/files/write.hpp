@@ -1,10 +1,10 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-
 #include <string>
 
 namespace deadpoint::casefile {
+
+struct Case;
 
 /// The case as one TOML text: includes merged, library values filled in, defaults stated, everything with its unit.
 /// Reading it back gives the same case bit by bit.

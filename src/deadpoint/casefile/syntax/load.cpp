@@ -1,6 +1,6 @@
 #include "deadpoint/casefile/syntax/document.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include "deadpoint/casefile/syntax/document.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,13 +1,15 @@
 #pragma once
 
-#include "deadpoint/io/binary_file.hpp"
-
 #include <functional>
 #include <span>
 #include <string>
 #include <tuple>
 #include <variant>
 #include <vector>
+
+namespace deadpoint {
+class BinaryReader;
+}
 
 /// The state of a run on disk, from which another process can continue.
 ///

@@ -1,12 +1,19 @@
 #include "deadpoint/fem/conduction/heat_checkpoint.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/fem/conduction/checkpoint.hpp"
+#include "deadpoint/fem/conduction/stage_matrix.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/fem/space/file_order.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/fem/space/vectors.hpp"
+#include "deadpoint/heat/run.hpp"
+#include "deadpoint/heat/run_state.hpp"
+#include "deadpoint/io/binary_file.hpp"
 #include "deadpoint/io/write_file.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,29 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/fem/conduction/heat_system.hpp"
-#include "deadpoint/heat/run.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <chrono>
 #include <span>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+class BinaryReader;
+class BinaryWriter;
+}  // namespace deadpoint
+
+namespace deadpoint::fem {
+struct CheckpointPlan;
+}
+
+namespace deadpoint::heat {
+
+template <class System>
+class HeatRun;
+struct PreconditionerOrigin;
+
+}  // namespace deadpoint::heat
 
 /// Internal to fem/: writes and restores the state of a run between two steps.
 namespace deadpoint::fem {

@@ -1,7 +1,9 @@
 #include "deadpoint/fem/conduction/heat_functionals.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include <deal.II/hp/fe_values.h>
 
 #include <algorithm>

@@ -1,12 +1,17 @@
 #pragma once
 
-#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/core/vec.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/heat/functionals.hpp"
 
 #include <functional>
 #include <span>
 #include <vector>
+
+namespace deadpoint {
+struct HeatProblem;
+struct InterfaceLaw;
+}  // namespace deadpoint
 
 /// Internal to fem/: the functionals of a heat problem by unknowns.
 namespace deadpoint::fem {

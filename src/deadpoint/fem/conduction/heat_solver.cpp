@@ -1,7 +1,14 @@
 #include "deadpoint/fem/conduction/heat_solver.hpp"
 
+#include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/fem/conduction/heat_checkpoint.hpp"
+#include "deadpoint/fem/conduction/stage_matrix.hpp"
+#include "deadpoint/fem/space/vectors.hpp"
+#include "deadpoint/heat/adjoint.hpp"
+#include "deadpoint/heat/run.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -42,6 +49,8 @@ HeatSolver::HeatSolver(const Discretisation& space, const std::vector<Material>&
     heat::HeatSources<HeatSystem>(system_, problem).enter(problem.segments.front());
     system_.stage().prepare();
 }
+
+HeatSolver::~HeatSolver() = default;
 
 bool HeatSolver::adopt(const HeatProblem& problem)
 {

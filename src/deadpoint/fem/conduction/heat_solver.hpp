@@ -1,13 +1,26 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/fem/conduction/heat_system.hpp"
 #include "deadpoint/fem/fields.hpp"
-#include "deadpoint/heat/run.hpp"
 
 #include <memory>
 #include <vector>
+
+namespace deadpoint {
+
+class Observer;
+struct Material;
+struct HeatCauses;
+}  // namespace deadpoint
+
+namespace deadpoint::heat {
+
+template <class System>
+class HeatRun;
+template <class System>
+class HeatAdjoint;
+
+}  // namespace deadpoint::heat
 
 /// Internal to fem/: transient heat conduction with contact layers.
 namespace deadpoint::fem {
@@ -18,6 +31,7 @@ struct CheckpointPlan;  // checkpoint.hpp
 class HeatSolver {
 public:
     HeatSolver(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem);
+    ~HeatSolver();
 
     /// Adopts another problem if the matrices can be used for it.
     bool adopt(const HeatProblem& problem);

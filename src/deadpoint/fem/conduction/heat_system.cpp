@@ -1,5 +1,15 @@
 #include "deadpoint/fem/conduction/heat_system.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/conduction/heat_functionals.hpp"
+#include "deadpoint/fem/conduction/stage_matrix.hpp"
+#include "deadpoint/fem/conduction/terms/film_points.hpp"
+#include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
+#include "deadpoint/fem/conduction/terms/material_maps.hpp"
+#include "deadpoint/fem/conduction/terms/prescribed.hpp"
+#include "deadpoint/fem/elastic/expansion.hpp"
+#include "deadpoint/fem/space/vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -29,13 +39,32 @@ bool same_parts(const BodyHeat& a, const BodyHeat& b) { return a.parts == b.part
 
 }  // namespace
 
+struct HeatSystem::Parts {
+    Parts(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem)
+        : expansion(space, materials), functionals(space, problem), matrices(space, materials, problem),
+          prescribed(space, problem), pattern(create_vector(space, 1)), maps(space, materials, matrices, pattern),
+          films(space, problem, functionals.geometry().surface_area, prescribed, pattern),
+          stage(space, matrices, maps, prescribed, films, longest_segment(problem))
+    {}
+
+    [[nodiscard]] SparseFunctional combined(const heat::Loads& loads) const;
+
+    Expansion expansion;
+    HeatFunctionals functionals;
+    HeatMatrices matrices;
+    PrescribedTemperatures prescribed;
+    OwnedVec pattern;
+    MaterialMaps maps;
+    FilmPoints films;
+    StageMatrix stage;
+};
+
 HeatSystem::HeatSystem(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem)
-    : space_(space), materials_(materials), problem_(&problem), expansion_(space, materials),
-      functionals_(space, problem), matrices_(space, materials, problem), prescribed_(space, problem),
-      pattern_(create_vector(space, 1)), maps_(space, materials, matrices_, pattern_),
-      films_(space, problem, functionals_.geometry().surface_area, prescribed_, pattern_),
-      stage_(space, matrices_, maps_, prescribed_, films_, longest_segment(problem))
+    : space_(space), materials_(materials), problem_(&problem),
+      parts_(std::make_unique<Parts>(space, materials, problem))
 {}
+
+HeatSystem::~HeatSystem() = default;
 
 bool HeatSystem::adopt(const HeatProblem& problem)
 {
@@ -43,22 +72,22 @@ bool HeatSystem::adopt(const HeatProblem& problem)
                       std::ranges::equal(problem.radiation, problem_->radiation, {}, &RadiantRoom::surfaces,
                                          &RadiantRoom::surfaces) &&
                       std::ranges::equal(problem.body_heat, problem_->body_heat, same_parts) &&
-                      matrices_.serve(problem);
+                      parts_->matrices.serve(problem);
     if (!same)
         return false;
     if (longest_segment(problem) > longest_segment(*problem_))
-        stage_.reset(longest_segment(problem));  // the multigrid's bounds hold up to that
+        parts_->stage.reset(longest_segment(problem));  // the multigrid's bounds hold up to that
     problem_ = &problem;
-    functionals_.adopt(problem);
-    matrices_.adopt(problem);
-    prescribed_.adopt(problem);
-    films_.adopt(problem);
+    parts_->functionals.adopt(problem);
+    parts_->matrices.adopt(problem);
+    parts_->prescribed.adopt(problem);
+    parts_->films.adopt(problem);
     return true;
 }
 
 OwnedVec HeatSystem::make_vector() const
 {
-    OwnedVec vector = duplicate(pattern_);
+    OwnedVec vector = duplicate(parts_->pattern);
     DEADPOINT_PETSC(VecZeroEntries(vector));
     return vector;
 }
@@ -110,11 +139,11 @@ bool HeatSystem::any(bool flag) const
     return value != 0;
 }
 
-SparseFunctional HeatSystem::combined(const heat::Loads& loads) const
+SparseFunctional HeatSystem::Parts::combined(const heat::Loads& loads) const
 {
     SparseFunctional sum;
     for (const auto& [functional, factor] : loads) {
-        const auto& term = functionals_[functional];
+        const auto& term = functionals[functional];
         sum.local.insert(sum.local.end(), term.local.begin(), term.local.end());
         for (const double weight : term.weight)
             sum.weight.push_back(factor * weight);
@@ -124,13 +153,13 @@ SparseFunctional HeatSystem::combined(const heat::Loads& loads) const
 
 void HeatSystem::set_laws(const std::vector<InterfaceLaw>& laws, const std::vector<heat::Loads>& source_loads)
 {
-    functionals_.set_zones(laws);
+    parts_->functionals.set_zones(laws);
     std::vector<SparseFunctional> loads;
     for (const auto& load : source_loads)
-        loads.push_back(prescribed_.without(combined(load)));
-    stage_.set_source_loads(std::move(loads));
-    if (matrices_.set_laws(laws))
-        stage_.reset(longest_segment(*problem_));
+        loads.push_back(parts_->prescribed.without(parts_->combined(load)));
+    parts_->stage.set_source_loads(std::move(loads));
+    if (parts_->matrices.set_laws(laws))
+        parts_->stage.reset(longest_segment(*problem_));
 }
 
 void HeatSystem::finish_load(OwnedVec& load) const
@@ -141,11 +170,11 @@ void HeatSystem::finish_load(OwnedVec& load) const
 
 bool HeatSystem::build(double factor, const OwnedVec& temperature, const std::vector<heat::FilmAt>& films)
 {
-    if (factor == stage_.factor() && !follows_temperature())
+    if (factor == parts_->stage.factor() && !follows_temperature())
         return false;
-    if (films_.some())
-        films_.build_tangents(films, temperature, matrices_.films());
-    return stage_.combine(factor, temperature);
+    if (parts_->films.some())
+        parts_->films.build_tangents(films, temperature, parts_->matrices.films());
+    return parts_->stage.combine(factor, temperature);
 }
 
 std::vector<heat::Term> HeatSystem::terms() const
@@ -153,7 +182,8 @@ std::vector<heat::Term> HeatSystem::terms() const
     std::vector<heat::Term> terms;
     const auto& parts = space_.machine.parts;
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        const double capacity = materials_[p].density * materials_[p].specific_heat * functionals_.part_volume()[p];
+        const double capacity =
+            materials_[p].density * materials_[p].specific_heat * parts_->functionals.part_volume()[p];
         const double conductivity = materials_[p].conductivity;
         terms.push_back({fmt::format("the heat capacity of parts.{}: {:.3g} J/K", parts[p].name, capacity), capacity});
         terms.push_back(
@@ -167,15 +197,15 @@ std::vector<double> HeatSystem::observe(const OwnedVec& vector, const OwnedVec& 
     if (!observation_.adjoints)
         return {};
     const auto& adjoints = *observation_.adjoints;
-    const auto& part_of = maps_.part_of_unknown();
+    const auto& part_of = parts_->maps.part_of_unknown();
     const auto split = static_cast<std::size_t>(observation_.attribution.count);
     const std::size_t parts = space_.machine.parts.size();
     std::vector<double> sums(adjoints.size() + split * parts, 0.0);
     {
         const ConstEntries data(vector), at(temperature);
         const auto rise = [&](std::size_t i) {
-            return is_slope ? expansion_.slope(i, at[i]) * data[i]
-                            : expansion_.rise(i, data[i], observation_.reference);
+            return is_slope ? parts_->expansion.slope(i, at[i]) * data[i]
+                            : parts_->expansion.rise(i, data[i], observation_.reference);
         };
         for (std::size_t k = 0; k < adjoints.size(); ++k)
             for (std::size_t i = 0; i < adjoints[k].owned.size(); ++i)
@@ -192,7 +222,7 @@ std::vector<double> HeatSystem::observe(const OwnedVec& vector, const OwnedVec& 
 
 void HeatSystem::widen(const OwnedVec& temperature, std::vector<double>& lowest, std::vector<double>& highest) const
 {
-    const auto& part_of = maps_.part_of_unknown();
+    const auto& part_of = parts_->maps.part_of_unknown();
     {
         const ConstEntries values(temperature);
         for (std::size_t i = 0; i < part_of.size(); ++i) {
@@ -208,29 +238,117 @@ void HeatSystem::widen(const OwnedVec& temperature, std::vector<double>& lowest,
 // The heat is as booked and no longer follows the temperature, nor do enclosed air and radiation inside.
 void HeatSystem::begin_adjoint()
 {
-    films_.forget_rooms();
-    stage_.forget();
+    parts_->films.forget_rooms();
+    parts_->stage.forget();
 }
 
 void HeatSystem::set_film_coefficients(const std::vector<double>& coefficients)
 {
-    films_.build_constant(coefficients, matrices_.films());
-    stage_.forget();
+    parts_->films.build_constant(coefficients, parts_->matrices.films());
+    parts_->stage.forget();
 }
 
 void HeatSystem::apply_stiffness(const OwnedVec& in, OwnedVec& out) const
 {
-    DEADPOINT_PETSC(MatMult(matrices_.stiffness(), in, out));
-    for (const Mat further : {matrices_.films(), matrices_.conduction()})
+    DEADPOINT_PETSC(MatMult(parts_->matrices.stiffness(), in, out));
+    for (const Mat further : {parts_->matrices.films(), parts_->matrices.conduction()})
         if (further)
             DEADPOINT_PETSC(MatMultAdd(further, in, out, out));
 }
 
 int HeatSystem::solve_adjoint(double factor, const OwnedVec& right, OwnedVec& solution)
 {
-    if (factor != stage_.factor())
-        stage_.combine(factor, nullptr);
-    return stage_.solve_from_guess(right, solution, adjoint_tolerance, "the weights of the heat");
+    if (factor != parts_->stage.factor())
+        parts_->stage.combine(factor, nullptr);
+    return parts_->stage.solve_from_guess(right, solution, adjoint_tolerance, "the weights of the heat");
+}
+
+void HeatSystem::observe_with(Observation observation) { observation_ = observation; }
+
+StageMatrix& HeatSystem::stage() { return parts_->stage; }
+
+int HeatSystem::integrations() const { return parts_->matrices.integrations(); }
+
+void HeatSystem::copy(const OwnedVec& from, OwnedVec& to) const { DEADPOINT_PETSC(VecCopy(from, to)); }
+
+void HeatSystem::add(double factor, const OwnedVec& term, OwnedVec& sum) const
+{
+    DEADPOINT_PETSC(VecAXPY(sum, factor, term));
+}
+
+const heat::HeatGeometry& HeatSystem::geometry() const { return parts_->functionals.geometry(); }
+
+std::vector<double> HeatSystem::evaluate(std::span<const std::size_t> which, const OwnedVec& vector) const
+{
+    return parts_->functionals.evaluate(which, vector);
+}
+
+void HeatSystem::add_loads(const std::vector<double>& watts, OwnedVec& vector) const
+{
+    parts_->functionals.add_loads(watts, vector);
+}
+
+bool HeatSystem::follows_temperature() const { return parts_->films.some() || parts_->maps.vary(); }
+
+bool HeatSystem::is_linear() const { return !follows_temperature() && !parts_->prescribed.some(); }
+
+void HeatSystem::store(const OwnedVec& temperature, OwnedVec& stored) const { parts_->maps.store(temperature, stored); }
+
+void HeatSystem::conduct(const OwnedVec& temperature, OwnedVec& conducted) const
+{
+    parts_->maps.conduct(temperature, conducted);
+}
+
+void HeatSystem::apply_stage(const OwnedVec& in, OwnedVec& out) const
+{
+    DEADPOINT_PETSC(MatMult(parts_->stage.assembled(), in, out));
+}
+
+double HeatSystem::stored_between(const OwnedVec& from, const OwnedVec& to) const
+{
+    return parts_->maps.stored_between(from, to);
+}
+
+heat::FilmHeat HeatSystem::add_films(const std::vector<heat::FilmAt>& films, const OwnedVec& temperature,
+                                     OwnedVec& watts) const
+{
+    return parts_->films.add_heat(films, temperature, watts);
+}
+
+void HeatSystem::add_film_slopes(const std::vector<heat::FilmAt>& films, const OwnedVec& temperature,
+                                 OwnedVec& load) const
+{
+    parts_->films.add_slopes(films, temperature, load);
+}
+
+bool HeatSystem::some_prescribed() const { return parts_->prescribed.some(); }
+
+void HeatSystem::impose(double time, OwnedVec& temperature) const { parts_->prescribed.impose(time, temperature); }
+
+void HeatSystem::clear_prescribed(OwnedVec& vector) const { parts_->prescribed.clear(vector); }
+
+double HeatSystem::total_prescribed(const OwnedVec& vector) const { return parts_->prescribed.total(vector); }
+
+int HeatSystem::solve(const OwnedVec& right, OwnedVec& solution, const heat::LowRank<OwnedVec>& low_rank,
+                      heat::SolveTolerance tolerance, const std::string& what)
+{
+    return parts_->stage.solve(right, solution, low_rank, tolerance, what.c_str());
+}
+
+void HeatSystem::apply_mass(const OwnedVec& in, OwnedVec& out) const
+{
+    DEADPOINT_PETSC(MatMult(parts_->matrices.mass(), in, out));
+}
+
+std::vector<double> HeatSystem::prescribed_shares(const OwnedVec& right, const OwnedVec& left, double time,
+                                                  double reference) const
+{
+    return parts_->prescribed.shares(right, left, time, reference);
+}
+
+std::vector<double> HeatSystem::start_shares(const OwnedVec& weights, const OwnedVec& start, double reference) const
+{
+    return parts_->prescribed.start_shares(weights, start, reference);
 }
 
 }  // namespace deadpoint::fem

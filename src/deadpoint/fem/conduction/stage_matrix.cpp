@@ -1,6 +1,12 @@
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
 
+#include "deadpoint/fem/conduction/coarse_matrices.hpp"
+#include "deadpoint/fem/conduction/terms/film_points.hpp"
+#include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
+#include "deadpoint/fem/conduction/terms/material_maps.hpp"
+#include "deadpoint/fem/conduction/terms/prescribed.hpp"
 #include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/space/shell_matrix.hpp"
 #include "deadpoint/fem/space/vectors.hpp"
 
 #include <cmath>
@@ -88,6 +94,10 @@ void StageMatrix::create_solver()
     DEADPOINT_PETSC(KSPSetFromOptions(solver_));
     DEADPOINT_PETSC(KSPSetOperators(solver_, *shell_, system_));
 }
+
+StageMatrix::~StageMatrix() = default;
+
+bool StageMatrix::follows_temperature() const { return films_.some() || maps_.vary(); }
 
 void StageMatrix::reset(double longest)
 {

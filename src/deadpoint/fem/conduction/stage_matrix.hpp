@@ -1,11 +1,6 @@
 #pragma once
 
-#include "deadpoint/fem/conduction/coarse_matrices.hpp"
-#include "deadpoint/fem/conduction/film_points.hpp"
-#include "deadpoint/fem/conduction/heat_functionals.hpp"
-#include "deadpoint/fem/conduction/heat_matrices.hpp"
-#include "deadpoint/fem/conduction/material_maps.hpp"
-#include "deadpoint/fem/space/shell_matrix.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/heat/system.hpp"
 
 #include <memory>
@@ -13,6 +8,13 @@
 
 /// Internal to fem/: the linear system of a stage and its solver.
 namespace deadpoint::fem {
+
+class CoarseMatrices;
+class FilmPoints;
+class HeatMatrices;
+class MaterialMaps;
+class PrescribedTemperatures;
+class ShellMatrix;
 
 /// y = (M + factor (K + K_films)) x less terms of low rank, solved by conjugate gradients (BiCGStab
 /// if materials depend on temperature), preconditioned by algebraic multigrid of the assembled
@@ -22,6 +24,8 @@ public:
     /// All arguments outlive this. @param longest  stage that will be asked for [s]
     StageMatrix(const Discretisation& space, const HeatMatrices& matrices, const MaterialMaps& maps,
                 const PrescribedTemperatures& prescribed, const FilmPoints& films, double longest);
+
+    ~StageMatrix();
 
     /// Call it if the laws have changed, or if longer stages follow: aggregates and interpolation
     /// are built again.
@@ -57,7 +61,7 @@ private:
     void create_solver();
     void fill(double factor, Mat films, Vec temperature);
     void multiply(Vec in, Vec out) const;
-    [[nodiscard]] bool follows_temperature() const { return films_.some() || maps_.vary(); }
+    [[nodiscard]] bool follows_temperature() const;
 
     const Discretisation& space_;
     const HeatMatrices& matrices_;

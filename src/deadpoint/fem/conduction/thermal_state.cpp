@@ -1,6 +1,8 @@
 #include "deadpoint/fem/conduction/thermal_state.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/fem/space/file_order.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/io/binary_file.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include "deadpoint/fem/fields.hpp"
-#include "deadpoint/fem/space/discretisation.hpp"
-
 #include <string>
 
 /// Internal to fem/: a temperature field as a file, from which another run can start.
@@ -11,6 +8,9 @@
 /// oil circuits, enclosures and unknowns; unknowns are numbered by their first appearance cell by
 /// cell, which does not depend on the number of ranks.
 namespace deadpoint::fem {
+
+class Discretisation;
+struct ThermalState;
 
 /// Collective; written by the first rank.
 /// @throws IoError on all ranks if the file cannot be written

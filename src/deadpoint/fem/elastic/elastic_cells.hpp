@@ -1,12 +1,16 @@
 #pragma once
 
+#include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/petsc.hpp"
 #include <deal.II/hp/fe_values.h>
 
 #include <vector>
 
 /// Internal to fem/: integration over cells.
 namespace deadpoint::fem {
+
+class Discretisation;
 
 /// Calls visit(shape functions with gradients, unknowns, part) for each cell of this rank.
 template <class Visitor>

@@ -1,6 +1,9 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/elastic/elastic_cells.hpp"
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
+#include "deadpoint/fem/elastic/rigid_pieces.hpp"
+#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -145,7 +148,7 @@ void ElasticSolver::stiffness_times(const std::vector<double>& shape, Vec target
 std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<ForceGauge>& gauges)
 {
     std::vector<Adjoint> result;
-    Everywhere gathered(solution_);
+    Gathered gathered(solution_);
     for (const auto& gauge : gauges) {
         const auto described = describe(gauge);
         if (gauge.kind == ForceGauge::Kind::feet && foundation_.kind == Foundation::Kind::elastic)

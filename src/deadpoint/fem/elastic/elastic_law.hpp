@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/exchange/stress.hpp"
 
 /// Internal to fem/: Hooke's law with thermal strain.

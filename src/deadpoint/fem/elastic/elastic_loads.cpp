@@ -1,7 +1,11 @@
 #include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/fem/elastic/elastic_cells.hpp"
 #include "deadpoint/fem/elastic/elastic_law.hpp"
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
+#include "deadpoint/fem/elastic/rigid_pieces.hpp"
+#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 
 #include <algorithm>
 #include <set>
@@ -87,7 +91,7 @@ void ElasticSolver::load_thermal(const Field& given, Vec target) const
     DEADPOINT_PETSC(VecGetArray(field, &entries));
     std::ranges::copy(given.owned, entries);
     DEADPOINT_PETSC(VecRestoreArray(field, &entries));
-    Everywhere gathered(field);
+    Gathered gathered(field);
     const double* rise = gathered.gather(field);
     std::vector<double> cell_load;
     for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {

@@ -1,8 +1,10 @@
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/elastic/elastic_cells.hpp"
+#include "deadpoint/fem/elastic/rigid_pieces.hpp"
+#include "deadpoint/fem/fields.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -264,7 +266,7 @@ Displacement ElasticSolver::dual(const Functional& functional)
 std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<Functional>& functionals)
 {
     std::vector<Adjoint> result;
-    Everywhere gathered(solution_);
+    Gathered gathered(solution_);
     for (const auto& functional : functionals) {
         solve_dual(functional);
         result.push_back(temperature_weights(functional.name, gathered.gather(solution_)));

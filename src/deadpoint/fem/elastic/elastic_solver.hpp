@@ -1,16 +1,20 @@
 #pragma once
 
 #include "deadpoint/exchange/deformation.hpp"
-#include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/fem/elastic/rigid_pieces.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/fem/elastic/ties.hpp"
-#include "deadpoint/fem/fields.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
 
 #include <memory>
+#include <vector>
 
 /// Internal to fem/: linear thermo-elasticity of all bodies at once; bodies do not touch each other here.
 namespace deadpoint::fem {
+
+class RigidPieces;
+struct Adjoint;
+struct Displacement;
+struct Field;
 
 class ElasticSolver {
 public:

@@ -1,5 +1,7 @@
 #include "deadpoint/fem/elastic/expansion.hpp"
 
+#include "deadpoint/fem/space/discretisation.hpp"
+
 #include <algorithm>
 
 namespace deadpoint::fem {

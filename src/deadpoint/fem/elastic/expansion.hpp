@@ -1,16 +1,17 @@
 #pragma once
 
-#include "deadpoint/exchange/material.hpp"
-#include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 /// Internal to fem/: the thermal strain at the unknowns, as the rise that gives the same strain
-/// with the part's constant coefficient (exchange/material). It is interpolated between the
+/// with the part's constant coefficient (exchange/laws/material). It is interpolated between the
 /// unknowns like the temperature.
 namespace deadpoint::fem {
+
+class Discretisation;
 
 class Expansion {
 public:

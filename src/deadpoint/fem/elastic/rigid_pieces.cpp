@@ -1,5 +1,9 @@
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/elastic/ties.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
+
 #include <Eigen/Dense>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
@@ -14,13 +18,32 @@ using Column = Eigen::Matrix<double, 6, 1>;
 
 Eigen::Map<const Column> column(const std::array<double, 6>& mode) { return Eigen::Map<const Column>(mode.data()); }
 
+/// Motions that nothing holds, orthonormal by inertia.
+std::vector<Column> free_modes(const Gram& held, const Gram& inertia)
+{
+    const Eigen::SelfAdjointEigenSolver<Gram> solver(held);
+    const double least = 1e-9 * std::max(1.0, solver.eigenvalues()[5]);
+    std::vector<Column> free;
+    for (int k = 0; k < 6; ++k) {
+        if (solver.eigenvalues()[k] > least)
+            continue;
+        Column mode = solver.eigenvectors().col(k);
+        for (const auto& other : free)
+            mode -= (other.dot(inertia * mode)) * other;
+        mode /= std::sqrt(mode.dot(inertia * mode));
+        free.push_back(mode);
+    }
+    return free;
+}
+
 }  // namespace
 
 RigidPieces::RigidPieces(const Discretisation& space, const std::vector<PetscInt>& supported, const Ties& ties)
     : space_(space)
 {
     find_pieces();
-    find_free_motions(supported, ties);
+    find_free_motions(supported);
+    choose_holds(ties);
 }
 
 void RigidPieces::find_pieces()
@@ -79,7 +102,7 @@ RigidPieces::Mode RigidPieces::row(const Piece& piece, const Vec3& position, int
     return result;
 }
 
-void RigidPieces::find_free_motions(const std::vector<PetscInt>& supported, const Ties& ties)
+void RigidPieces::find_free_motions(const std::vector<PetscInt>& supported)
 {
     std::vector<Gram> held(pieces_.size(), Gram::Zero()), inertia(pieces_.size(), Gram::Zero());
     for (const PetscInt unknown : supported) {
@@ -95,26 +118,16 @@ void RigidPieces::find_free_motions(const std::vector<PetscInt>& supported, cons
             inertia[piece] += weight_[i] / pieces_[piece].weight * column(r) * column(r).transpose();
         }
     }
-    for (std::size_t p = 0; p < pieces_.size(); ++p) {
-        const Eigen::SelfAdjointEigenSolver<Gram> solver(held[p]);
-        const double least = 1e-9 * std::max(1.0, solver.eigenvalues()[5]);
-        std::vector<Column> free;
-        for (int k = 0; k < 6; ++k) {
-            if (solver.eigenvalues()[k] > least)
-                continue;
-            Column mode = solver.eigenvectors().col(k);
-            for (const auto& other : free)
-                mode -= (other.dot(inertia[p] * mode)) * other;
-            mode /= std::sqrt(mode.dot(inertia[p] * mode));
-            free.push_back(mode);
-        }
-        for (const auto& mode : free) {
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+        for (const auto& mode : free_modes(held[p], inertia[p])) {
             pieces_[p].free.emplace_back();
             std::copy(mode.data(), mode.data() + 6, pieces_[p].free.back().begin());
         }
-    }
+}
 
-    // Greedy choice: hold the unknown that the motions still free move most, then take that motion out.
+// Greedy choice: hold the unknown that the motions still free move most, then take that motion out.
+void RigidPieces::choose_holds(const Ties& ties)
+{
     struct Best {
         double size = 0;
         PetscInt unknown = -1;

@@ -1,12 +1,17 @@
 #pragma once
 
-#include "deadpoint/fem/elastic/ties.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/fem/space/petsc.hpp"
 
 #include <array>
 #include <vector>
 
 /// Internal to fem/: the connected pieces of the machine and the rigid motions that their supports leave free.
 namespace deadpoint::fem {
+
+class Discretisation;
+
+class Ties;
 
 /// Cells that share nodes or bonds make a piece; a body may consist of several (two plates of one link).
 ///
@@ -41,7 +46,8 @@ private:
     template <class Visitor>
     void for_each_mode(double* values, const Visitor& visit) const;
     void find_pieces();
-    void find_free_motions(const std::vector<PetscInt>& supported, const Ties& ties);
+    void find_free_motions(const std::vector<PetscInt>& supported);
+    void choose_holds(const Ties& ties);
     [[nodiscard]] Mode row(const Piece& piece, const Vec3& position, int component) const;
 
     const Discretisation& space_;

@@ -1,6 +1,10 @@
 #include "deadpoint/fem/elastic/stress_recovery.hpp"
 
+#include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/elastic/elastic_law.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/petsc.hpp"
 #include <deal.II/hp/fe_values.h>
 
 #include <Eigen/Dense>

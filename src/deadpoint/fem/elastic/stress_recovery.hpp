@@ -1,7 +1,8 @@
 #pragma once
 
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/exchange/stress.hpp"
-#include "deadpoint/fem/space/discretisation.hpp"
 
 #include <Eigen/Core>
 #include <array>
@@ -11,6 +12,8 @@
 
 /// Internal to fem/: stress at nodes from a displacement field.
 namespace deadpoint::fem {
+
+class Discretisation;
 
 /// Fields of all ranks, by unknown.
 struct StrainedState {

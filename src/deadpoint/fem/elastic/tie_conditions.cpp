@@ -1,6 +1,9 @@
 #include "deadpoint/fem/elastic/tie_conditions.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/elastic/dual_functions.hpp"
+#include "deadpoint/fem/elastic/tie.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 
 #include <algorithm>
 #include <cmath>

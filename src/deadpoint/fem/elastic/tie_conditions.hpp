@@ -1,13 +1,21 @@
 #pragma once
 
-#include "deadpoint/fem/elastic/tie.hpp"
-#include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
+#include <cstdint>
 #include <map>
 #include <vector>
 
+namespace deadpoint {
+struct ContactPoint;
+}
+
 /// Internal to fem/: the conditions that tie the nodes of one part to coarser ones.
 namespace deadpoint::fem {
+
+class Discretisation;
+struct Tie;
 
 /// One integration point of a bond, as the finer part sees it.
 struct BondedPoint {

@@ -1,6 +1,8 @@
 #include "deadpoint/fem/elastic/ties.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/elastic/tie_conditions.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 
 #include <algorithm>
 #include <array>

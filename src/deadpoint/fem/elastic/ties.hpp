@@ -1,13 +1,15 @@
 #pragma once
 
 #include "deadpoint/fem/elastic/tie.hpp"
-#include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/petsc.hpp"
 
 #include <map>
 #include <vector>
 
 /// Internal to fem/: bonded parts as ties, for the deformation.
 namespace deadpoint::fem {
+
+class Discretisation;
 
 /// Nodes of the finer part of a bond follow the coarser part: u(node) = sum of weights times displacements of others.
 ///

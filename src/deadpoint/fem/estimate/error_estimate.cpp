@@ -1,5 +1,9 @@
 #include "deadpoint/fem/estimate/error_estimate.hpp"
 
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/hp/fe_values.h>

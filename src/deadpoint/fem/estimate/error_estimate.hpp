@@ -1,13 +1,19 @@
 #pragma once
 
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/fem/fields.hpp"
-#include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
 
 #include <vector>
 
+namespace deadpoint {
+struct HeatProbe;
+}
+
 /// Internal to fem/: error estimates of functionals of temperature and deformation, by part.
 namespace deadpoint::fem {
+
+class Discretisation;
+struct Displacement;
+struct Field;
 
 /// Error of the functional J(T) with the adjoint solution z, to be added to J, per adjoint solution
 /// and part:

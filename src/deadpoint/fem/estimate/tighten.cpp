@@ -1,6 +1,7 @@
 #include "deadpoint/fem/estimate/tighten.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/fem/model.hpp"
 
 #include <Eigen/Dense>
 

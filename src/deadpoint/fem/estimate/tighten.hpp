@@ -1,10 +1,17 @@
 #pragma once
 
-#include "deadpoint/fem/model.hpp"
+#include "deadpoint/core/vec.hpp"
 
 #include <vector>
 
+namespace deadpoint {
+struct ForceGauge;
+struct RestLoads;
+}  // namespace deadpoint
+
 namespace deadpoint::fem {
+
+class Model;
 
 /// The initial strain of rods that gives them the wanted forces under the weights: the nuts shorten
 /// each rod. One solve per rod with a unit of shortening gives all forces; a linear system gives

@@ -1,7 +1,8 @@
 #include "deadpoint/fem/space/discretisation.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/space/round_cells.hpp"
-#include "deadpoint/heat/not_finite.hpp"
+#include "deadpoint/heat/system.hpp"
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
@@ -575,7 +576,7 @@ void for_each_bond_pair(const Discretisation& space, const std::function<void(co
         }
 }
 
-const double* Everywhere::gather(Vec vector)
+const double* Gathered::gather(Vec vector)
 {
     if (values_)
         DEADPOINT_PETSC(VecRestoreArrayRead(all_, &values_));
@@ -585,7 +586,7 @@ const double* Everywhere::gather(Vec vector)
     return values_;
 }
 
-Everywhere::~Everywhere()
+Gathered::~Gathered()
 {
     if (values_)
         VecRestoreArrayRead(all_, &values_);
@@ -598,8 +599,8 @@ std::vector<double> gather_all(const Discretisation& space, const std::vector<do
     DEADPOINT_PETSC(VecGetArray(vector, &target));
     std::copy(owned.begin(), owned.end(), target);
     DEADPOINT_PETSC(VecRestoreArray(vector, &target));
-    Everywhere everywhere(vector);
-    const double* all = everywhere.gather(vector);
+    Gathered gathered(vector);
+    const double* all = gathered.gather(vector);
     return {all, all + block * space.total};
 }
 

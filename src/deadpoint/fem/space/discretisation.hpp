@@ -1,8 +1,6 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/core/vec.hpp"
 #include "deadpoint/fem/space/petsc.hpp"
 #include <deal.II/base/index_set.h>
 #include <deal.II/distributed/shared_tria.h>
@@ -13,8 +11,15 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
+
+namespace deadpoint {
+struct ContactPoint;
+struct Machine;
+}  // namespace deadpoint
 
 /// Internal to fem/: the scalar finite-element space on all parts, shared by heat and (three times) deformation.
 namespace deadpoint::fem {
@@ -132,11 +137,11 @@ struct BondPair {
 void for_each_bond_pair(const Discretisation& space, const std::function<void(const BondPair&)>& visit);
 
 /// A gathered vector: the entries of all ranks, on every rank.
-class Everywhere {
+class Gathered {
 public:
-    explicit Everywhere(Vec pattern) { DEADPOINT_PETSC(VecScatterCreateToAll(pattern, scatter_.out(), all_.out())); }
+    explicit Gathered(Vec pattern) { DEADPOINT_PETSC(VecScatterCreateToAll(pattern, scatter_.out(), all_.out())); }
     const double* gather(Vec vector);
-    ~Everywhere();
+    ~Gathered();
 
 private:
     OwnedScatter scatter_;

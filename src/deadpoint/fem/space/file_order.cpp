@@ -1,5 +1,8 @@
 #include "deadpoint/fem/space/file_order.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/round_edges.hpp"
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
@@ -8,6 +9,10 @@
 
 #include <memory>
 #include <vector>
+
+namespace deadpoint {
+struct Machine;
+}
 
 /// Internal to fem/: maps of second degree, for cells whose edges are round. A straight cell has its map of first
 /// degree by them too.

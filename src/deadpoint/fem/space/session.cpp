@@ -1,7 +1,7 @@
 #include "deadpoint/fem/space/session.hpp"
 
-#include "deadpoint/core/error.hpp"
-#include "deadpoint/fem/space/large_pages.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/fem/space/huge_pages.hpp"
 #include "deadpoint/fem/space/petsc.hpp"
 
 #include <cstddef>

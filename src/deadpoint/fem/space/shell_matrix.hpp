@@ -5,6 +5,10 @@
 #include <exception>
 #include <functional>
 
+namespace deadpoint {
+struct ConvergenceError;
+}
+
 /// Internal to fem/: a matrix defined only by its product with a vector.
 namespace deadpoint::fem {
 

@@ -1,5 +1,8 @@
 #include "deadpoint/fem/transfer/fitted_transfer.hpp"
 
+#include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/transfer/transfer.hpp"
+
 #include <algorithm>
 
 namespace deadpoint::fem {

@@ -1,9 +1,15 @@
 #pragma once
 
-#include "deadpoint/fem/transfer/transfer.hpp"
+#include "deadpoint/fem/space/petsc.hpp"
+
+#include <vector>
 
 /// Internal to fem/: temperatures for the deformation's mesh.
 namespace deadpoint::fem {
+
+class Discretisation;
+
+class Transfer;
 
 /// The field on a coarse mesh that fits a fine field best: T_c with the least  sum of w_i ((Q
 /// T_c)_i - T_i)^2  over the fine mesh's unknowns, where Q are the coarse shape functions at their

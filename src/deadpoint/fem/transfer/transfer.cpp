@@ -1,5 +1,10 @@
 #include "deadpoint/fem/transfer/transfer.hpp"
 
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/petsc.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,12 +1,18 @@
 #pragma once
 
+#include "deadpoint/core/vec.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
+#include <deal.II/base/point.h>
 
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 /// Internal to fem/: transfer of fields between two meshes of the same parts.
 namespace deadpoint::fem {
+
+struct PointShape;
 
 /// Cell of a point in a mesh.
 struct CellPlace {

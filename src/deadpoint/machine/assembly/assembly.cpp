@@ -61,63 +61,90 @@ int axis_along(const Vec3& direction)
     return -1;
 }
 
+/// Where the numbers of the next part begin.
+struct NextNumbers {
+    explicit NextNumbers(const Machine& machine)
+        : part(static_cast<std::uint32_t>(machine.parts.size())),
+          node(static_cast<std::uint32_t>(machine.nodes.size())),
+          cell(static_cast<std::uint32_t>(machine.cells.size())),
+          face(static_cast<std::uint32_t>(machine.faces.size())),
+          geometry(static_cast<std::uint32_t>(machine.geometries.size()))
+    {}
+    std::uint32_t part, node, cell, face, geometry;
+};
+
+void snap_to_symmetry(PartMesh& mesh)
+{
+    for (Vec3& node : mesh.nodes) {
+        if (std::abs(node[0]) < symmetry_tolerance) {
+            node[0] = 0;
+        }
+    }
+}
+
+/// Numbers a part's faces as the machine's, and files those on its outside by their geometry.
+void number_faces(Assembly& assembly, const NextNumbers& next, PartMesh& mesh, MeshPart& part)
+{
+    assembly.part_of_geometry.resize(next.geometry + mesh.geometries.size(), next.part);
+    assembly.faces_of_geometry.resize(next.geometry + mesh.geometries.size());
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        Face& face = mesh.faces[i];
+        face.symmetry = assembly.machine.half_model && on_symmetry_plane(mesh.geometries[face.geometry]);
+        part.cut = part.cut || face.symmetry;
+        if (!face.symmetry) {
+            part.exterior_area += area(face, mesh.nodes);
+        }
+        face.part = next.part;
+        face.cell += next.cell;
+        face.geometry += next.geometry;
+        for (std::uint32_t& node : face.nodes) {
+            node += next.node;
+        }
+        if (!face.symmetry) {
+            assembly.faces_of_geometry[face.geometry].push_back(next.face + static_cast<std::uint32_t>(i));
+        }
+    }
+}
+
+void number_cells(const NextNumbers& next, PartMesh& mesh)
+{
+    for (Cell& cell : mesh.cells) {
+        cell.part = next.part;
+        for (int i = 0; i < node_count(cell.kind); ++i) {
+            cell.nodes[i] += next.node;
+        }
+    }
+}
+
+void take_groups(Assembly& assembly, const NextNumbers& next, PartMesh& mesh)
+{
+    for (FaceGroup& group : mesh.groups) {
+        for (std::uint32_t& face : group.faces) {
+            face += next.face;
+        }
+        assembly.groups.push_back({next.part, std::move(group)});
+    }
+}
+
 }  // namespace
 
 void append(Assembly& assembly, const PartDescription& description, PartMesh mesh)
 {
     Machine& machine = assembly.machine;
     if (machine.half_model) {
-        for (Vec3& node : mesh.nodes) {
-            if (std::abs(node[0]) < symmetry_tolerance) {
-                node[0] = 0;
-            }
-        }
+        snap_to_symmetry(mesh);
     }
-    const auto part_index = static_cast<std::uint32_t>(machine.parts.size());
-    const auto first_node = static_cast<std::uint32_t>(machine.nodes.size());
-    const auto first_cell = static_cast<std::uint32_t>(machine.cells.size());
-    const auto first_face = static_cast<std::uint32_t>(machine.faces.size());
-    const auto first_geometry = static_cast<std::uint32_t>(machine.geometries.size());
-
+    const NextNumbers next(machine);
     MeshPart part;
     part.name = description.name;
     part.body = description.body;
-    part.first_cell = first_cell;
+    part.first_cell = next.cell;
     part.cell_count = static_cast<std::uint32_t>(mesh.cells.size());
     part.kind = mesh.kind;
     measure(part, mesh, description.density);
-
-    assembly.part_of_geometry.resize(first_geometry + mesh.geometries.size(), part_index);
-    assembly.faces_of_geometry.resize(first_geometry + mesh.geometries.size());
-    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-        Face& face = mesh.faces[i];
-        face.symmetry = machine.half_model && on_symmetry_plane(mesh.geometries[face.geometry]);
-        part.cut = part.cut || face.symmetry;
-        if (!face.symmetry) {
-            part.exterior_area += area(face, mesh.nodes);
-        }
-        face.part = part_index;
-        face.cell += first_cell;
-        face.geometry += first_geometry;
-        for (std::uint32_t& node : face.nodes) {
-            node += first_node;
-        }
-        if (!face.symmetry) {
-            assembly.faces_of_geometry[face.geometry].push_back(first_face + static_cast<std::uint32_t>(i));
-        }
-    }
-    for (Cell& cell : mesh.cells) {
-        cell.part = part_index;
-        for (int i = 0; i < node_count(cell.kind); ++i) {
-            cell.nodes[i] += first_node;
-        }
-    }
-    for (FaceGroup& group : mesh.groups) {
-        for (std::uint32_t& face : group.faces) {
-            face += first_face;
-        }
-        assembly.groups.push_back({part_index, std::move(group)});
-    }
+    number_faces(assembly, next, mesh, part);
+    number_cells(next, mesh);
+    take_groups(assembly, next, mesh);
     assembly.bounds.push_back(bounds_of(mesh.nodes));
     machine.nodes.insert(machine.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
     machine.cells.insert(machine.cells.end(), mesh.cells.begin(), mesh.cells.end());

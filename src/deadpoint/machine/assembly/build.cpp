@@ -1,10 +1,12 @@
 #include "deadpoint/machine/assembly/build.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/contacts.hpp"
 #include "deadpoint/machine/assembly/inspect.hpp"
 #include "deadpoint/machine/assembly/interfaces.hpp"
+#include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/assembly/overlaps.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/assembly/select.hpp"
@@ -16,6 +18,7 @@
 #include "deadpoint/machine/parts/gmsh_session.hpp"
 #include "deadpoint/machine/parts/layers.hpp"
 #include "deadpoint/machine/parts/solids.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -196,7 +199,7 @@ std::vector<Prism> joined_prisms(const MachineDescription& description, const Pa
     if (joined.moved > worth_a_word) {
         const auto text = fmt::format(
             "part '{}': surfaces of its shapes that nearly meet were joined; the largest move is {:.3g} um, near {}",
-            part.name, 1e6 * joined.moved, place(joined.where));
+            part.name, micrometre * joined.moved, place(joined.where));
         joined.moved > worth_a_warning ? observer.warn(text) : observer.info(text);
     }
     return std::move(joined.prisms);

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/machine/assembly/limits.hpp"
+namespace deadpoint {
+
+class Observer;
+struct Machine;
+struct MachineDescription;
+}  // namespace deadpoint
 
 /// The machine stage: from a description of solids, surfaces and contacts to a mesh with contact points.
 namespace deadpoint::machine {

@@ -1,11 +1,14 @@
 #pragma once
 
-#include "deadpoint/machine/assembly/assembly.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <vector>
 
 /// Finds cells by position.
 namespace deadpoint::machine {
+
+struct Assembly;
 
 /// An empty box.
 BoxShape empty_box();

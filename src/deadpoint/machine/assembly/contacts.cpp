@@ -1,12 +1,14 @@
 #include "deadpoint/machine/assembly/contacts.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/pattern.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/exchange/round_edges.hpp"
+#include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/geometry/chart.hpp"
+#include "deadpoint/machine/parts/part_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,13 @@
 #pragma once
 
-#include "deadpoint/machine/assembly/assembly.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace deadpoint::machine {
+
+struct Assembly;
 
 /// One side of a contact: faces, and the box they are clipped to.
 struct Side {

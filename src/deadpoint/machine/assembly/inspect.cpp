@@ -1,7 +1,11 @@
 #include "deadpoint/machine/assembly/inspect.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/cell_finder.hpp"
+#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +31,7 @@ std::string place(const Vec3& p)
     return fmt::format("({:.4f}, {:.4f}, {:.4f}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
 }
 
-std::string micrometres(double length) { return fmt::format("{:.3g} um", 1e6 * length); }
+std::string micrometres(double length) { return fmt::format("{:.3g} um", micrometre * length); }
 
 /// Sets that grow together.
 class Sets {

@@ -1,10 +1,13 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/machine/assembly/assembly.hpp"
+namespace deadpoint {
+class Observer;
+}
 
 /// Detects faults of meshes that later stages would accept silently.
 namespace deadpoint::machine {
+
+struct Assembly;
 
 /// Counts the pieces of every part (MeshPart::pieces, Machine::piece_of_cell) and inspects its
 /// cells:

@@ -1,6 +1,7 @@
 #include "deadpoint/machine/assembly/interfaces.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/contacts.hpp"
 #include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/assembly/select.hpp"

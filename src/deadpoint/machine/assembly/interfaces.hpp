@@ -1,14 +1,19 @@
 #pragma once
 
-#include "deadpoint/machine/assembly/assembly.hpp"
-
 #include <vector>
+
+namespace deadpoint {
+struct Contact;
+struct InterfaceDescription;
+}  // namespace deadpoint
 
 namespace deadpoint {
 class Mistakes;
 }
 
 namespace deadpoint::machine {
+
+struct Assembly;
 
 /// All interfaces of a description, in its order.
 /// @param covered  per face of the machine: its share in contact is added

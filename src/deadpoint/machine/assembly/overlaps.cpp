@@ -1,6 +1,8 @@
 #include "deadpoint/machine/assembly/overlaps.hpp"
 
+#include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/cell_finder.hpp"
+#include "deadpoint/machine/parts/part_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

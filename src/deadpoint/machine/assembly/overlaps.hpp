@@ -1,11 +1,12 @@
 #pragma once
 
-#include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/geometry/shapes.hpp"
 
 #include <vector>
 
 namespace deadpoint::machine {
+
+struct Assembly;
 
 /// Pairs of parts that interpenetrate, with the deepest point found.
 ///

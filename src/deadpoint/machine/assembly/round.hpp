@@ -1,6 +1,11 @@
 #pragma once
 
-#include "deadpoint/machine/assembly/assembly.hpp"
+#include <cstddef>
+
+namespace deadpoint {
+struct Face;
+struct Machine;
+}  // namespace deadpoint
 
 /// Round edges of parts of second order.
 namespace deadpoint::machine {

@@ -1,11 +1,18 @@
 #pragma once
 
-#include "deadpoint/machine/assembly/assembly.hpp"
-
+#include <cstdint>
 #include <string>
 #include <vector>
 
+namespace deadpoint {
+struct MeshSurface;
+struct SurfaceDescription;
+struct SurfaceSelector;
+}  // namespace deadpoint
+
 namespace deadpoint::machine {
+
+struct Assembly;
 
 /// Parts a selector names, ascending.
 /// @throws InputError when a name or pattern matches no part; `dropped` are the parts beyond the symmetry plane

@@ -1,6 +1,6 @@
 #include "deadpoint/machine/foreign/foreign_mesh.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/child_process.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/machine/foreign/foreign_mesh.hpp"
 #include "deadpoint/machine/foreign/mesh_sections.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"

@@ -1,6 +1,6 @@
 #include "deadpoint/machine/foreign/step_file.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
 

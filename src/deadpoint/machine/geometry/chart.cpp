@@ -1,5 +1,7 @@
 #include "deadpoint/machine/geometry/chart.hpp"
 
+#include "deadpoint/machine/parts/part_mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/machine/geometry/polygon.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,12 +1,14 @@
 #include "deadpoint/machine/geometry/seams.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/units.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace deadpoint::machine {
 
@@ -79,7 +81,7 @@ bool level_edge(const Ring& ring, std::size_t i, std::size_t k)
 {
     throw InputError(fmt::format("part '{}', shape {}: it is not thicker than the seam tolerance of {:.4g} um; make it "
                                  "thicker, or lower numerics.seam_tolerance",
-                                 part, prism.shape + 1, 1e6 * tolerance));
+                                 part, prism.shape + 1, micrometre * tolerance));
 }
 
 class Healer {

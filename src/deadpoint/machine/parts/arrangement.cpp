@@ -1,7 +1,9 @@
 #include "deadpoint/machine/parts/arrangement.hpp"
 
+#include "deadpoint/machine/geometry/shapes.hpp"
 #include "deadpoint/machine/parts/frame.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
+#include "deadpoint/machine/parts/layers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/machine/parts/layers.hpp"
+#include "deadpoint/core/vec.hpp"
 
 #include <map>
 #include <vector>
@@ -8,6 +8,8 @@
 /// The outlines of a layered part, fitted together in one plane by OpenCASCADE. Needs a GmshSession; tags are those of
 /// Gmsh's current model, whose lengths are millimetres.
 namespace deadpoint::machine {
+
+struct LayeredPart;
 
 /// Surfaces by their signature().
 using SurfaceGroups = std::map<std::vector<char>, std::vector<int>>;

@@ -1,7 +1,8 @@
 #include "deadpoint/machine/parts/cell_limit.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/child_process.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
-
 #include <string>
+
+namespace deadpoint {
+class Observer;
+}
 
 namespace deadpoint::machine {
 

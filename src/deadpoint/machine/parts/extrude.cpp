@@ -1,5 +1,11 @@
 #include "deadpoint/machine/parts/extrude.hpp"
 
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/machine/geometry/shapes.hpp"
+#include "deadpoint/machine/parts/layers.hpp"
+#include "deadpoint/machine/parts/part_mesh.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "deadpoint/machine/parts/layers.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
-
 namespace deadpoint::machine {
+
+struct LayeredPart;
+struct PartMesh;
+struct PlaneMesh;
 
 /// Hexahedra over the quadrilaterals of a plane mesh, layer by layer where the part is solid, with the planes and
 /// cylinders of its faces.

@@ -1,5 +1,7 @@
 #include "deadpoint/machine/parts/fit.hpp"
 
+#include "deadpoint/machine/parts/part_mesh.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

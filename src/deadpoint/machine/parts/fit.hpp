@@ -1,11 +1,14 @@
 #pragma once
 
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <vector>
 
 /// Planes and cylinders recognised in facets.
 namespace deadpoint::machine {
+
+struct PartMesh;
 
 /// The plane or cylinder on which all nodes of these faces lie within 0.1 um (or 1e-6 of the radius); else freeform.
 FaceGeometry fit_geometry(const std::vector<Face>& faces, const std::vector<std::uint32_t>& members,

@@ -1,7 +1,9 @@
 #include "deadpoint/machine/parts/frame.hpp"
 
+#include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/cell_finder.hpp"
 #include "deadpoint/machine/geometry/polygon.hpp"
+#include "deadpoint/machine/geometry/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

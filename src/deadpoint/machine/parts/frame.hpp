@@ -1,6 +1,5 @@
 #pragma once
 
-#include "deadpoint/machine/geometry/shapes.hpp"
 #include "deadpoint/machine/parts/part_mesh.hpp"
 
 #include <vector>
@@ -9,6 +8,8 @@
 /// coordinates, differently along each axis. In the part's own frame they see the same numbers for
 /// any position, any rotation by right angles, and any units.
 namespace deadpoint::machine {
+
+struct Prism;
 
 /// Local coordinate i is sign[i] times machine coordinate axis[i], less origin[i]. Always a rotation.
 struct Frame {

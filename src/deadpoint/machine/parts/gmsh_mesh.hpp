@@ -1,12 +1,14 @@
 #pragma once
 
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <functional>
 #include <string>
 
 /// The mesh in Gmsh's current model. Needs a GmshSession.
 namespace deadpoint::machine {
+
+struct PartMesh;
 
 /// Types of elements in Gmsh's numbering.
 inline constexpr int triangle_type = 2;

@@ -1,6 +1,6 @@
 #include "deadpoint/machine/parts/gmsh_session.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>

@@ -111,9 +111,21 @@ bool only_boxes(const LayeredPart& part)
     return std::all_of(part.prisms.begin(), part.prisms.end(), [](const Prism& prism) { return prism.box; });
 }
 
-PlaneMesh grid_plane(const LayeredPart& part, double size)
+namespace {
+
+/// Lines of a grid along both axes.
+struct GridLines {
+    std::array<std::vector<double>, 2> ends;  ///< where shapes begin and end
+    std::vector<double> u, v;                 ///< all lines
+
+    [[nodiscard]] std::uint32_t columns() const { return static_cast<std::uint32_t>(u.size()); }
+    [[nodiscard]] std::uint32_t rows() const { return static_cast<std::uint32_t>(v.size()); }
+};
+
+GridLines grid_lines(const LayeredPart& part, double size)
 {
-    std::array<std::vector<double>, 2> ends;
+    GridLines lines;
+    auto& ends = lines.ends;
     for (const Prism& prism : part.prisms) {
         for (const Vec2& point : prism.section.points) {
             ends[0].push_back(point[0]);
@@ -127,18 +139,16 @@ PlaneMesh grid_plane(const LayeredPart& part, double size)
     for (auto& values : ends) {
         values = unique_sorted(values);
     }
-    const std::vector<double> u = subdivided(ends[0], size);
-    const std::vector<double> v = subdivided(ends[1], size);
-    const auto columns = static_cast<std::uint32_t>(u.size());
+    lines.u = subdivided(ends[0], size);
+    lines.v = subdivided(ends[1], size);
+    return lines;
+}
 
-    PlaneMesh mesh;
-    for (const double y : v) {
-        for (const double x : u) {
-            mesh.nodes.push_back({x, y});
-        }
-    }
-    for (std::uint32_t j = 0; j + 1 < v.size(); ++j) {
-        for (std::uint32_t i = 0; i + 1 < columns; ++i) {
+void add_quads(const LayeredPart& part, const GridLines& lines, PlaneMesh& mesh)
+{
+    const auto& [ends, u, v] = lines;
+    for (std::uint32_t j = 0; j + 1 < lines.rows(); ++j) {
+        for (std::uint32_t i = 0; i + 1 < lines.columns(); ++i) {
             const std::vector<char> own = signature(part, {0.5 * (u[i] + u[i + 1]), 0.5 * (v[j] + v[j + 1])});
             if (own.empty()) {
                 continue;
@@ -148,28 +158,47 @@ PlaneMesh grid_plane(const LayeredPart& part, double size)
             if (found == mesh.signatures.end()) {
                 mesh.signatures.push_back(own);
             }
-            const std::uint32_t first = j * columns + i;
-            mesh.quads.push_back({first, first + 1, first + columns + 1, first + columns});
+            const std::uint32_t first = j * lines.columns() + i;
+            mesh.quads.push_back({first, first + 1, first + lines.columns() + 1, first + lines.columns()});
         }
     }
+}
+
+void add_curves(const GridLines& lines, PlaneMesh& mesh)
+{
     const auto on_end = [](const std::vector<double>& values, double x) {
         return std::binary_search(values.begin(), values.end(), x);
     };
-    for (std::uint32_t j = 0; j < v.size(); ++j) {
-        for (std::uint32_t i = 0; i < columns; ++i) {
-            const std::uint32_t node = j * columns + i;
+    for (std::uint32_t j = 0; j < lines.rows(); ++j) {
+        for (std::uint32_t i = 0; i < lines.columns(); ++i) {
+            const std::uint32_t node = j * lines.columns() + i;
             const auto add = [&](std::uint32_t other) {
                 mesh.curve_edges.push_back({node, other, static_cast<std::uint32_t>(mesh.curves.size())});
                 mesh.curves.push_back({std::nullopt, mesh.nodes[node], mesh.nodes[other]});
             };
-            if (i + 1 < columns && on_end(ends[1], v[j])) {
+            if (i + 1 < lines.columns() && on_end(lines.ends[1], lines.v[j])) {
                 add(node + 1);
             }
-            if (j + 1 < v.size() && on_end(ends[0], u[i])) {
-                add(node + columns);
+            if (j + 1 < lines.rows() && on_end(lines.ends[0], lines.u[i])) {
+                add(node + lines.columns());
             }
         }
     }
+}
+
+}  // namespace
+
+PlaneMesh grid_plane(const LayeredPart& part, double size)
+{
+    const auto lines = grid_lines(part, size);
+    PlaneMesh mesh;
+    for (const double y : lines.v) {
+        for (const double x : lines.u) {
+            mesh.nodes.push_back({x, y});
+        }
+    }
+    add_quads(part, lines, mesh);
+    add_curves(lines, mesh);
     return mesh;
 }
 

@@ -1,4 +1,4 @@
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/machine/parts/arrangement.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
 #include "deadpoint/machine/parts/layers.hpp"

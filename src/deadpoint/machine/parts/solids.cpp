@@ -1,12 +1,14 @@
 #include "deadpoint/machine/parts/solids.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/machine/foreign/foreign_mesh.hpp"
 #include "deadpoint/machine/foreign/step_file.hpp"
+#include "deadpoint/machine/geometry/shapes.hpp"
 #include "deadpoint/machine/parts/cell_limit.hpp"
 #include "deadpoint/machine/parts/frame.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,14 +1,18 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
 #include "deadpoint/machine/foreign/foreign_mesh.hpp"
-#include "deadpoint/machine/geometry/shapes.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
 
 #include <string>
 
+namespace deadpoint {
+class Observer;
+}
+
 /// Sources that become tetrahedra, or come meshed. All need a GmshSession.
 namespace deadpoint::machine {
+
+struct PartMesh;
+struct Prism;
 
 /// Tetrahedra of about `size` in the shapes of a part. @param half keep x <= 0 only
 PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half,

@@ -1,7 +1,10 @@
 #include "deadpoint/reduce/online/dense_system.hpp"
 
-#include "deadpoint/core/error.hpp"
-#include "deadpoint/heat/not_finite.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/heat/adjoint.hpp"
+#include "deadpoint/heat/run.hpp"
+#include "deadpoint/heat/system.hpp"
+#include "deadpoint/observer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,20 @@
 #pragma once
 
-#include "deadpoint/heat/adjoint.hpp"
-#include "deadpoint/heat/run.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/heat/films.hpp"
+#include "deadpoint/heat/functionals.hpp"
+#include "deadpoint/heat/system.hpp"
 
 #include <Eigen/Dense>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct HeatProblem;
+struct InterfaceLaw;
+}  // namespace deadpoint
 
 /// Internal to reduce/, since it shows Eigen: a small system of temperatures with dense matrices.
 namespace deadpoint::reduce {

@@ -1,7 +1,10 @@
 #include "deadpoint/report/charts/linkage_drawing.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/cycle.hpp"
+#include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/report/text/table.hpp"
 
 #include <algorithm>
@@ -10,6 +13,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace deadpoint::report {
 namespace {

@@ -1,11 +1,13 @@
 #pragma once
 
-#include "deadpoint/exchange/cycle.hpp"
-#include "deadpoint/exchange/linkage.hpp"
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct CycleHistory;
+struct Linkage;
+}  // namespace deadpoint
 
 namespace deadpoint::report {
 

@@ -1,9 +1,13 @@
 #include "deadpoint/report/charts/loads_charts.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/crankshaft/cycle.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/report/charts/linkage_drawing.hpp"
 #include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,17 @@
 #pragma once
 
-#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/crankshaft/modes.hpp"
 
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct JointCycle;
+}
+namespace deadpoint::study {
+struct CrankshaftLoads;
+struct LoadsResult;
+}  // namespace deadpoint::study
 
 /// Pictures of the loads as SVG documents, over the crank angle with bottom dead point in the middle.
 namespace deadpoint::report {

@@ -1,6 +1,10 @@
 #include "deadpoint/report/charts/sweep_charts.hpp"
 
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/io/write_file.hpp"
+#include "deadpoint/report/charts/svg_chart.hpp"
+#include "deadpoint/report/charts/sweep_figures.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +17,6 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr double micrometre = 1e6;
 constexpr double hour = 3600;
 constexpr std::size_t most_curves = 8;
 constexpr double wide_range = 8;  ///< largest over smallest number from which steps may stand on a logarithmic axis

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "deadpoint/report/charts/svg_chart.hpp"
-#include "deadpoint/report/charts/sweep_figures.hpp"
+#include "deadpoint/study/sweep/drift_window.hpp"
 
 #include <filesystem>
 #include <string>
@@ -10,6 +9,9 @@
 /// Charts of one set of a study. Of a set with several axes the curves vary the first one and keep
 /// the others at their first steps; the map shows all of two axes.
 namespace deadpoint::report {
+
+struct Chart;
+struct SweepResult;
 
 /// E_SW over time, one curve per run; eight at most.
 Chart sweep_drift_chart(const SweepResult& result, std::size_t set);

@@ -1,7 +1,8 @@
 #include "deadpoint/report/charts/sweep_figures.hpp"
 
 #include "deadpoint/casefile/files/study_file.hpp"
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@
 
 namespace deadpoint::report {
 namespace {
-
-constexpr double micrometre = 1e6;
 
 /// "crankshaft.flexible.seats.B.peak_N" is the peak of seat B by the flexible model.
 std::map<std::string, double> bearing_forces(const std::map<std::string, double>& loads)

@@ -1,5 +1,8 @@
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/charts/sweep_charts.hpp"
+#include "deadpoint/report/charts/sweep_figures.hpp"
 #include "deadpoint/report/text/table.hpp"
 
 #include <algorithm>
@@ -11,7 +14,6 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr double micrometre = 1e6;
 constexpr double letter = 6.6;  // mean width of a letter at 12 px
 constexpr double cell_height = 34;
 constexpr double narrowest_cell = 58;

@@ -1,6 +1,7 @@
 #include "deadpoint/report/files/calculix_mesh.hpp"
 
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/write_file.hpp"
 
 #include <algorithm>

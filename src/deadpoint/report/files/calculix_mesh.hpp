@@ -1,10 +1,12 @@
 #pragma once
 
-#include "deadpoint/exchange/machine.hpp"
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct Machine;
+}
 
 namespace deadpoint::report {
 

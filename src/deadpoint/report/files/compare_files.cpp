@@ -1,14 +1,19 @@
 #include "deadpoint/report/files/compare_files.hpp"
 
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/quantity.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/compare/compare.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace deadpoint::report {
 namespace {
@@ -21,19 +26,19 @@ using study::ErrorFigures;
 using study::Verdict;
 using Json = nlohmann::ordered_json;
 
-/// How values of a kind are shown; temperatures in kelvin, so that their errors are.
+/// How values are shown; temperatures in kelvin, so that their errors are.
 struct Shown {
     const char* unit;
     double factor;
 };
-Shown shown(const std::string& kind, Dimension dimension)
+Shown shown(Dimension dimension)
 {
     switch (dimension) {
     case Dimension::temperature:
     case Dimension::temperature_difference:
         return {"K", 1};
     case Dimension::length:
-        return kind == "loads" ? Shown{"mm", 1e3} : Shown{"um", 1e6};
+        return {"um", micrometre};
     case Dimension::time:
         return {"s", 1};
     case Dimension::force:
@@ -43,6 +48,12 @@ Shown shown(const std::string& kind, Dimension dimension)
     default:
         return {"", 1};
     }
+}
+/// Lengths among the loads are strokes and the like.
+Shown shown(study::ValueKind kind, Dimension dimension)
+{
+    const bool of_loads = kind == study::ValueKind::loads && dimension == Dimension::length;
+    return of_loads ? Shown{"mm", 1e3} : shown(dimension);
 }
 
 std::string number(double value) { return significant(value, 4); }
@@ -75,7 +86,7 @@ struct Sheet {
 
 std::string full_name(const ComparedValue& v)
 {
-    return v.group == v.kind ? v.name : fmt::format("{} ({})", v.name, v.group);
+    return v.group == name_of(v.kind) ? v.name : fmt::format("{} ({})", v.name, v.group);
 }
 
 Sheet value_sheet(const Comparison& c)
@@ -113,7 +124,7 @@ std::vector<std::string> figure_row(const std::string& name, const ErrorFigures&
 
 std::string set_name(const ComparedGroup& g)
 {
-    return g.group == g.kind ? g.kind : fmt::format("{}: {}", g.kind, g.group);
+    return g.group == name_of(g.kind) ? g.group : fmt::format("{}: {}", name_of(g.kind), g.group);
 }
 
 Sheet figure_sheet(const Comparison& c)
@@ -132,7 +143,7 @@ Sheet figure_sheet(const Comparison& c)
     for (const auto& g : c.groups)
         add(figure_row(set_name(g), g.figures, shown(g.kind, g.dimension), g.largest_name), g.calibrated);
     for (const auto& curve : c.curves)
-        add(figure_row(curve.name, curve.figures, shown("curve", curve.dimension),
+        add(figure_row(curve.name, curve.figures, shown(curve.dimension),
                        duration_text(curve.time[curve.figures.largest_at])),
             curve.calibrated);
     return sheet;
@@ -242,7 +253,7 @@ Json figures_json(const ErrorFigures& f, Shown s)
 
 Json curve_json(const ComparedCurve& curve)
 {
-    const auto s = shown("curve", curve.dimension);
+    const auto s = shown(curve.dimension);
     Json json{{"name", curve.name}, {"measures", curve.measures}, {"calibrated", curve.calibrated}};
     json["figures"] = figures_json(curve.figures, s);
     json["largest_error_at_s"] = curve.time[curve.figures.largest_at];
@@ -274,7 +285,7 @@ Json compare_json(const study::RunRecord& run, const Comparison& c)
     json["calibrated_on"] = run.calibrated_on;
     json["sets"] = Json::array();
     for (const auto& g : c.groups) {
-        Json set{{"kind", g.kind}, {"group", g.group}, {"calibrated", g.calibrated}};
+        Json set{{"kind", name_of(g.kind)}, {"group", g.group}, {"calibrated", g.calibrated}};
         set.update(figures_json(g.figures, shown(g.kind, g.dimension)));
         set["largest_error_of"] = g.largest_name;
         json["sets"].push_back(set);
@@ -282,7 +293,7 @@ Json compare_json(const study::RunRecord& run, const Comparison& c)
     json["values"] = Json::array();
     for (const auto& v : c.values) {
         const auto s = shown(v.kind, v.dimension);
-        Json value{{"kind", v.kind},
+        Json value{{"kind", name_of(v.kind)},
                    {"group", v.group},
                    {"name", v.name},
                    {"unit", s.unit},

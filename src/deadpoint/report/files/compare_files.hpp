@@ -1,10 +1,15 @@
 #pragma once
 
 #include "deadpoint/io/write_file.hpp"
-#include "deadpoint/study/compare/compare.hpp"
 
 #include <filesystem>
 #include <string>
+
+namespace deadpoint::study {
+
+struct RunRecord;
+struct Comparison;
+}  // namespace deadpoint::study
 
 /// A comparison as files and as text for the terminal.
 namespace deadpoint::report {

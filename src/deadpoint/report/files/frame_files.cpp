@@ -1,7 +1,11 @@
 #include "deadpoint/report/files/frame_files.hpp"
 
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/stress.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/result/frame_result.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,7 +14,6 @@ namespace deadpoint::report {
 namespace {
 
 constexpr double kilonewton = 1e-3;
-constexpr double megapascal = 1e-6;
 constexpr double millimetre = 1e3;
 
 using nlohmann::ordered_json;

@@ -2,11 +2,14 @@
 
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace deadpoint::study {
+struct FrameResult;
+}
 
 /// Forces of preloaded rods, closed bonds, and stress, in the files and the text of a run.
 namespace deadpoint::report {

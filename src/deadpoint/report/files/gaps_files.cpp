@@ -1,5 +1,8 @@
 #include "deadpoint/report/files/gaps_files.hpp"
 
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/exchange/gaps.hpp"
+#include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/table.hpp"
 
@@ -12,7 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double micrometre = 1e6;
 constexpr double kilonewton = 1e-3;
 
 struct Extreme {

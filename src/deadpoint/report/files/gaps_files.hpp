@@ -1,11 +1,14 @@
 #pragma once
 
-#include "deadpoint/exchange/gaps.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct GapSeries;
+}
 
 /// Corners of the slide, clearances and force at a fixed die height, in the files and the text of a run.
 namespace deadpoint::report {

@@ -1,11 +1,14 @@
 #include "deadpoint/report/files/heat_files.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
 
 #include <fmt/format.h>
 #include <limits>
@@ -20,7 +23,6 @@ using Numbers = std::vector<double>;
 using Texts = std::vector<std::string>;
 
 constexpr double rpm = 30 / std::numbers::pi;
-constexpr double zero_celsius = 273.15;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string yes_no(bool value) { return value ? "yes" : "no"; }

@@ -1,11 +1,16 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/study/pipeline/heat_tables.hpp"
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace deadpoint::study {
+struct HeatTables;
+}
+
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// The tables of friction heat, contact conductance and convection as files and as a short text for
 /// the terminal.

@@ -2,11 +2,14 @@
 
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
 
 #include <functional>
 #include <string>
 #include <vector>
+
+namespace deadpoint::study {
+struct RunResult;
+}
 
 /// Oil circuits, enclosed air and heat that is not friction, in the files and the text of a run. Everything is of the
 /// whole press.

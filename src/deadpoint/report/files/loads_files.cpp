@@ -1,14 +1,21 @@
 #include "deadpoint/report/files/loads_files.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/exchange/cycle.hpp"
+#include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/io/write_file.hpp"
+#include "deadpoint/mechanism/bottom_dead_point.hpp"
+#include "deadpoint/mechanism/cycle.hpp"
 #include "deadpoint/report/charts/loads_charts.hpp"
 #include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/files/view_file.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/schema/columns.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,12 +141,12 @@ Json crankshaft_json(const study::CrankshaftLoads& shaft)
     double sag = 0;
     for (const auto& d : shaft.sag.deflection)
         sag = std::max(sag, norm(d));
-    json["static"]["largest_deflection_um"] = 1e6 * sag;
+    json["static"]["largest_deflection_um"] = micrometre * sag;
     json["static"]["position_mm"] = Json::array();
     json["static"]["deflection_um"] = Json::array();
     for (std::size_t i = 0; i < shaft.sag.nodes.size(); ++i) {
         json["static"]["position_mm"].push_back(1e3 * shaft.sag.nodes[i]);
-        json["static"]["deflection_um"].push_back(pair(1e6 * shaft.sag.deflection[i]));
+        json["static"]["deflection_um"].push_back(pair(micrometre * shaft.sag.deflection[i]));
     }
     json["modes_at_speed"] = modes_json(shaft.modes);
     json["critical_speeds"] = Json::array();
@@ -148,7 +155,7 @@ Json crankshaft_json(const study::CrankshaftLoads& shaft)
     double unbalance = 0;
     for (std::size_t i = 0; i < shaft.unbalance.x.size(); ++i)
         unbalance = std::max(unbalance, std::hypot(std::abs(shaft.unbalance.x[i]), std::abs(shaft.unbalance.y[i])));
-    json["unbalance_response_at_speed"]["largest_deflection_um"] = 1e6 * unbalance;
+    json["unbalance_response_at_speed"]["largest_deflection_um"] = micrometre * unbalance;
     for (std::size_t b = 0; b < shaft.unbalance.bearing_x.size(); ++b)
         json["unbalance_response_at_speed"]["bearing_force_amplitude_N"][shaft.shaft.bearings[b].name] = {
             std::abs(shaft.unbalance.bearing_x[b]), std::abs(shaft.unbalance.bearing_y[b])};

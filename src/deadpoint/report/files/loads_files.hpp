@@ -1,11 +1,16 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace deadpoint::study {
+struct LoadsResult;
+}
+
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// The loads of a case as files and as a short text for the terminal.
 namespace deadpoint::report {

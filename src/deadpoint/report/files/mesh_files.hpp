@@ -1,11 +1,13 @@
 #pragma once
 
-#include "deadpoint/exchange/machine.hpp"
-
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct Machine;
+}
 
 namespace deadpoint::report {
 

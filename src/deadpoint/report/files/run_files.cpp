@@ -1,8 +1,13 @@
 #include "deadpoint/report/files/run_files.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/files/frame_files.hpp"
@@ -20,7 +25,9 @@
 #include "deadpoint/report/text/drift_summary_text.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
 #include "deadpoint/report/text/run_text.hpp"
-#include "deadpoint/study/pipeline/run_summary.hpp"
+#include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/result/run_summary.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 
@@ -31,9 +38,6 @@
 
 namespace deadpoint::report {
 namespace {
-
-constexpr double micrometre = 1e6;
-constexpr double celsius = -273.15;
 
 using study::RunResult;
 
@@ -108,17 +112,18 @@ void write_history(const std::filesystem::path& path, const casefile::Case& inpu
     const auto times = history_times(input, result);
     std::vector<CsvColumn> columns{csv_column(schema::time, times)};
     for (const auto& [name, course] : result.probes)
-        columns.push_back(csv_column(schema::history::probe, sampled(history.time, course, times, 1, celsius), name));
+        columns.push_back(
+            csv_column(schema::history::probe, sampled(history.time, course, times, 1, -zero_celsius), name));
     for (const auto& [name, joint] : result.joints)
         columns.push_back(csv_column(schema::history::joint_temperature,
-                                     sampled(history.time, joint.temperature, times, 1, celsius), name));
+                                     sampled(history.time, joint.temperature, times, 1, -zero_celsius), name));
     for (const auto& [name, joint] : result.joints)
         columns.push_back(
             csv_column(schema::history::joint_heat, sampled_linear(history.time, joint.heat, times, 1, 0), name));
-    columns.push_back(
-        csv_column(schema::history::to_air, sampled_linear(history.time, history.to_air, times, result.whole, 0)));
-    columns.push_back(
-        csv_column(schema::history::to_oil, sampled_linear(history.time, history.to_oil, times, result.whole, 0)));
+    columns.push_back(csv_column(schema::history::to_air,
+                                 sampled_linear(history.time, history.to_air, times, result.symmetry_factor, 0)));
+    columns.push_back(csv_column(schema::history::to_oil,
+                                 sampled_linear(history.time, history.to_oil, times, result.symmetry_factor, 0)));
     add_heat_flow_columns(
         columns, result,
         [&](const Series& series, double factor, double offset) {
@@ -267,25 +272,64 @@ nlohmann::ordered_json rises_json(const casefile::Case& input, const RunResult& 
     return json;
 }
 
-nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& machine, const RunResult& result,
-                                    const std::vector<std::string>& warnings)
+nlohmann::ordered_json model_json(const casefile::Case& input, const Machine& machine, const RunResult& result)
 {
-    const auto summary = study::summarise(input, result);
-    const auto& history = result.thermal;
+    return {{"cells", result.cells},
+            {"heat_unknowns", result.heat_unknowns},
+            {"deformation_cells", result.deformation_cells},
+            {"deformation_unknowns", result.deformation_unknowns},
+            {"element_order", input.numerics.order},
+            {"second_order_parts", std::ranges::count(study::describe_orders(input, machine), 2)},
+            {"half_model", machine.half_model},
+            {"ranks", result.ranks}};
+}
+
+nlohmann::ordered_json energy_json(const casefile::Case& input, const RunResult& result)
+{
+    const auto& energy = result.thermal.energy;
+    const double factor = result.symmetry_factor;
+    nlohmann::ordered_json json{
+        {"generated", factor * energy.generated}, {"from_surfaces", factor * energy.from_surfaces},
+        {"to_air", factor * energy.to_air},       {"to_oil", factor * energy.to_oil},
+        {"stored", factor * energy.stored},       {"relative_mismatch", energy.mismatch()}};
+    if (nothing_happens(result.thermal, input.numerics.time_tolerance))
+        json["relative_mismatch"] = nullptr;
+    return json;
+}
+
+nlohmann::ordered_json drift_json(const RunResult& result, const study::RunSummary& summary)
+{
+    nlohmann::ordered_json json{{"largest_E_SW", micrometre * summary.largest_gap},
+                                {"time_of_largest_s", summary.largest_gap_time},
+                                {"final_E_SW", micrometre * summary.final_gap}};
+    for (const auto& [name, series] : dimensions(*result.drift))
+        json["final"][name] = micrometre * series->value.back();
+    for (const auto part : strongest_parts(*result.drift))
+        json["final_by_part"][result.parts[part].name] = micrometre * result.drift->by_part[part].back();
+    if (!result.causes.empty())
+        json["by_cause"] = drift_causes_json(result.causes);
+    return json;
+}
+
+nlohmann::ordered_json reference_json(const casefile::Reference& reference, const study::RunSummary& summary)
+{
     nlohmann::ordered_json json;
-    json["version"] = version;
-    json["case"] = {{"name", input.machine.name}, {"hash", casefile::case_hash(input)}};
-    json["interrupted"] = history.interrupted;
-    json["initial_temperature_degC"] = input.machine.initial_temperature + celsius;
-    json["warnings"] = warnings;
-    json["model"] = {{"cells", result.cells},
-                     {"heat_unknowns", result.heat_unknowns},
-                     {"deformation_cells", result.deformation_cells},
-                     {"deformation_unknowns", result.deformation_unknowns},
-                     {"element_order", input.numerics.order},
-                     {"second_order_parts", std::ranges::count(study::describe_orders(input, machine), 2)},
-                     {"half_model", machine.half_model},
-                     {"ranks", result.ranks}};
+    for (const auto& row : summary.comparison)
+        json["rises_K"][row.probe] = {{"computed", row.rise}, {"reference", row.reference}};
+    json["time_s"] = reference.time;
+    json["source"] = reference.source;
+    json["rms_residual_K"] = summary.rms_residual;
+    json["rms_null_K"] = summary.rms_null;
+    json["calibrated_on"] = reference.calibrated_on;
+    return json;
+}
+
+/// How the run was computed, and what it took.
+void add_solution(const casefile::Case& input, const Machine& machine, const RunResult& result,
+                  nlohmann::ordered_json& json)
+{
+    const auto& history = result.thermal;
+    json["model"] = model_json(input, machine, result);
     json["solution"] = {{"steps", history.time.size() - 1},
                         {"rejected_steps", history.rejected_steps},
                         {"heat_solves", history.linear_solves},
@@ -296,29 +340,13 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     json["peak_memory_bytes"] = result.peak_memory;
     if (result.accuracy)
         json["accuracy"] = accuracy_json(*result.accuracy);
-    const auto& energy = history.energy;
-    json["energy_J"] = {
-        {"generated", result.whole * energy.generated}, {"from_surfaces", result.whole * energy.from_surfaces},
-        {"to_air", result.whole * energy.to_air},       {"to_oil", result.whole * energy.to_oil},
-        {"stored", result.whole * energy.stored},       {"relative_mismatch", energy.mismatch()}};
-    if (nothing_happens(history, input.numerics.time_tolerance))
-        json["energy_J"]["relative_mismatch"] = nullptr;
-    if (const auto flows = heat_flows_json(result); !flows.is_null())
-        json["heat_flows_at_end"] = flows;
-    json["probe_rises_K"] = rises_json(input, result);
-    for (std::size_t i = 0; i < result.probes.size(); ++i)
-        json["time_to_95_percent_s"][result.probes[i].name] = summary.time_to_95[i];
+}
+
+/// Dimension chain, friction, frame and the check of the adjoints, as far as the case has them.
+void add_machine(const RunResult& result, const study::RunSummary& summary, nlohmann::ordered_json& json)
+{
     if (result.drift) {
-        json["drift_um"] = {{"largest_E_SW", micrometre * summary.largest_gap},
-                            {"time_of_largest_s", summary.largest_gap_time},
-                            {"final_E_SW", micrometre * summary.final_gap}};
-        for (const auto& [name, series] : dimensions(*result.drift))
-            json["drift_um"]["final"][name] = micrometre * series->value.back();
-        for (const auto part : strongest_parts(*result.drift))
-            json["drift_um"]["final_by_part"][result.parts[part].name] =
-                micrometre * result.drift->by_part[part].back();
-        if (!result.causes.empty())
-            json["drift_um"]["by_cause"] = drift_causes_json(result.causes);
+        json["drift_um"] = drift_json(result, summary);
         if (const auto gaps = gaps_json(result.gaps, result.thermal.time); !gaps.is_null())
             json["gaps"] = gaps;
         json["warm_up_s"] = summary.warm_up_time ? nlohmann::ordered_json(*summary.warm_up_time) : nullptr;
@@ -327,21 +355,34 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     if (!result.friction.empty())
         json["friction"] = friction_json(result.friction);
     if (result.frame)
-        json["frame"] = frame_json(*result.frame, history.time);
-    if (result.adjoint_check)
-        json["adjoint_check"] = {{"time_s", result.adjoint_check->time},
-                                 {"E_SW_um_by_adjoint", micrometre * result.adjoint_check->by_adjoint},
-                                 {"E_SW_um_by_deformation", micrometre * result.adjoint_check->by_deformation},
-                                 {"largest_joint_opening_um", micrometre * result.adjoint_check->joint_opening}};
-    if (input.reference) {
-        for (const auto& row : summary.comparison)
-            json["reference"]["rises_K"][row.probe] = {{"computed", row.rise}, {"reference", row.reference}};
-        json["reference"]["time_s"] = input.reference->time;
-        json["reference"]["source"] = input.reference->source;
-        json["reference"]["rms_residual_K"] = summary.rms_residual;
-        json["reference"]["rms_null_K"] = summary.rms_null;
-        json["reference"]["calibrated_on"] = input.reference->calibrated_on;
-    }
+        json["frame"] = frame_json(*result.frame, result.thermal.time);
+    if (const auto& check = result.adjoint_check)
+        json["adjoint_check"] = {{"time_s", check->time},
+                                 {"E_SW_um_by_adjoint", micrometre * check->by_adjoint},
+                                 {"E_SW_um_by_deformation", micrometre * check->by_deformation},
+                                 {"largest_joint_opening_um", micrometre * check->joint_opening}};
+}
+
+nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& machine, const RunResult& result,
+                                    const std::vector<std::string>& warnings)
+{
+    const auto summary = study::summarise(input, result);
+    nlohmann::ordered_json json;
+    json["version"] = version;
+    json["case"] = {{"name", input.machine.name}, {"hash", casefile::case_hash(input)}};
+    json["interrupted"] = result.thermal.interrupted;
+    json["initial_temperature_degC"] = input.machine.initial_temperature - zero_celsius;
+    json["warnings"] = warnings;
+    add_solution(input, machine, result, json);
+    json["energy_J"] = energy_json(input, result);
+    if (const auto flows = heat_flows_json(result); !flows.is_null())
+        json["heat_flows_at_end"] = flows;
+    json["probe_rises_K"] = rises_json(input, result);
+    for (std::size_t i = 0; i < result.probes.size(); ++i)
+        json["time_to_95_percent_s"][result.probes[i].name] = summary.time_to_95[i];
+    add_machine(result, summary, json);
+    if (input.reference)
+        json["reference"] = reference_json(*input.reference, summary);
     json["left_out"] = {"oil-film thinning in plain bearings", "inertial stretch of the links",
                         "elastic moduli that depend on temperature"};
     return json;

@@ -1,12 +1,19 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace deadpoint::study {
+struct RunResult;
+}
+
+namespace deadpoint {
+struct Machine;
+}
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// The results of a run as files. Heat is that of the whole press throughout.
 namespace deadpoint::report {

@@ -1,7 +1,9 @@
 #include "deadpoint/report/files/sweep_files.hpp"
 
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/report/charts/sweep_charts.hpp"
+#include "deadpoint/report/charts/sweep_figures.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
@@ -20,7 +22,6 @@ using Figures = std::vector<std::optional<SweepFigures>>;
 using Windows = std::vector<std::optional<study::DriftWindow>>;
 namespace table = schema::sweep;
 
-constexpr double micrometre = 1e6;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// One place of one set: a row of the table.

@@ -1,13 +1,18 @@
 #pragma once
 
-#include "deadpoint/report/charts/sweep_figures.hpp"
-
 #include <filesystem>
 #include <string>
 #include <vector>
 
+namespace deadpoint::study {
+struct SweepPoint;
+struct SweepStudy;
+}  // namespace deadpoint::study
+
 /// A study of many runs as files and as text for the terminal.
 namespace deadpoint::report {
+
+struct SweepResult;
 
 /// Writes into an existing folder: sweep.csv with a row for each place of each set, sweep.json with the plan, the
 /// figures and the windows, and the charts of each set (report/charts/sweep_charts.hpp). Files that stand there are

@@ -1,8 +1,15 @@
 #include "deadpoint/report/files/view_file.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/crankshaft/modes.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/decimated_surface.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/view_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +60,7 @@ Json modal_json(const study::ModalField<Value>& field)
 
 // Triangles of a part, by vertices counted from its first; a part of more than 65 536 vertices cannot be: the whole
 // surface has fewer.
-std::string packed_triangles(const LightSurface& surface, const LightPart& part)
+std::string packed_triangles(const DecimatedSurface& surface, const LightPart& part)
 {
     std::vector<std::uint16_t> numbers;
     for (std::size_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
@@ -62,7 +69,7 @@ std::string packed_triangles(const LightSurface& surface, const LightPart& part)
     return packed(numbers);
 }
 
-Json parts_json(const Machine& machine, const LightSurface& surface)
+Json parts_json(const Machine& machine, const DecimatedSurface& surface)
 {
     Json list = Json::array();
     for (std::size_t p = 0; p < machine.parts.size(); ++p) {

@@ -1,16 +1,23 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/view_data.hpp"
-
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+namespace deadpoint::study {
+struct LoadsResult;
+struct ViewData;
+}  // namespace deadpoint::study
+
+namespace deadpoint {
+struct Machine;
+}
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// The light data of a run that its page shows in motion: view.json and motion.json.
 namespace deadpoint::report {

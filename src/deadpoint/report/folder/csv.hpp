@@ -1,14 +1,18 @@
 #pragma once
 
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/report/schema/column.hpp"
-
 #include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
+
+namespace deadpoint {
+struct Series;
+}
+namespace deadpoint::report::schema {
+struct Column;
+}
 
 namespace deadpoint::report {
 

@@ -1,7 +1,8 @@
 #include "deadpoint/report/folder/folder_claim.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/unique_name.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/io/file_lock.hpp"
 #include "deadpoint/io/rename.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/folder/json_file.hpp"

@@ -1,6 +1,6 @@
 #include "deadpoint/report/folder/json_file.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 #include "deadpoint/io/write_file.hpp"
 

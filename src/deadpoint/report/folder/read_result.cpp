@@ -1,10 +1,13 @@
 #include "deadpoint/report/folder/read_result.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/folder/result_json.hpp"
 #include "deadpoint/report/folder/result_table.hpp"
 #include "deadpoint/report/schema/columns.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,9 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-constexpr double micrometre = 1e-6;
-constexpr double zero_celsius = 273.15;
 
 template <class Content>
 Content needed(std::optional<Content> content, const fs::path& path)
@@ -71,8 +71,8 @@ void read_summary(const Json& json, study::RunRecord& run)
     }
     if (const Json::json_pointer gap("/drift_summary/E_SW"); json.contains(gap)) {
         const auto& course = json.at(gap);
-        run.gap = study::GapFigures{micrometre * course.at("first_hour").at("change_um").get<double>(),
-                                    micrometre * course.at("range_um").get<double>(), std::nullopt};
+        run.gap = study::GapFigures{course.at("first_hour").at("change_um").get<double>() / micrometre,
+                                    course.at("range_um").get<double>() / micrometre, std::nullopt};
         if (const auto& steady = course.at("steady_from_s"); steady.is_number()) {
             run.gap->steady_from = steady.get<double>();
         }
@@ -110,7 +110,7 @@ void read_history(const ResultTable& table, study::RunRecord& run)
         run.joint_heat[joint] = table.numbers(history::joint_heat, joint);
     }
     for (const auto& dimension : table.names(history::dimension)) {
-        run.chain[dimension] = changed(table.numbers(history::dimension, dimension), micrometre, 0);
+        run.chain[dimension] = changed(table.numbers(history::dimension, dimension), 1 / micrometre, 0);
     }
 }
 

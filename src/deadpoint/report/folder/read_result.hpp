@@ -1,8 +1,10 @@
 #pragma once
 
-#include "deadpoint/study/pipeline/run_record.hpp"
-
 #include <filesystem>
+
+namespace deadpoint::study {
+struct RunRecord;
+}
 
 namespace deadpoint::report {
 

@@ -1,8 +1,8 @@
 #include "deadpoint/report/folder/result_files.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 

@@ -1,6 +1,7 @@
 #include "deadpoint/report/folder/result_json.hpp"
 
 #include "deadpoint/report/folder/json_file.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
 
 namespace deadpoint::report {
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "deadpoint/report/folder/result_files.hpp"
-
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 namespace deadpoint::report {
+
+class ResultFiles;
 
 /// Reads a JSON document of a result folder, which must be unchanged. Internal to report/, since it
 /// shows the JSON library.

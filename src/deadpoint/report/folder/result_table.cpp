@@ -1,6 +1,7 @@
 #include "deadpoint/report/folder/result_table.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/casefile/syntax/diagnostics.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/report/schema/schema.hpp"
 
 #include <algorithm>

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "deadpoint/io/csv_table.hpp"
-#include "deadpoint/report/schema/column.hpp"
 
 #include <string>
 #include <vector>
+
+namespace deadpoint::report::schema {
+struct Column;
+}
 
 namespace deadpoint::report {
 

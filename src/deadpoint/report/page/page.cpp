@@ -1,7 +1,8 @@
 #include "deadpoint/report/page/page.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/folder/result_json.hpp"
 #include "deadpoint/report/page/page_parts.hpp"
 #include "deadpoint/report/page/page_shell.hpp"
@@ -12,6 +13,8 @@
 #include <array>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <tuple>
+#include <utility>
 
 namespace deadpoint::report {
 namespace {

@@ -1,10 +1,13 @@
 #include "deadpoint/report/page/page_tables.hpp"
 
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/io/csv_table.hpp"
 #include "deadpoint/report/text/table.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>
+#include <utility>
 #include <vector>
 
 namespace deadpoint::report {
@@ -111,7 +114,7 @@ std::string run_tables(const Json& run)
                                     {"to_oil", "to the oil"},
                                     {"stored", "stored"}})
         if (energy.contains(key) && energy.at(key).is_number())
-            heat.push_back({name, fmt::format("{:.3g}", 1e-6 * energy.at(key).get<double>())});
+            heat.push_back({name, fmt::format("{:.3g}", megajoule * energy.at(key).get<double>())});
     text += html_table("Heat over the run, whole press", {"", "MJ"}, heat);
     text += "<h3>Warnings</h3>\n" + warnings_list(facts.value("warnings", Json::array()));
     return text +

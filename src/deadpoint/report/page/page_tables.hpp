@@ -1,9 +1,11 @@
 #pragma once
 
-#include "deadpoint/io/csv_table.hpp"
-
 #include <nlohmann/json.hpp>
 #include <string>
+
+namespace deadpoint {
+struct CsvTable;
+}
 
 /// Internal to report/: the main results as plain HTML, for readers whose browser runs no scripts.
 namespace deadpoint::report {

@@ -1,7 +1,8 @@
 #include "deadpoint/report/page/sweep_page.hpp"
 
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/folder/result_json.hpp"
 #include "deadpoint/report/folder/result_table.hpp"
 #include "deadpoint/report/page/page_parts.hpp"

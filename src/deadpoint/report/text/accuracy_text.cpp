@@ -1,11 +1,14 @@
 #include "deadpoint/report/text/accuracy_text.hpp"
 
+#include "deadpoint/casefile/describe/accuracy.hpp"
 #include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/quantity.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/result/accuracy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +27,7 @@ struct Unit {
 
 Unit unit_of(const AccuracyReport& accuracy)
 {
-    return accuracy.wanted.of == casefile::Accuracy::Of::gap ? Unit{"um", 1e6} : Unit{"K", 1};
+    return accuracy.wanted.of == casefile::Accuracy::Of::gap ? Unit{"um", micrometre} : Unit{"K", 1};
 }
 
 std::string figure_of(const AccuracyReport& accuracy)

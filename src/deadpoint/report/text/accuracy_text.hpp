@@ -1,11 +1,13 @@
 #pragma once
 
-#include "deadpoint/study/pipeline/accuracy.hpp"
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+
+namespace deadpoint::study {
+struct AccuracyReport;
+}
 
 /// Internal to report/: the report of a run to a stated accuracy, as text and files.
 namespace deadpoint::report {

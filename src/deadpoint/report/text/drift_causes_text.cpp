@@ -1,5 +1,7 @@
 #include "deadpoint/report/text/drift_causes_text.hpp"
 
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 
@@ -9,8 +11,6 @@
 
 namespace deadpoint::report {
 namespace {
-
-constexpr double micrometre = 1e6;
 
 struct Row {
     std::string kind;

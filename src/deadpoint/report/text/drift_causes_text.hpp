@@ -1,12 +1,14 @@
 #pragma once
 
-#include "deadpoint/exchange/drift.hpp"
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct DriftCauses;
+}
 
 /// Contributions of the heat sources to the gap: a file, JSON and a line for the terminal, all in
 /// micrometres.

@@ -1,13 +1,14 @@
 #include "deadpoint/report/text/drift_summary_text.hpp"
 
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/result/run_summary.hpp"
 
 #include <fmt/format.h>
 
 namespace deadpoint::report {
 namespace {
 
-constexpr double micrometre = 1e6;
 constexpr double hour = 3600;
 
 using Json = nlohmann::ordered_json;

@@ -1,10 +1,14 @@
 #pragma once
 
-#include "deadpoint/study/pipeline/run_summary.hpp"
-
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+namespace deadpoint::study {
+
+struct CourseSummary;
+struct RunSummary;
+}  // namespace deadpoint::study
 
 /// The summary of a drift in the style of ISO 230-3. Internal to report/, since it shows the JSON library.
 namespace deadpoint::report {

@@ -1,6 +1,8 @@
 #include "deadpoint/report/text/friction_text.hpp"
 
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/result/friction_summary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +14,6 @@ namespace deadpoint::report {
 namespace {
 
 constexpr double rpm = 30 / std::numbers::pi;
-constexpr double zero_celsius = 273.15;
 
 std::string bearings_line(const study::FrictionSummary& summary)
 {

@@ -1,17 +1,21 @@
 #pragma once
 
-#include "deadpoint/study/laws/friction.hpp"
+#include "deadpoint/core/units.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+namespace deadpoint::study {
+struct FrictionSummary;
+}
 
 /// Friction heat at the operating points of a case, law by law, with its parts and the power of the
 /// motor.
 namespace deadpoint::report {
 
 /// Temperatures at which the heat is stated [K].
-constexpr double friction_temperatures[] = {293.15, 313.15};
+constexpr double friction_temperatures[] = {zero_celsius + 20, zero_celsius + 40};
 
 /// For each operating point: table of the friction laws, comparison of rigid and flexible shaft,
 /// powers; ends with a line break. Empty without any.

@@ -1,6 +1,9 @@
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/report/files/heat_files.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,7 +15,6 @@ namespace {
 using study::HeatTables;
 
 constexpr double rpm = 30 / std::numbers::pi;
-constexpr double zero_celsius = 273.15;
 
 /// A mark behind values outside the tested range of their law.
 std::string marked(const std::string& text, bool in_range) { return in_range ? text : fmt::format("{}*", text); }
@@ -45,9 +47,9 @@ std::string conductance_table(const HeatTables& tables)
     TextTable table({"interface", "law", "pressure [MPa]", "R'' [m2 K/W]", "side a [W/m2/K]", "side b"});
     table.align_left(1);
     for (const auto& c : tables.conductances)
-        table.add_row({fmt::format("{}.{}", c.joint, c.name), c.law, c.pressure ? significant(*c.pressure / 1e6) : "",
-                       marked(fmt::format("{:.3g}", c.resistance()), c.in_range), significant(c.film_a),
-                       significant(c.film_b)});
+        table.add_row(
+            {fmt::format("{}.{}", c.joint, c.name), c.law, c.pressure ? significant(megapascal * *c.pressure) : "",
+             marked(fmt::format("{:.3g}", c.resistance()), c.in_range), significant(c.film_a), significant(c.film_b)});
     return table.text();
 }
 

@@ -1,6 +1,13 @@
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/spelling.hpp"
+#include "deadpoint/crankshaft/cycle.hpp"
+#include "deadpoint/exchange/cycle.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/report/charts/loads_charts.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 
 #include <algorithm>
 #include <cmath>

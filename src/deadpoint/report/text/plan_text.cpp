@@ -1,5 +1,6 @@
 #include "deadpoint/report/text/plan_text.hpp"
 
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/report/files/mesh_files.hpp"
 #include "deadpoint/report/text/table.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
@@ -88,7 +89,7 @@ std::string interfaces_section(const Case& description, const Machine& machine)
         table.add_row(
             {contact.name, joint == description.joints.end() ? "" : std::string(casefile::name_of(joint->second.kind)),
              part_name(machine, contact.part_a), part_name(machine, contact.part_b), significant(1e4 * contact.area, 4),
-             percent(contact.coverage()), fmt::format("{:.1f}", 1e6 * contact.max_gap),
+             percent(contact.coverage()), fmt::format("{:.1f}", micrometre * contact.max_gap),
              contact.stroke > 0 ? fmt::format("{:.1f}", 1e3 * contact.stroke) : "",
              contact.stroke > 0 ? percent(contact.least_coverage()) : ""});
     }

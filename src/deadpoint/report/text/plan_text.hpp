@@ -1,11 +1,15 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/machine.hpp"
-
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct Machine;
+}
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// The plan of a case before anything is solved, as text.
 namespace deadpoint::report {

@@ -1,5 +1,9 @@
 #include "deadpoint/report/text/run_text.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/report/files/frame_files.hpp"
 #include "deadpoint/report/files/gaps_files.hpp"
 #include "deadpoint/report/files/heat_flows.hpp"
@@ -9,7 +13,9 @@
 #include "deadpoint/report/text/drift_summary_text.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
 #include "deadpoint/report/text/table.hpp"
-#include "deadpoint/study/pipeline/run_summary.hpp"
+#include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/result/run_summary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +28,6 @@ namespace {
 using casefile::Case;
 using study::RunResult;
 using study::RunSummary;
-
-constexpr double micrometre = 1e6;
-constexpr double megajoule = 1e-6;
 
 std::string warm_up_line(const Case& input, const RunSummary& summary)
 {
@@ -100,7 +103,7 @@ std::string mesh_line(const RunResult& result)
 std::string energy_line(const Case& input, const RunResult& result)
 {
     const auto& energy = result.thermal.energy;
-    const auto whole = [&](double joules) { return megajoule * result.whole * joules; };
+    const auto whole = [&](double joules) { return megajoule * result.symmetry_factor * joules; };
     return fmt::format("  heat: {:.2f} MJ generated, {:.2f} to the air, {:.2f} to the oil, {:.2f} stored ({})\n",
                        whole(energy.generated + energy.from_surfaces), whole(energy.to_air), whole(energy.to_oil),
                        whole(energy.stored),

@@ -1,11 +1,19 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-
 #include <cstddef>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct DriftSeries;
+}
+namespace deadpoint::study {
+struct RunResult;
+}
+
+namespace deadpoint::casefile {
+struct Case;
+}
 
 namespace deadpoint::report {
 

@@ -1,5 +1,8 @@
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/report/charts/sweep_figures.hpp"
 #include "deadpoint/report/files/sweep_files.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/sweep/drift_window.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +12,6 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr double micrometre = 1e6;
 constexpr std::size_t shown_steps = 6;
 
 std::string counted(std::size_t count, const char* one, const char* many)

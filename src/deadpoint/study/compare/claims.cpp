@@ -1,5 +1,8 @@
+#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/study/compare/compare.hpp"
 #include "deadpoint/study/drift/drift_summary.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +20,7 @@ using Named = std::vector<std::pair<std::string, double>>;  ///< probe and its v
 constexpr double usual_share = 0.95;
 
 std::string hours(double time) { return fmt::format("{:.4g} h", time / 3600); }
-std::string micrometres(double length) { return fmt::format("{:+.4g} um", 1e6 * length); }
+std::string micrometres(double length) { return fmt::format("{:+.4g} um", micrometre * length); }
 
 std::string listed(const Named& values, const auto& show)
 {
@@ -33,29 +36,46 @@ public:
     Judge(const RunRecord& run, const ReferenceClaim& claim) : run_(run), claim_(claim)
     {
         verdict_.text = claim.text;
-        verdict_.kind = claim.kind;
+        verdict_.kind = casefile::name_of(*claim.kind);
         verdict_.note = claim.note;
     }
 
     Verdict run()
     {
-        static const std::vector<std::pair<std::string_view, void (Judge::*)()>> kinds{
-            {"hottest", &Judge::hottest},
-            {"warmer", &Judge::warmer},
-            {"slower", &Judge::slower},
-            {"steady", &Judge::steady},
-            {"share_reached", &Judge::share_reached},
-            {"peak_within", &Judge::peak_within},
-            {"declines", &Judge::declines},
-            {"slows", &Judge::slows},
-            {"closes", &Judge::moves},
-            {"opens", &Judge::moves},
-            {"unchecked", &Judge::unchecked}};
-        const auto found = std::ranges::find(kinds, claim_.kind, [](const auto& k) { return k.first; });
-        if (found == kinds.end()) {
-            throw std::logic_error("a claim of unknown kind");
+        using enum casefile::ReferenceClaim::Kind;
+        switch (*claim_.kind) {
+        case hottest:
+            judge_hottest();
+            break;
+        case warmer:
+            judge_warmer();
+            break;
+        case slower:
+            judge_slower();
+            break;
+        case steady:
+            judge_steady();
+            break;
+        case share_reached:
+            judge_share_reached();
+            break;
+        case peak_within:
+            judge_peak_within();
+            break;
+        case declines:
+            judge_declines();
+            break;
+        case slows:
+            judge_slows();
+            break;
+        case closes:
+        case opens:
+            judge_direction();
+            break;
+        case unchecked:
+            judge_unchecked();
+            break;
         }
-        (this->*found->second)();
         return std::move(verdict_);
     }
 
@@ -101,7 +121,7 @@ private:
                fmt::format("{}: {}; to be {} than {}", when, listed(first, show), greater, listed(second, show)));
     }
 
-    void hottest()
+    void judge_hottest()
     {
         auto all = rises(run_.probes);
         std::ranges::stable_sort(all, [](const auto& a, const auto& b) { return a.second > b.second; });
@@ -111,13 +131,13 @@ private:
                                   listed(all, [](double rise) { return fmt::format("{:.2f} K", rise); })));
     }
 
-    void warmer()
+    void judge_warmer()
     {
         order(rises(claim_.probes), rises(claim_.than), "warmer", "rises after " + hours(time()),
               [](double rise) { return fmt::format("{:.2f} K", rise); });
     }
 
-    void slower()
+    void judge_slower()
     {
         order(times_to_share(claim_.probes), times_to_share(claim_.than), "later",
               fmt::format("{:.3g} % of the rise at the end after", 100 * share()), hours);
@@ -139,7 +159,7 @@ private:
                                : "claimed by " + hours(*claim_.at_most);
     }
 
-    void steady()
+    void judge_steady()
     {
         const auto times = times_to_share(claim_.probes.empty() ? run_.probes : claim_.probes);
         const auto last = std::ranges::max_element(times, {}, [](const auto& t) { return t.second; });
@@ -148,7 +168,7 @@ private:
                            100 * share(), hours(last->second), limits()));
     }
 
-    void share_reached()
+    void judge_share_reached()
     {
         Named shares;
         for (const auto& probe : claim_.probes) {
@@ -160,14 +180,14 @@ private:
                            listed(shares, [](double s) { return fmt::format("{:.1f} %", 100 * s); }), 100 * share()));
     }
 
-    void peak_within()
+    void judge_peak_within()
     {
         const double when = run_.time[largest_gap_row(run_)];
         decide(within(when), fmt::format("E_SW is largest, {}, after {}; {}", micrometres(gap()[largest_gap_row(run_)]),
                                          hours(when), limits()));
     }
 
-    void declines()
+    void judge_declines()
     {
         const double peak = gap()[largest_gap_row(run_)];
         const double limit = claim_.share.value_or(1);
@@ -176,7 +196,7 @@ private:
                            micrometres(gap().back())));
     }
 
-    void slows()
+    void judge_slows()
     {
         const double middle = value_at(run_, gap(), time());
         const double rest = run_.time.back() - time();
@@ -191,14 +211,14 @@ private:
                                                                per_hour(before), hours(time()), per_hour(after)));
     }
 
-    void moves()
+    void judge_direction()
     {
         const double peak = gap()[largest_gap_row(run_)];
-        decide(claim_.kind == "closes" ? peak < 0 : peak > 0,
+        decide(claim_.kind == casefile::ReferenceClaim::Kind::closes ? peak < 0 : peak > 0,
                fmt::format("E_SW is {} where it is largest (above zero it opens)", micrometres(peak)));
     }
 
-    void unchecked() { verdict_.evidence = claim_.reason; }
+    void judge_unchecked() { verdict_.evidence = claim_.reason; }
 
     const RunRecord& run_;
     const ReferenceClaim& claim_;

@@ -1,9 +1,12 @@
 #include "deadpoint/study/compare/compare.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/study/drift/drift_summary.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
@@ -30,11 +33,11 @@ bool was_fitted_to(const RunRecord& run, const casefile::ReferenceRises& rises, 
            std::ranges::find(run.calibrated_probes, probe) != run.calibrated_probes.end();
 }
 
-ComparedValue value_of(const char* kind, Dimension dimension, std::string name, const casefile::ReferenceValue& note)
+ComparedValue value_of(ValueKind kind, Dimension dimension, std::string name, const casefile::ReferenceValue& note)
 {
     ComparedValue value;
     value.kind = kind;
-    value.group = note.group.empty() ? kind : note.group;
+    value.group = note.group.empty() ? std::string(name_of(kind)) : note.group;
     value.name = std::move(name);
     value.dimension = dimension;
     value.calibrated = note.calibrated;
@@ -45,7 +48,7 @@ ComparedValue value_of(const char* kind, Dimension dimension, std::string name, 
 void add_rises(const RunRecord& run, const casefile::ReferenceRises& rises, std::vector<ComparedValue>& values)
 {
     for (const auto& [probe, rise] : rises.values) {
-        auto value = value_of("rises", Dimension::temperature_difference, probe + " " + at(rises.time), rises);
+        auto value = value_of(ValueKind::rises, Dimension::temperature_difference, probe + " " + at(rises.time), rises);
         value.reference = rise;
         value.computed = value_at(run, run.rises.at(probe), rises.time);
         value.calibrated = value.calibrated || was_fitted_to(run, rises, probe);
@@ -56,12 +59,13 @@ void add_rises(const RunRecord& run, const casefile::ReferenceRises& rises, std:
 ComparedValue chain_value(const RunRecord& run, const casefile::ReferenceChain& c)
 {
     const auto& course = run.chain.at(c.dimension);
-    const std::string when = c.at == "time" ? at(*c.time) : c.at == "end" ? "at the end" : "largest";
-    auto value = value_of("chain", Dimension::length, c.dimension + " " + when, c);
+    using At = casefile::ReferenceChain::At;
+    const std::string when = c.at == At::time ? at(*c.time) : c.at == At::end ? "at the end" : "largest";
+    auto value = value_of(ValueKind::chain, Dimension::length, c.dimension + " " + when, c);
     value.reference = c.opposite_sign ? -c.value : c.value;
-    if (c.at == "time") {
+    if (c.at == At::time) {
         value.computed = value_at(run, course, *c.time);
-    } else if (c.at == "end") {
+    } else if (c.at == At::end) {
         value.computed = course.back();
     } else {
         value.computed = *std::ranges::max_element(course, {}, [](double e) { return std::abs(e); });
@@ -71,9 +75,9 @@ ComparedValue chain_value(const RunRecord& run, const casefile::ReferenceChain& 
 
 ComparedValue time_value(const RunRecord& run, const casefile::ReferenceTime& t)
 {
-    const bool of_gap = t.of == "largest_E_SW";
+    const bool of_gap = t.of == casefile::ReferenceTime::Of::largest_E_SW;
     auto value =
-        value_of("times", Dimension::time,
+        value_of(ValueKind::times, Dimension::time,
                  of_gap ? "E_SW is largest" : fmt::format("{} has {:.3g} % of its rise", t.probe, 100 * t.share), t);
     value.reference = t.value;
     value.computed = of_gap ? run.time[largest_gap_row(run)] : time_to_share(run.time, run.rises.at(t.probe), t.share);
@@ -83,7 +87,7 @@ ComparedValue time_value(const RunRecord& run, const casefile::ReferenceTime& t)
 ComparedValue load_value(const RunRecord& run, const casefile::ReferenceLoad& l)
 {
     const auto unit = casefile::load_unit(l.quantity);
-    auto value = value_of("loads", unit.dimension, l.quantity, l);
+    auto value = value_of(ValueKind::loads, unit.dimension, l.quantity, l);
     value.reference = l.force ? *l.force : l.length ? *l.length : l.power ? *l.power : l.number.value_or(0);
     value.computed = unit.factor * run.loads.at(l.quantity);
     return value;
@@ -93,17 +97,18 @@ ComparedCurve compared_curve(const RunRecord& run, const casefile::ReferenceCurv
 {
     ComparedCurve curve;
     curve.name = c.name;
-    curve.measures = c.measures;
+    using enum casefile::ReferenceCurve::Measures;
+    curve.measures = casefile::name_of(*c.measures);
     curve.time = c.time;
     curve.reference = c.value;
     curve.calibrated = c.calibrated;
     curve.note = c.note;
-    const bool of_probe = c.measures == "temperature" || c.measures == "rise";
-    curve.dimension = !of_probe                     ? Dimension::length
-                      : c.measures == "temperature" ? Dimension::temperature
-                                                    : Dimension::temperature_difference;
-    const double offset = c.measures == "temperature" ? run.initial_temperature : 0;
-    const auto& course = of_probe ? run.rises.at(c.probe) : run.chain.at(c.measures);
+    const bool of_probe = c.measures == temperature || c.measures == rise;
+    curve.dimension = !of_probe                   ? Dimension::length
+                      : c.measures == temperature ? Dimension::temperature
+                                                  : Dimension::temperature_difference;
+    const double offset = c.measures == temperature ? run.initial_temperature : 0;
+    const auto& course = of_probe ? run.rises.at(c.probe) : run.chain.at(curve.measures);
     for (const double time : c.time) {
         curve.computed.push_back(offset + value_at(run, course, time));
     }
@@ -180,7 +185,7 @@ std::vector<ComparedGroup> grouped(const std::vector<ComparedValue>& values)
                 baseline.push_back(*value->baseline);
             }
         }
-        const bool change = groups[i].kind == "rises" || groups[i].kind == "chain";
+        const bool change = groups[i].kind == ValueKind::rises || groups[i].kind == ValueKind::chain;
         groups[i].figures = error_figures(computed, reference, change ? std::optional(0.0) : std::nullopt);
         if (baseline.size() == reference.size()) {
             groups[i].figures.rms_baseline = error_figures(baseline, reference, std::nullopt).rms;
@@ -191,6 +196,12 @@ std::vector<ComparedGroup> grouped(const std::vector<ComparedValue>& values)
 }
 
 }  // namespace
+
+std::string_view name_of(ValueKind kind)
+{
+    constexpr std::array<std::string_view, 4> names{"rises", "chain", "times", "loads"};
+    return names.at(static_cast<std::size_t>(kind));
+}
 
 double ComparedValue::error() const { return difference(computed, reference); }
 

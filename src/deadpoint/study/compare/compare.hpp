@@ -1,19 +1,32 @@
 #pragma once
 
-#include "deadpoint/casefile/files/reference_file.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
+#include "deadpoint/core/quantity.hpp"
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+namespace deadpoint::casefile {
+struct ReferenceClaim;
+struct ReferenceFile;
+struct ResultContents;
+}  // namespace deadpoint::casefile
 
 /// Comparison of a result with measured or published values.
 namespace deadpoint::study {
 
+struct RunRecord;
+
+/// The list of a reference file that a value stands in.
+enum class ValueKind { rises, chain, times, loads };
+/// Its key there.
+std::string_view name_of(ValueKind kind);
+
 /// One value beside its reference, in SI units and the program's signs.
 struct ComparedValue {
-    std::string kind;   ///< "rises", "chain", "times", "loads"
-    std::string group;  ///< as the reference file says, else the kind
+    ValueKind kind = ValueKind::rises;
+    std::string group;  ///< as the reference file says, else the name of the kind
     std::string name;   ///< "P1 at 3 h"
     Dimension dimension = Dimension::none;
     double reference = 0;
@@ -48,7 +61,7 @@ ErrorFigures error_figures(const std::vector<double>& computed, const std::vecto
 
 /// All values of one kind and group, fitted ones apart from predicted ones.
 struct ComparedGroup {
-    std::string kind;
+    ValueKind kind = ValueKind::rises;
     std::string group;
     Dimension dimension = Dimension::none;
     bool calibrated = false;
@@ -58,7 +71,7 @@ struct ComparedGroup {
 
 struct ComparedCurve {
     std::string name;
-    std::string measures;
+    std::string measures;  ///< as the reference file says
     Dimension dimension = Dimension::none;
     std::vector<double> time;
     std::vector<double> reference;
@@ -73,7 +86,7 @@ struct ComparedCurve {
 struct Verdict {
     enum class Outcome { holds, fails, unchecked };
     std::string text;
-    std::string kind;
+    std::string kind;  ///< as the reference file says
     Outcome outcome = Outcome::unchecked;
     std::string evidence;  ///< the numbers behind it, or why it is not checked
     std::string note;

@@ -1,6 +1,11 @@
 #include "deadpoint/study/drift/chain_model.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/drift/play.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/study/drift/series_sum.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 

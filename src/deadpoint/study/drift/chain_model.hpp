@@ -1,14 +1,30 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/drift/chain.hpp"
-#include "deadpoint/drift/play.hpp"
-#include "deadpoint/exchange/drift.hpp"
-#include "deadpoint/fem/model.hpp"
-#include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
 
 #include <vector>
+
+namespace deadpoint::fem {
+struct Adjoint;
+struct Displacement;
+struct Field;
+}  // namespace deadpoint::fem
+
+namespace deadpoint {
+
+struct ThermalHistory;
+struct DriftSeries;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::drift {
+struct BearingPlay;
+}
+namespace deadpoint::fem {
+class Model;
+}
 
 /// Internal to study/: the dimension chain of a case on its meshed machine.
 namespace deadpoint::study {

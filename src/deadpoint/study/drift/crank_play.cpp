@@ -1,5 +1,14 @@
 #include "deadpoint/study/drift/crank_play.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/case_friction.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/drift/chain.hpp"
+#include "deadpoint/drift/play.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/laws/friction.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -70,7 +79,6 @@ std::optional<std::string> play_warning(const casefile::Case& input, const Chain
                                         const ThermalHistory& history)
 {
     constexpr double shown = 1e-9;  // [m]
-    constexpr double micrometre = 1e6;
     const double growth = largest_growth(chain, history);
     const double effect = chain.travel_by_play * growth;
     if (is_stated(input) || std::abs(effect) < shown)

@@ -1,13 +1,23 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/study/drift/chain_model.hpp"
-
 #include <optional>
 #include <string>
 
+namespace deadpoint {
+struct ThermalHistory;
+}
+namespace deadpoint::drift {
+struct BearingPlay;
+}
+
+namespace deadpoint::casefile {
+struct Case;
+}
+
 /// Internal to study/: the play of the crank's bearings, stated by the case or assumed.
 namespace deadpoint::study {
+
+struct ChainModel;
 
 /// Motion of the crank due to the growth of its bearings' clearance: chain.bearing_play. Without
 /// it, `limited` by the joint's clearance; if that is not stated, `none` for rolling bearings and

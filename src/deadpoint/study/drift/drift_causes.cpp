@@ -1,5 +1,10 @@
 #include "deadpoint/study/drift/drift_causes.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/fem/model.hpp"
+
 #include <algorithm>
 #include <cmath>
 

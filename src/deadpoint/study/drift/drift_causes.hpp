@@ -1,11 +1,22 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/drift.hpp"
-#include "deadpoint/fem/model.hpp"
+#include "deadpoint/fem/fields.hpp"
 
 #include <functional>
 #include <vector>
+
+namespace deadpoint {
+
+struct HeatProblem;
+struct DriftCauses;
+struct DriftSeries;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::fem {
+class Model;
+}
 
 /// Internal to study/: contributions of the heat sources to the gap (attribution).
 namespace deadpoint::study {

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "deadpoint/exchange/heat.hpp"
-
 #include <optional>
 #include <span>
 #include <vector>
+
+namespace deadpoint {
+struct Series;
+}
 
 /// Figures of a test report after ISO 230-3 for a course over time, computed from a history.
 ///

@@ -1,8 +1,11 @@
 #include "deadpoint/study/drift/frame_state.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/pattern.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/fem/estimate/tighten.hpp"
+#include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 
@@ -56,7 +59,6 @@ StressPeak peak_of(const Machine& machine, const PartStress& part, double time)
 
 std::vector<fem::PointData> field_data(const Machine& machine, const std::vector<PartStress>& stress)
 {
-    constexpr double megapascal = 1e-6;
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     fem::PointData mises{"von Mises stress [MPa]", 1, std::vector<float>(machine.nodes.size(), nothing)};
     fem::PointData main{"principal stresses [MPa]", 3, std::vector<float>(3 * machine.nodes.size(), nothing)};

@@ -1,3 +1,5 @@
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
 
 #include <algorithm>

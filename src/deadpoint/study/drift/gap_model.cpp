@@ -1,8 +1,13 @@
 #include "deadpoint/study/drift/gap_model.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/drift/chain.hpp"
 #include "deadpoint/drift/clearances.hpp"
 #include "deadpoint/drift/corners.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/mechanism/planar_motion.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/series_sum.hpp"
 #include "deadpoint/study/translate/bearing_groups.hpp"
 

@@ -1,15 +1,24 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/drift.hpp"
+#include "deadpoint/exchange/deformation.hpp"
 #include "deadpoint/exchange/gaps.hpp"
-#include "deadpoint/study/drift/chain_model.hpp"
 
 #include <string>
 #include <vector>
 
+namespace deadpoint {
+
+struct Machine;
+struct DriftSeries;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
+
 /// Internal to study/: corners of the slide, clearances and the force at a fixed die height.
 namespace deadpoint::study {
+
+struct ChainModel;
 
 /// Corners and clearances of a case's chain, as functionals of the deformation.
 struct GapModel {

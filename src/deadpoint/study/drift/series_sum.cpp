@@ -1,5 +1,7 @@
 #include "deadpoint/study/drift/series_sum.hpp"
 
+#include "deadpoint/exchange/heat.hpp"
+
 namespace deadpoint::study {
 
 Series combined(const std::vector<std::pair<double, const Series*>>& terms)

@@ -1,9 +1,11 @@
 #pragma once
 
-#include "deadpoint/exchange/heat.hpp"
-
 #include <utility>
 #include <vector>
+
+namespace deadpoint {
+struct Series;
+}
 
 /// Internal to study/: sums of courses over time.
 namespace deadpoint::study {

@@ -1,9 +1,14 @@
 #include "deadpoint/study/laws/conductance.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/materials.hpp"
 #include "deadpoint/tribology/conductance/bearing_conductance.hpp"
+#include "deadpoint/tribology/conductance/conductance.hpp"
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,19 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/tribology/conductance/conductance.hpp"
-
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace deadpoint::study {
+struct LoadsResult;
+}
+
+namespace deadpoint {
+struct Machine;
+}
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// Contact conductances of the interfaces of a case.
 namespace deadpoint::study {

@@ -1,7 +1,10 @@
 #include "deadpoint/study/laws/film.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/laws/surface_geometry.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/surroundings/paper_film.hpp"
 
 #include <algorithm>

@@ -1,13 +1,21 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/surroundings/film.hpp"
 
 #include <optional>
 #include <string>
+
+namespace deadpoint::casefile {
+struct Film;
+}
+namespace deadpoint::study {
+struct LoadsResult;
+}
+
+namespace deadpoint {
+struct Machine;
+struct MeshSurface;
+}  // namespace deadpoint
 
 /// Convection of the surfaces of a case.
 namespace deadpoint::study {

@@ -1,7 +1,16 @@
 #include "deadpoint/study/laws/friction.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/exchange/cycle.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/laws/friction_physics.hpp"
 #include "deadpoint/study/laws/viscosity.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/result/friction_summary.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/loads.hpp"
 #include "deadpoint/tribology/friction/calibrated.hpp"
 #include "deadpoint/tribology/friction/heat_law.hpp"
@@ -124,7 +133,7 @@ std::vector<std::string> power_warnings(const FrictionSummary& summary)
         if (power.share_of_motor && *power.share_of_motor > 1)
             warnings.push_back(fmt::format("{}: process and friction with all joints at {:.0f} degC take {:.4g} W, but "
                                            "crankshaft.belt.power is {:.4g} W; check the friction laws and the motor",
-                                           place, power.temperature - 273.15, power.motor, balance.rated));
+                                           place, power.temperature - zero_celsius, power.motor, balance.rated));
     return warnings;
 }
 

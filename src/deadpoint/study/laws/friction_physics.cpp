@@ -1,5 +1,6 @@
 #include "deadpoint/study/laws/friction_physics.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/study/laws/viscosity.hpp"

@@ -1,12 +1,18 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/laws.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace deadpoint::casefile {
+
+struct Friction;
+struct Case;
+struct Joint;
+}  // namespace deadpoint::casefile
 
 /// Friction laws from sizes, oil and loads.
 namespace deadpoint::study {

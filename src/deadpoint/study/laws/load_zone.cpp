@@ -1,6 +1,9 @@
 #include "deadpoint/study/laws/load_zone.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>

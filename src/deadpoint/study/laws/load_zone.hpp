@@ -1,11 +1,17 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/vec.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
 
 #include <functional>
 #include <string>
+
+namespace deadpoint::study {
+struct LoadsResult;
+}
+
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// Distribution of the load part of a bearing's friction heat around its ring.
 namespace deadpoint::study {

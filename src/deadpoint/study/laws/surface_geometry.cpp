@@ -1,6 +1,7 @@
 #include "deadpoint/study/laws/surface_geometry.hpp"
 
 #include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <algorithm>
 #include <cmath>

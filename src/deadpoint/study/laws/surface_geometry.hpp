@@ -1,8 +1,13 @@
 #pragma once
 
-#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/core/vec.hpp"
 
 #include <optional>
+
+namespace deadpoint {
+struct Machine;
+struct MeshSurface;
+}  // namespace deadpoint
 
 /// Lengths of a surface's mesh.
 namespace deadpoint::study {

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/tribology/friction/lubricant.hpp"
 
 #include <string>
+
+namespace deadpoint::casefile {
+struct Case;
+}
 
 namespace deadpoint::study {
 

@@ -1,6 +1,8 @@
 #include "deadpoint/study/pipeline/body_masses.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <algorithm>
 #include <array>

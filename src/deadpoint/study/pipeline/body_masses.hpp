@@ -1,13 +1,18 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/cycle.hpp"
-#include "deadpoint/exchange/linkage.hpp"
-#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/exchange/warning.hpp"
 
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct Linkage;
+struct Machine;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// Mass, centre of mass and inertia of the linkage's bodies, as stated or from their meshed parts.
 namespace deadpoint::study {

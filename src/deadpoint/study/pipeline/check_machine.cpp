@@ -1,8 +1,11 @@
 #include "deadpoint/study/pipeline/check_machine.hpp"
 
 #include "deadpoint/casefile/check/check.hpp"
+#include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/formula.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,14 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/machine.hpp"
-
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct Machine;
+}
+namespace deadpoint::casefile {
+struct Case;
+}
 
 namespace deadpoint::study {
 

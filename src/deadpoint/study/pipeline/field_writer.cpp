@@ -1,8 +1,16 @@
 #include "deadpoint/study/pipeline/field_writer.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/drift/play.hpp"
+#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/model.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/io/vtu.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
+#include "deadpoint/study/drift/frame_state.hpp"
+#include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/study/result/run_result.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

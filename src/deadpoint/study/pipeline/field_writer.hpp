@@ -1,13 +1,30 @@
 #pragma once
 
-#include "deadpoint/study/drift/chain_model.hpp"
-#include "deadpoint/study/pipeline/run_result.hpp"
-
 #include <string>
 #include <vector>
 
+namespace deadpoint {
+struct Machine;
+struct RigidMotion;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::fem {
+class Model;
+struct Adjoint;
+struct Displacement;
+struct Field;
+struct PointData;
+}  // namespace deadpoint::fem
+
 /// Internal to study/: deformation and field files at the field times of a run.
 namespace deadpoint::study {
+
+class FrameState;
+
+struct ChainModel;
+struct RunResult;
 
 class FieldWriter {
 public:

@@ -1,7 +1,15 @@
 #include "deadpoint/study/pipeline/heat_tables.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/case_friction.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/laws/conductance.hpp"
 #include "deadpoint/study/laws/film.hpp"
+#include "deadpoint/study/laws/friction.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/courses.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/surroundings/radiation.hpp"
@@ -12,7 +20,6 @@
 namespace deadpoint::study {
 namespace {
 
-constexpr double zero_celsius = 273.15;
 constexpr std::array<double, 3> rises{5, 10, 20};
 
 const casefile::Segment& segment_at(const casefile::Case& input, int segment)

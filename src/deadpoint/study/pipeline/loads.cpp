@@ -1,12 +1,23 @@
 #include "deadpoint/study/pipeline/loads.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/crankshaft/check.hpp"
-#include "deadpoint/crankshaft/periodic.hpp"
+#include "deadpoint/crankshaft/cycle.hpp"
+#include "deadpoint/crankshaft/modes.hpp"
+#include "deadpoint/crankshaft/response/harmonic_response.hpp"
+#include "deadpoint/crankshaft/response/periodic.hpp"
+#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/mechanism/bottom_dead_point.hpp"
+#include "deadpoint/mechanism/cycle.hpp"
 #include "deadpoint/mechanism/mirror.hpp"
 #include "deadpoint/study/pipeline/body_masses.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 #include "deadpoint/study/translate/loads.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -4,6 +4,7 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/machine/assembly/build.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/check_machine.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/machine.hpp"

@@ -1,10 +1,14 @@
 #pragma once
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/exchange/machine.hpp"
 
 #include <optional>
+
+namespace deadpoint {
+
+class Observer;
+struct Machine;
+}  // namespace deadpoint
 
 namespace deadpoint::study {
 

@@ -1,7 +1,13 @@
 #include "deadpoint/study/pipeline/press.hpp"
 
 #include "deadpoint/casefile/files/case_source.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/result/heat_tables.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
 
 #include <chrono>
 #include <string>
@@ -43,9 +49,7 @@ Press& Press::operator=(Press&& other) noexcept
     size_scale_ = other.size_scale_;
     machine_ = std::move(other.machine_);
     deformed_ = std::move(other.deformed_);
-    if (other.model_)
-        model_.emplace(std::move(*other.model_));
-    other.model_.reset();
+    model_ = std::move(other.model_);
     mesh_seconds_ = other.mesh_seconds_;
     meshed_ = other.meshed_;
     return *this;
@@ -123,7 +127,7 @@ SharedModel& Press::model(Observer& observer)
 {
     mesh(observer);
     if (!model_)
-        model_.emplace(*machine_, deformed_.get());
+        model_ = std::make_unique<SharedModel>(*machine_, deformed_.get());
     return *model_;
 }
 

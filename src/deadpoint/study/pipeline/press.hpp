@@ -1,17 +1,27 @@
 #pragma once
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/pipeline/heat_tables.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
 
 #include <memory>
-#include <optional>
+
+namespace deadpoint::study {
+struct HeatTables;
+struct LoadsResult;
+struct RunResult;
+}  // namespace deadpoint::study
+
+namespace deadpoint {
+
+class Observer;
+struct Machine;
+}  // namespace deadpoint
 
 /// The pipeline of a case: mesh -> loads -> laws -> model -> run.
 namespace deadpoint::study {
+
+class SharedModel;
+struct RunOptions;
 
 /// A press that was read. It builds its meshes and its model when they are first needed, each once,
 /// and keeps them for later calls. The command line, sweeps, refinement and the public Press use
@@ -63,7 +73,7 @@ private:
     double size_scale_;
     std::unique_ptr<Machine> machine_;
     std::unique_ptr<Machine> deformed_;  ///< meshed for the deformation, where that is another mesh
-    std::optional<SharedModel> model_;
+    std::unique_ptr<SharedModel> model_;
     double mesh_seconds_ = 0;
     bool meshed_ = false;  ///< both of them
 };

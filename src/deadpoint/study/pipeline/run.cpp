@@ -2,16 +2,29 @@
 
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/drift/play.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
+#include "deadpoint/fem/model.hpp"
 #include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
 #include "deadpoint/study/drift/drift_causes.hpp"
+#include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/study/laws/friction.hpp"
 #include "deadpoint/study/pipeline/field_writer.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
+#include "deadpoint/study/pipeline/view_recorder.hpp"
+#include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -81,7 +94,7 @@ struct ModelParts {
 
 HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer)
 {
-    result.whole = machine.half_model ? 2 : 1;
+    result.symmetry_factor = machine.half_model ? 2 : 1;
     HeatProblem problem;
     Mistakes mistakes;
     mistakes.attempt("operation", [&] { problem = laws(input, watch, result, observer); });
@@ -97,12 +110,12 @@ HeatProblem ModelParts::laws(const casefile::Case& input, Stopwatch& watch, RunR
 {
     if (const int segment = first_running_segment(input); segment >= 0 && has_loads(input)) {
         watch.start("loads");
-        result.loads = compute_loads(input, &machine, segment);
+        result.loads = std::make_shared<const LoadsResult>(compute_loads(input, &machine, segment));
         for (const auto& warning : result.loads->warnings)
             observer.warn(warning.text);
     }
     watch.start("laws");
-    const auto* loads = result.loads ? &*result.loads : nullptr;
+    const auto* loads = result.loads.get();
     FrictionLaws friction(input, &machine, loads);
     auto problem = describe_heat(input, machine, observer, loads, friction);
     if (!input.friction.empty())
@@ -160,9 +173,9 @@ public:
         follow_gap();
         parts_.model->release_heat();
         make_view();
-        if (options_.at_end)
-            options_.at_end({parts_.machine, *parts_.model, problem_, parts_.chain_or_none(), play_, parts_.adjoints,
-                             kept_, reference()});
+        if (options_.on_finish)
+            options_.on_finish({parts_.machine, *parts_.model, problem_, parts_.chain_or_none(), play_, parts_.adjoints,
+                                kept_, reference()});
         follow_clearances();
         finish();
         return std::move(result_);
@@ -302,7 +315,7 @@ private:
             warn_about_frame(input_, result_.thermal, *result_.frame, observer_);
         }
         static_cast<Histories&>(result_) =
-            name_histories(input_, parts_.machine, problem_, result_.thermal, result_.whole);
+            name_histories(input_, parts_.machine, problem_, result_.thermal, result_.symmetry_factor);
         result_.elastic_iterations = parts_.model->elastic_iterations();
         result_.ranks = fem::ranks();
         result_.peak_memory = fem::peak_memory();
@@ -323,7 +336,7 @@ private:
     std::vector<double> written_times_, viewed_times_;
     ExactFields exact_;  ///< for checkpoints
     ViewRecorder view_;
-    std::vector<std::pair<double, fem::Field>> kept_;  ///< for RunOptions::at_end
+    std::vector<std::pair<double, fem::Field>> kept_;  ///< for RunOptions::on_finish
 };
 
 }  // namespace

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/drift/play.hpp"
-#include "deadpoint/study/pipeline/run_result.hpp"
+#include "deadpoint/fem/fields.hpp"
 
 #include <functional>
 #include <memory>
@@ -10,13 +8,31 @@
 #include <utility>
 #include <vector>
 
+namespace deadpoint {
+class Observer;
+struct HeatProblem;
+struct Machine;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::fem {
+class Model;
+}
+
+namespace deadpoint::drift {
+struct BearingPlay;
+}
+
 /// The pipeline of one case: machine -> loads -> linkage -> deformation functionals -> heat -> drift.
 namespace deadpoint::study {
+
+struct RunResult;
 
 struct ChainModel;
 
 /// Run context at the end of the time steps.
-struct RunInside {
+struct RunContext {
     const Machine& machine;
     fem::Model& model;
     const HeatProblem& problem;
@@ -37,8 +53,8 @@ struct RunOptions {
     std::string checkpoint_file = {};        ///< where the time steps save their state; empty: nowhere
     double checkpoint_interval = 600;        ///< fem::CheckpointPlan's
     bool resume = false;                     ///< continue from checkpoint_file
-    std::vector<double> kept_times = {};     ///< ascending: fields that `at_end` is given [s]
-    std::function<void(const RunInside&)> at_end = {};
+    std::vector<double> kept_times = {};     ///< ascending: fields that `on_finish` is given [s]
+    std::function<void(const RunContext&)> on_finish = {};
 };
 
 /// One machine, ready for runs of similar cases. The common parts are built once: the unknowns, the

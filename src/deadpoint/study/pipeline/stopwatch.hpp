@@ -1,11 +1,13 @@
 #pragma once
 
-#include "deadpoint/core/observer.hpp"
-
 #include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace deadpoint {
+class Observer;
+}
 
 /// Internal to study/: wall time of the stages of a run, in the order in which they ran.
 namespace deadpoint::study {

@@ -1,6 +1,11 @@
 #include "deadpoint/study/refine/estimate.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/drift/play.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +28,7 @@ void take(const std::vector<double>& errors, ErrorEstimate& estimate)
 }
 
 // By which the gap follows the growth of each crank bearing's play at a time.
-std::vector<double> play_slopes(const RunInside& run, const fem::Field& field)
+std::vector<double> play_slopes(const RunContext& run, const fem::Field& field)
 {
     std::vector<double> slopes;
     for (const double growth : play_growths(*run.chain, run.model, run.adjoints, field, run.reference))
@@ -45,7 +50,7 @@ std::vector<double> estimate_times(const casefile::Case& input)
     return {times.begin(), times.end()};
 }
 
-ErrorEstimate estimate_error(const RunInside& run, casefile::Accuracy::Of of)
+ErrorEstimate estimate_error(const RunContext& run, casefile::Accuracy::Of of)
 {
     ErrorEstimate estimate;
     estimate.by_part.assign(run.machine.parts.size(), 0.0);
@@ -61,9 +66,9 @@ ErrorEstimate estimate_error(const RunInside& run, casefile::Accuracy::Of of)
             if (auto now = play_slopes(run, field); shape.empty() || now != slopes) {
                 slopes = std::move(now);
                 weights = {gap_adjoint(*run.chain, run.adjoints, slopes)};
-                shape = {run.model.deformation_dual(gap_functional(*run.chain, slopes))};
+                shape = {run.model.deformation_adjoint(gap_functional(*run.chain, slopes))};
             }
-        auto errors = run.model.conduction_errors(field, run.model.heat_duals(run.problem, time, field, weights));
+        auto errors = run.model.conduction_errors(field, run.model.heat_adjoints(run.problem, time, field, weights));
         if (gap) {
             const auto bent = run.model.deformation_errors(run.model.displacement(field, run.reference), shape);
             std::ranges::transform(errors[0], bent[0], errors[0].begin(), std::plus<>());

@@ -1,12 +1,17 @@
 #pragma once
 
 #include "deadpoint/casefile/describe/accuracy.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
 
 #include <vector>
 
+namespace deadpoint::casefile {
+struct Case;
+}
+
 /// Internal to study/: estimated mesh error of the requested figure, by part.
 namespace deadpoint::study {
+
+struct RunContext;
 
 struct ErrorEstimate {
     /// The largest over times (and probes) of the sum of all parts' magnitudes [m] or [K]; the part
@@ -22,6 +27,6 @@ std::vector<double> estimate_times(const casefile::Case& input);
 /// The error of rises or gap at the times of the fields: of the conduction by
 /// fem::Model::conduction_errors with the adjoint solution of each probe or of the gap's
 /// temperature weights; for the gap also the error of the deformation.
-ErrorEstimate estimate_error(const RunInside& run, casefile::Accuracy::Of of);
+ErrorEstimate estimate_error(const RunContext& run, casefile::Accuracy::Of of);
 
 }  // namespace deadpoint::study

@@ -1,7 +1,12 @@
 #include "deadpoint/study/refine/refine.hpp"
 
-#include "deadpoint/core/error.hpp"
-#include "deadpoint/exchange/step_tolerance.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/heat/tr_bdf2.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/refine/estimate.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 
 #include <algorithm>
@@ -95,7 +100,7 @@ public:
         finish_report();
         result_.timings.insert(result_.timings.begin(), {"refinement", spent_});
         result_.accuracy = std::move(report_);
-        return {std::move(press_), std::move(result_)};
+        return {std::make_unique<Press>(std::move(press_)), std::move(result_)};
     }
 
 private:
@@ -103,7 +108,7 @@ private:
     {
         RunOptions options;
         options.kept_times = estimate_times(input_);
-        options.at_end = [this](const RunInside& inside) { estimate_ = estimate_error(inside, wanted_.of); };
+        options.on_finish = [this](const RunContext& inside) { estimate_ = estimate_error(inside, wanted_.of); };
         return press_.run(options, observer_);
     }
 
@@ -143,7 +148,7 @@ private:
             auto half = input_;
             constexpr double of_third_order = 8;
             half.numerics.time_tolerance =
-                time_tolerance_of(step_tolerance(half.numerics.time_tolerance) / of_third_order);
+                heat::time_tolerance_of(heat::step_tolerance(half.numerics.time_tolerance) / of_third_order);
             half.numerics.max_step /= 2;
             half.numerics.initial_step /= 2;
             observer_.stage("accuracy: again with halved time steps");
@@ -229,7 +234,7 @@ private:
     {
         const bool gap = wanted_.of == Accuracy::Of::gap;
         const auto shown = [&](double value) {
-            return fmt::format("{:.2g} {}", gap ? 1e6 * value : value, gap ? "um" : "K");
+            return fmt::format("{:.2g} {}", gap ? micrometre * value : value, gap ? "um" : "K");
         };
         const auto& round = report_.rounds.back();
         return fmt::format("{} cells, estimate {}{}, wanted {}", round.cells, shown(estimated()),

@@ -1,13 +1,24 @@
 #pragma once
 
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/refine/estimate.hpp"
+#include "deadpoint/study/result/run_result.hpp"
 
 #include <functional>
+#include <memory>
 #include <vector>
+
+namespace deadpoint {
+class Observer;
+}  // namespace deadpoint
+
+namespace deadpoint::casefile {
+struct Case;
+}  // namespace deadpoint::casefile
 
 /// Runs with finer parts until the requested figure no longer changes.
 namespace deadpoint::study {
+
+class Press;
+struct RunOptions;
 
 struct PartError {
     double error = 0;    ///< its share, of whatever unit, >= 0
@@ -23,14 +34,15 @@ struct PartError {
 std::vector<double> size_factors(const std::vector<PartError>& parts, double target, double least, double most_cells);
 
 struct RefinedRun {
-    Press press;  ///< of the case with the sizes of all parts and the time steps as used, without its accuracy
+    std::unique_ptr<Press>
+        press;  ///< of the case with the sizes of all parts and the time steps as used, without its accuracy
     RunResult result;
 };
 
 /// Options of the last run, of the refined case.
 using OptionsOfLast = std::function<RunOptions(const casefile::Case&)>;
 
-/// Computes a case to its `numerics.accuracy`, stated in study/pipeline/accuracy.hpp and
+/// Computes a case to its `numerics.accuracy`, stated in study/result/accuracy.hpp and
 /// docs/theory.md. The result's `accuracy` reports the meshes and whether the accuracy was reached.
 /// Collective.
 /// @param size_scale  on the cell sizes to start from

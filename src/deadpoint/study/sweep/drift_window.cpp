@@ -1,10 +1,11 @@
 #include "deadpoint/study/sweep/drift_window.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace deadpoint::study {
 namespace {

@@ -1,7 +1,14 @@
 #include "deadpoint/study/sweep/sweep.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/study/sweep/sweep_plan.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>
 #include <cerrno>

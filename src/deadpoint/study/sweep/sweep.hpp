@@ -1,16 +1,24 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/sweep/sweep_plan.hpp"
-
 #include <csignal>
 #include <functional>
 #include <vector>
 
+namespace deadpoint {
+class Observer;
+struct Machine;
+}  // namespace deadpoint
+
+namespace deadpoint::casefile {
+struct Case;
+}
+
 /// Running many cases that share meshes and model.
 namespace deadpoint::study {
+
+class Press;
+struct PointOutcome;
+struct SweepPoint;
 
 /// Scales all cell sizes that a case states.
 void scale_sizes(casefile::Case& input, double factor);

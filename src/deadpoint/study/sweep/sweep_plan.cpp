@@ -3,8 +3,8 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/core/error.hpp"
 #include "deadpoint/core/hash.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cctype>

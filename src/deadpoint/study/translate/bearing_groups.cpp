@@ -1,5 +1,8 @@
 #include "deadpoint/study/translate/bearing_groups.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <set>

@@ -1,9 +1,13 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/machine.hpp"
-
 #include <vector>
+
+namespace deadpoint {
+struct Machine;
+}
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// Internal to study/: which contacts of a joint make one bearing.
 namespace deadpoint::study {

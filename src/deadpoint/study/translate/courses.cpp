@@ -1,5 +1,6 @@
 #include "deadpoint/study/translate/courses.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/surroundings/ambient.hpp"
 

@@ -1,7 +1,13 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/heat.hpp"
+
+namespace deadpoint::casefile {
+
+struct Course;
+struct Case;
+struct Segment;
+}  // namespace deadpoint::casefile
 
 /// Courses of a case over the time of the run.
 namespace deadpoint::study {

@@ -1,5 +1,7 @@
 #include "deadpoint/study/translate/enclosures.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/translate/courses.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 #include "deadpoint/surroundings/radiation.hpp"

@@ -1,10 +1,16 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/exchange/machine.hpp"
 
 #include <vector>
+
+namespace deadpoint {
+struct Machine;
+}
+namespace deadpoint::casefile {
+struct Case;
+struct Segment;
+}  // namespace deadpoint::casefile
 
 /// Enclosed air of a case in the terms of the heat stage.
 namespace deadpoint::study {

@@ -1,16 +1,24 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/core/observer.hpp"
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/study/laws/friction.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/translate/materials.hpp"
-
 #include <vector>
 
 namespace deadpoint::study {
+struct LoadsResult;
+}
+
+namespace deadpoint {
+
+class Observer;
+struct HeatProblem;
+struct Machine;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
+
+namespace deadpoint::study {
+
+class FrictionLaws;
 
 /// Order of the elements of every part of the machine.
 std::vector<int> describe_orders(const casefile::Case& input, const Machine& machine);

@@ -1,7 +1,12 @@
 #include "deadpoint/study/translate/linkage.hpp"
 
 #include "deadpoint/casefile/check/directions.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/drift/chain.hpp"
+#include "deadpoint/drift/joint_surfaces.hpp"
+#include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/translate/bearing_groups.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 

@@ -1,9 +1,15 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/drift/chain.hpp"
-#include "deadpoint/exchange/linkage.hpp"
-#include "deadpoint/exchange/machine.hpp"
+namespace deadpoint {
+struct Linkage;
+struct Machine;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::drift {
+struct ChainDescription;
+}
 
 namespace deadpoint::study {
 

@@ -1,7 +1,14 @@
 #include "deadpoint/study/translate/loads.hpp"
 
 #include "deadpoint/casefile/check/directions.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/crankshaft/shaft.hpp"
+#include "deadpoint/crankshaft/shaft_loads.hpp"
+#include "deadpoint/exchange/cycle.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/mechanism/cycle.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,35 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/crankshaft/cycle.hpp"
-#include "deadpoint/exchange/cycle.hpp"
-#include "deadpoint/mechanism/cycle.hpp"
-#include "deadpoint/tribology/friction/duty.hpp"
+#include "deadpoint/casefile/describe/case_loads.hpp"
+#include "deadpoint/mechanism/process_force.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace deadpoint::crankshaft {
+struct Section;
+struct Shaft;
+struct ShaftLoads;
+}  // namespace deadpoint::crankshaft
+
+namespace deadpoint {
+
+struct Linkage;
+struct BodyMass;
+struct CycleHistory;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+struct Joint;
+struct Segment;
+}  // namespace deadpoint::casefile
+namespace deadpoint::mechanism {
+struct CycleRequest;
+}
+namespace deadpoint::tribology {
+struct GuideFaces;
+}
 
 /// A case in the terms of the stages that compute its loads.
 namespace deadpoint::study {

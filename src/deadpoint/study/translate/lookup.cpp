@@ -1,5 +1,7 @@
 #include "deadpoint/study/translate/lookup.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
+
 #include <algorithm>
 
 namespace deadpoint::study {

@@ -1,5 +1,7 @@
 #include "deadpoint/study/translate/machine.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/spelling.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/study/translate/travel.hpp"
 

@@ -1,7 +1,15 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/machine.hpp"
+#include <string>
+
+namespace deadpoint {
+struct MachineDescription;
+struct SurfaceSelector;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+struct Surface;
+}  // namespace deadpoint::casefile
 
 namespace deadpoint::study {
 

@@ -1,6 +1,10 @@
 #include "deadpoint/study/translate/materials.hpp"
 
+#include "deadpoint/core/linear_curve.hpp"
 #include "deadpoint/core/table.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/fem/elastic/expansion.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -52,7 +56,6 @@ std::vector<Material> describe_materials(const casefile::Case& input, const Mach
 std::vector<std::string> material_warnings(const casefile::Case& input, const Machine& machine,
                                            const ThermalHistory& history)
 {
-    constexpr double celsius = -273.15;
     constexpr double rounding = 1e-6;  // [K]
     std::vector<std::string> warnings;
     for (const auto& [name, material] : input.materials) {
@@ -67,8 +70,8 @@ std::vector<std::string> material_warnings(const casefile::Case& input, const Ma
                 warnings.push_back(fmt::format(
                     "materials.{}.{} was used from {:.1f} to {:.1f} degC, but its table holds from {:.1f} to {:.1f} "
                     "degC; beyond it the value at the end was used; extend the table",
-                    name, key, lowest + celsius, highest + celsius, table.x.front() + celsius,
-                    table.x.back() + celsius));
+                    name, key, lowest - zero_celsius, highest - zero_celsius, table.x.front() - zero_celsius,
+                    table.x.back() - zero_celsius));
         };
         check("conductivity", material.conductivity_table);
         check("specific_heat", material.specific_heat_table);

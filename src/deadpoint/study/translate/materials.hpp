@@ -1,11 +1,15 @@
 #pragma once
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/exchange/laws/material.hpp"
 
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct Machine;
+struct ThermalHistory;
+}  // namespace deadpoint
 
 /// Materials of a case in the terms of the heat and deformation stages.
 namespace deadpoint::study {

@@ -1,5 +1,8 @@
 #include "deadpoint/study/translate/oil.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 #include "deadpoint/surroundings/oil_circuit.hpp"
 

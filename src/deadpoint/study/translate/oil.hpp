@@ -1,11 +1,17 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/exchange/machine.hpp"
-
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct InterfaceLaw;
+struct Machine;
+struct OilCourse;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+struct Segment;
+}  // namespace deadpoint::casefile
 
 /// Circulating oil of a case in the terms of the heat stage.
 namespace deadpoint::study {

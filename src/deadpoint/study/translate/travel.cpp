@@ -1,5 +1,6 @@
 #include "deadpoint/study/translate/travel.hpp"
 
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"

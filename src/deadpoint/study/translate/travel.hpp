@@ -1,13 +1,18 @@
 #pragma once
 
-#include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/exchange/cycle.hpp"
-#include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
 #include <map>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct CycleHistory;
+struct Linkage;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
 
 /// How far and for how long the slides of a case travel along their guides.
 namespace deadpoint::study {

@@ -1,6 +1,7 @@
 #include "deadpoint/tribology/conductance/bearing_conductance.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/tribology/conductance/conductance.hpp"
 #include "deadpoint/tribology/friction/hertz.hpp"
 
 #include <algorithm>

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "deadpoint/tribology/conductance/conductance.hpp"
-
+#include <string>
 #include <vector>
 
 /// Heat conduction from ring to ring of a rolling bearing through its elements.
 namespace deadpoint::tribology {
+
+struct ContactConductance;
 
 /// Contact ellipse of one element on one raceway.
 struct ContactSpot {

@@ -1,6 +1,6 @@
 #include "deadpoint/tribology/conductance/conductance.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +27,6 @@ void flag(ContactConductance& result, std::string note)
 {
     result.in_range = false;
     result.notes.push_back(std::move(note));
-}
-
-void gather(ContactConductance& result, const ContactConductance& part)
-{
-    result.in_range = result.in_range && part.in_range;
-    result.notes.insert(result.notes.end(), part.notes.begin(), part.notes.end());
 }
 
 }  // namespace
@@ -68,12 +62,6 @@ ContactConductance direct_conductance(double conductance)
 {
     require(conductance > 0, "the given value [W/m2/K]", conductance, "give a positive number");
     return {conductance, true, {}};
-}
-
-ContactConductance direct_resistance(double resistance)
-{
-    require(resistance > 0, "the given resistance [m2 K/W]", resistance, "give a positive number");
-    return direct_conductance(1 / resistance);
 }
 
 ContactConductance film_conductance(const GapFluid& fluid, double thickness)
@@ -125,39 +113,6 @@ ContactConductance rough_conductance(const RoughContact& contact, const GapFluid
         flag(result, fmt::format("pressure over hardness {:.3g} is outside 1e-5..2e-2, where the law of Cooper, Mikic "
                                  "and Yovanovich is tested",
                                  relative));
-    return result;
-}
-
-ContactConductance in_series(const std::vector<ContactConductance>& layers)
-{
-    require(!layers.empty(), "the number of layers in series", 0, "give at least one");
-    double resistance = 0;
-    ContactConductance result;
-    for (const auto& layer : layers) {
-        require(layer.conductance > 0, "a layer in series [W/m2/K]", layer.conductance, "give a positive conductance");
-        resistance += layer.resistance();
-        gather(result, layer);
-    }
-    result.conductance = 1 / resistance;
-    return result;
-}
-
-ContactConductance in_parallel(const std::vector<ContactConductance>& paths, const std::vector<double>& shares)
-{
-    require(!paths.empty(), "the number of paths in parallel", 0, "give at least one");
-    require(shares.empty() || shares.size() == paths.size(), "the number of shares of the area",
-            static_cast<double>(shares.size()), "give one share for each path, or none");
-    ContactConductance result;
-    double area = 0;
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        const double share = shares.empty() ? 1 : shares[i];
-        require(share >= 0, "a share of the area", share, "give zero or more");
-        require(paths[i].conductance >= 0, "a path in parallel [W/m2/K]", paths[i].conductance, "give zero or more");
-        result.conductance += share * paths[i].conductance;
-        area += shares.empty() ? 0 : share;
-        gather(result, paths[i]);
-    }
-    require(area <= 1 + 1e-9, "the sum of the shares of the area", area, "they add up to one at most");
     return result;
 }
 

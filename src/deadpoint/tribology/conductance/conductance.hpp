@@ -38,10 +38,9 @@ double harmonic_conductivity(double k1, double k2);
 /// @throws DomainError if a modulus is not positive or a Poisson ratio leaves -1..0.5
 double contact_modulus(double modulus1, double poisson1, double modulus2, double poisson2);
 
-/// A conductance or resistance that the user knows.
+/// A conductance that the user knows.
 /// @throws DomainError if it is not positive and finite
 ContactConductance direct_conductance(double conductance);
-ContactConductance direct_resistance(double resistance);
 
 /// Fluid film between parallel faces: h = k / (t + M), without flow along the film (an oil circuit
 /// describes that).
@@ -83,16 +82,5 @@ double slope_of_roughness(double roughness);
 /// @param pressure  P >= 0 [Pa]
 /// @throws DomainError if P reaches H, or roughness, slope, hardness or a conductivity is not positive
 ContactConductance rough_conductance(const RoughContact& contact, const GapFluid& fluid, double pressure);
-
-/// Layers in series: 1/h = sum 1/h_i. Notes and flags are collected.
-/// @throws DomainError if there is none or one is not positive
-ContactConductance in_series(const std::vector<ContactConductance>& layers);
-
-/// Parallel paths over the same area: h = sum w_i h_i with the share w_i of the area on which each
-/// acts.
-/// @param shares  one per path, >= 0, sum at most 1 (the rest conducts nothing); empty: all act on the whole area
-/// @throws DomainError if there is no path, the numbers differ, or a share or conductance is
-/// invalid
-ContactConductance in_parallel(const std::vector<ContactConductance>& paths, const std::vector<double>& shares = {});
 
 }  // namespace deadpoint::tribology

@@ -1,6 +1,7 @@
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/tribology/conductance/conductance.hpp"
 #include "deadpoint/tribology/root.hpp"
 
 #include <cmath>

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "deadpoint/tribology/conductance/conductance.hpp"
-
 /// Contact of fractal rough surfaces (Majumdar and Bhushan 1991, Wang and Komvopoulos 1994) and its conductance.
 namespace deadpoint::tribology {
+
+struct ContactConductance;
+struct GapFluid;
 
 /// The equivalent rough surface of both sides, and the two solids.
 struct FractalContact {

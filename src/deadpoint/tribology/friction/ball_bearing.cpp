@@ -1,7 +1,10 @@
 #include "deadpoint/tribology/friction/ball_bearing.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
+#include "deadpoint/tribology/friction/hertz.hpp"
+#include "deadpoint/tribology/friction/load_zone.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

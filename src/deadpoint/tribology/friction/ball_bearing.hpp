@@ -1,9 +1,6 @@
 #pragma once
 
-#include "deadpoint/exchange/friction.hpp"
-#include "deadpoint/tribology/friction/duty.hpp"
-#include "deadpoint/tribology/friction/hertz.hpp"
-#include "deadpoint/tribology/friction/load_zone.hpp"
+#include "deadpoint/exchange/laws/friction.hpp"
 
 #include <vector>
 
@@ -11,6 +8,12 @@
 /// stiffness, spin friction, and the effect of warm rings on the preload (Harris, Rolling Bearing
 /// Analysis).
 namespace deadpoint::tribology {
+
+struct ContactCurvature;
+struct ContactEllipse;
+struct Duty;
+struct RollingRow;
+struct RowApproach;
 
 /// Balls between two grooves, one row or a matched pair.
 struct BallBearing {

@@ -1,7 +1,9 @@
 #include "deadpoint/tribology/friction/calibrated.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/laws/friction.hpp"
 #include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/heat_law.hpp"
 #include "deadpoint/tribology/friction/rolling_bearing.hpp"
 

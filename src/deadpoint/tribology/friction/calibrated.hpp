@@ -1,12 +1,13 @@
 #pragma once
 
-#include "deadpoint/exchange/friction.hpp"
-#include "deadpoint/tribology/friction/duty.hpp"
+#include "deadpoint/exchange/laws/friction.hpp"
 #include "deadpoint/tribology/friction/lubricant.hpp"
 
 /// Friction heat by a calibrated law of the temperature, scaled from the reference state of the
 /// calibration.
 namespace deadpoint::tribology {
+
+struct Duty;
 
 using deadpoint::FrictionKind;
 

@@ -1,6 +1,8 @@
 #include "deadpoint/tribology/friction/duty.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/vec.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/tribology/arguments.hpp"
 
 #include <algorithm>
@@ -135,24 +137,6 @@ double peak_force(const Duty& duty)
 {
     check(duty);
     return *std::max_element(duty.force.begin(), duty.force.end());
-}
-
-double peak_speed(const Duty& duty)
-{
-    check(duty);
-    return *std::max_element(duty.speed.begin(), duty.speed.end());
-}
-
-DutyFigures duty_figures(const Duty& duty)
-{
-    return {peak_force(duty),
-            duty_mean(duty, 1, 0),
-            std::sqrt(duty_mean(duty, 2, 0)),
-            duty_mean(duty, 0, 1),
-            std::sqrt(duty_mean(duty, 0, 2)),
-            duty_mean(duty, rolling_load_exponent, 1),
-            duty_mean(duty, 0, rolling_drag_exponent),
-            duty_mean(duty, 1, 1)};
 }
 
 void check(const Duty& duty)

@@ -1,11 +1,16 @@
 #pragma once
 
-#include "deadpoint/exchange/cycle.hpp"
-#include "deadpoint/exchange/friction.hpp"
+#include "deadpoint/exchange/laws/friction.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace deadpoint {
+struct BearingCycle;
+struct CycleHistory;
+struct JointCycle;
+}  // namespace deadpoint
 
 /// Duty of a joint with friction over one turn of the crank, for friction laws.
 ///
@@ -68,23 +73,7 @@ Duty shared(Duty duty, double share);
 /// @throws InputError if the duty is empty, its series differ in length, or an exponent is negative
 double duty_mean(const Duty& duty, double load_exponent, double speed_exponent);
 
-double peak_force(const Duty& duty);  ///< [N]
-double peak_speed(const Duty& duty);  ///< [rad/s] or [m/s]
-
-/// The means that determine friction, for reports.
-struct DutyFigures {
-    double peak_force = 0;    ///< [N]
-    double mean_force = 0;    ///< [N]
-    double rms_force = 0;     ///< [N]
-    double mean_speed = 0;    ///< of |w| [rad/s]
-    double rms_speed = 0;     ///< [rad/s]
-    double rolling_load = 0;  ///< of F^1.33 |w|
-    double rolling_drag = 0;  ///< of |w|^(5/3)
-    double sliding_load = 0;  ///< of F |w| [N rad/s] or [W]
-};
-
-DutyFigures duty_figures(const Duty& duty);
-
+double peak_force(const Duty& duty);                 ///< [N]
 constexpr double rolling_drag_exponent = 5.0 / 3.0;  ///< of the speed in the power of Palmgren's viscous torque
 
 /// @throws InputError unless there are samples, as many of each series, all finite, and the weights add up to 1

@@ -1,7 +1,9 @@
 #include "deadpoint/tribology/friction/guide.hpp"
 
 #include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/heat_law.hpp"
+#include "deadpoint/tribology/friction/lubricant.hpp"
 
 namespace deadpoint::tribology {
 

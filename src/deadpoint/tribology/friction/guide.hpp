@@ -1,10 +1,12 @@
 #pragma once
 
-#include "deadpoint/tribology/friction/duty.hpp"
-#include "deadpoint/tribology/friction/lubricant.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
 
 /// Friction of a slide in its guides: Coulomb friction of its faces, plus shear of the oil film.
 namespace deadpoint::tribology {
+
+struct Duty;
+struct Lubricant;
 
 struct Guide {
     double friction = 0;   ///< coefficient of Coulomb friction, 0.01 .. 0.15

@@ -1,7 +1,8 @@
 #include "deadpoint/tribology/friction/heat_law.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/friction/lubricant.hpp"
 
 #include <utility>
 

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "deadpoint/exchange/laws.hpp"
-#include "deadpoint/tribology/friction/lubricant.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
 
 #include <vector>
 
 /// Friction heat as a sum of parts.
 namespace deadpoint::tribology {
+
+struct Lubricant;
 
 /// Heat that does not change with temperature [W].
 /// @throws InputError if it is negative or not finite

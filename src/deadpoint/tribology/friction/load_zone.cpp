@@ -1,6 +1,6 @@
 #include "deadpoint/tribology/friction/load_zone.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
 #include "deadpoint/tribology/root.hpp"
 

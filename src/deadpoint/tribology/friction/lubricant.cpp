@@ -1,6 +1,7 @@
 #include "deadpoint/tribology/friction/lubricant.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
 
 #include <algorithm>
@@ -16,7 +17,6 @@ namespace {
 constexpr double square_millimetre = 1e-6;
 constexpr double walther_shift = 0.7;          // [mm2/s]
 constexpr double walther_least = 2;            // [mm2/s]: below it D341 adds terms
-constexpr double zero_celsius = 273.15;        // [K]
 constexpr double range_rounding = 0.05;        // [K]: a press that starts at the first point is not outside
 constexpr double tested_density_change = 0.1;  // share of the density
 

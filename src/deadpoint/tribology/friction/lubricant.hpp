@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/exchange/laws.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
 
 #include <array>
 #include <functional>

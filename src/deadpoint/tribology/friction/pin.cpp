@@ -1,7 +1,9 @@
 #include "deadpoint/tribology/friction/pin.hpp"
 
 #include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/heat_law.hpp"
+#include "deadpoint/tribology/friction/lubricant.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "deadpoint/tribology/friction/duty.hpp"
-#include "deadpoint/tribology/friction/lubricant.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
 
 /// Friction of plain pins and bushes: Coulomb friction under load plus shear of the oil film (Petroff).
 namespace deadpoint::tribology {
+
+struct Duty;
+struct Lubricant;
 
 struct Pin {
     double radius = 0;     ///< [m]

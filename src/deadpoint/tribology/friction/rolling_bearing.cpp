@@ -1,7 +1,8 @@
 #include "deadpoint/tribology/friction/rolling_bearing.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>
 #include <array>
@@ -217,17 +218,6 @@ ViscousTorque palmgren_viscous_torque(double lubrication_factor, double mean_dia
         return {low_branch_factor * size, 0, true};
     const double torque = high_branch_factor * size * std::pow(number, 2.0 / 3.0);
     return {torque, 2.0 / 3.0 * torque / viscosity, false};
-}
-
-double low_branch_share(const Duty& duty, double viscosity)
-{
-    check(duty);
-    require_positive_state("oil viscosity [m2/s]", viscosity);
-    double share = 0;
-    for (std::size_t i = 0; i < duty.weight.size(); ++i)
-        if (branch_number(viscosity, duty.speed[i]) < palmgren_branch)
-            share += duty.weight[i];
-    return share;
 }
 
 HeatLaw palmgren_heat(const PalmgrenBearing& bearing, const Duty& duty, double axial, const ViscosityLaw& viscosity)

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "deadpoint/exchange/friction.hpp"
-#include "deadpoint/tribology/friction/duty.hpp"
+#include "deadpoint/exchange/laws/friction.hpp"
 #include "deadpoint/tribology/friction/lubricant.hpp"
 
 /// Friction of rolling bearings after Palmgren (Harris, Rolling Bearing Analysis): load torque M1 and viscous torque
 /// M0. The spin of balls is in ball_bearing.hpp, the model of SKF in skf.hpp.
 namespace deadpoint::tribology {
+
+struct Duty;
 
 using deadpoint::BearingType;
 using deadpoint::OilSupply;
@@ -89,9 +90,6 @@ constexpr double palmgren_branch = 2000;  ///< of nu n [mm2/s rpm]
 /// @param speed               of the rings to each other, any sign [rad/s]; the torque holds down to rest
 /// @throws InputError on factor or diameter; DomainError if the viscosity is not positive and finite
 ViscousTorque palmgren_viscous_torque(double lubrication_factor, double mean_diameter, double viscosity, double speed);
-
-/// Share of the time of a turn spent on the low branch, nu n < 2000.
-double low_branch_share(const Duty& duty, double viscosity);
 
 /// Heat of one bearing over its temperature: mean(M1(F) |w|) + mean(M0(nu(T), |w|) |w|), both
 /// averaged over the turn, each sample on its own branch. A bearing that swings back and forth

@@ -1,7 +1,8 @@
 #include "deadpoint/tribology/friction/skf.hpp"
 
-#include "deadpoint/core/error.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/friction/duty.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

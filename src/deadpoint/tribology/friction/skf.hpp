@@ -1,12 +1,13 @@
 #pragma once
 
-#include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/lubricant.hpp"
 
 /// Friction of rolling bearings after SKF (catalogue model since 2003): rolling and sliding
 /// friction with mixed lubrication, an alternative to Palmgren's law. If the oil film is thin, the
 /// heat rises with temperature.
 namespace deadpoint::tribology {
+
+struct Duty;
 
 /// The bearing's geometry and the constants of its type and series. Forces in N, sizes in mm, n in rpm, nu in mm2/s:
 ///     rolling  G_rr = r1 dm^1.97 (Fr + r3 dm^4 n^2 + r2 Fa)^0.54                        (angular contact balls)

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "deadpoint/error.hpp"  // public

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "deadpoint/observer.hpp"  // public

@@ -1,0 +1,129 @@
+#include "deadpoint/study/pipeline/view_recorder.hpp"
+
+#include "deadpoint/exchange/decimated_surface.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/fem/conduction/checkpoint.hpp"
+#include "deadpoint/fem/estimate/pod.hpp"
+#include "deadpoint/fem/model.hpp"
+#include "deadpoint/machine/assembly/decimated_surface.hpp"
+#include "deadpoint/study/result/view_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace deadpoint::study {
+namespace {
+
+std::vector<Vec3> closed_displacement(const DecimatedSurface& surface, const fem::Model& model,
+                                      const fem::Displacement& displacement, const CloseJoints& close)
+{
+    auto moved = model.at_corners(surface.vertices, displacement);
+    const auto motions = close(displacement);
+    for (std::size_t p = 0; p < surface.parts.size(); ++p) {
+        const auto& part = surface.parts[p];
+        for (std::size_t v = part.first_vertex; v < part.first_vertex + part.vertex_count; ++v)
+            moved[v] = moved[v] + rigid_displacement(motions[p], surface.positions[v]);
+    }
+    return moved;
+}
+
+// Where the deformation does not follow the temperature linearly, the rise that it follows is put behind it: both then
+// have the same coefficients.
+void put_rise(std::vector<float>& field, fem::Model& model, double reference)
+{
+    const auto rise = model.expansion_rise({{field.begin(), field.end()}}, reference);
+    field.insert(field.end(), rise.owned.begin(), rise.owned.end());
+}
+
+// What was put behind a temperature field; if nothing was, the field less `reference`.
+fem::Field take_rise(fem::Field& field, const fem::Model& model, double reference)
+{
+    fem::Field rise;
+    if (model.expands_linearly()) {
+        for (const double temperature : field.owned)
+            rise.owned.push_back(temperature - reference);
+        return rise;
+    }
+    const auto half = field.owned.begin() + static_cast<std::ptrdiff_t>(field.owned.size() / 2);
+    rise.owned.assign(half, field.owned.end());
+    field.owned.erase(half, field.owned.end());
+    return rise;
+}
+
+}  // namespace
+
+std::vector<double> view_times(const std::vector<HeatSegment>& segments)
+{
+    constexpr std::size_t wanted = 36;
+    constexpr std::size_t fewest = 3;
+    double end = 0;
+    for (const auto& segment : segments)
+        end += segment.duration;
+    std::vector<double> times{0.0};
+    if (segments.size() * fewest > wanted) {
+        for (std::size_t i = 1; i <= wanted; ++i)
+            times.push_back(end * static_cast<double>(i) / static_cast<double>(wanted));
+        return times;
+    }
+    const std::size_t each = wanted / std::max<std::size_t>(1, segments.size());
+    double start = 0;
+    for (const auto& segment : segments) {
+        for (std::size_t i = 1; i <= each; ++i) {
+            const double s = static_cast<double>(i) / static_cast<double>(each);
+            times.push_back(std::min(end, start + segment.duration * s * s));
+        }
+        start += segment.duration;
+    }
+    return times;
+}
+
+void ViewRecorder::add(double time, const fem::Field& field)
+{
+    times_.push_back(time);
+    fields_.emplace_back(field.owned.begin(), field.owned.end());
+}
+
+std::vector<fem::HandedField> ViewRecorder::kept() const
+{
+    std::vector<fem::HandedField> result;
+    for (std::size_t i = 0; i < times_.size(); ++i)
+        result.push_back({times_[i], std::span<const float>(fields_[i])});
+    return result;
+}
+
+ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double reference, const CloseJoints& close)
+{
+    ViewData view;
+    if (!model.expands_linearly())
+        for (auto& field : fields_)
+            put_rise(field, model, reference);
+    auto fields = fem::pod(fields_, view_tolerance, view_modes);
+    fields_ = {};
+    view.time = std::move(times_);
+    view.surface = machine::decimated_surface(whole, view_triangles);
+    view.reference = reference;
+    view.coefficients = std::move(fields.coefficients);
+    view.largest_rise = fields.largest_rise;
+    view.error = fields.error;
+    const auto base_rise = take_rise(fields.base, model, reference);
+    std::vector<fem::Field> rises;
+    for (auto& mode : fields.modes)
+        rises.push_back(take_rise(mode, model, 0.0));
+    view.temperature.base = model.at_corners(view.surface.vertices, fields.base);
+    for (const auto& mode : fields.modes)
+        view.temperature.modes.push_back(model.at_corners(view.surface.vertices, mode));
+    if (!close)
+        return view;
+    // Cases start from one temperature all over; the fields were kept as floats.
+    const bool starts_undeformed =
+        std::ranges::all_of(view.temperature.base, [&](double t) { return std::abs(t - reference) < 1e-4; });
+    view.displacement.base.resize(view.surface.vertices.size());
+    if (!starts_undeformed)
+        view.displacement.base = closed_displacement(view.surface, model, model.displacement_of_rise(base_rise), close);
+    for (std::size_t k = 0; k < fields.modes.size() && fields.residual_energy[k] > view_deformation_tolerance; ++k)
+        view.displacement.modes.push_back(
+            closed_displacement(view.surface, model, model.displacement_of_rise(rises[k]), close));
+    return view;
+}
+
+}  // namespace deadpoint::study
