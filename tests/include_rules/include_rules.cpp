@@ -10,6 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_reached_headers = 19;
+constexpr std::size_t most_files_of_folder = 25;
+
 struct Include {
     int line = 0;
     bool own = false;  // "..." instead of <...>
@@ -243,6 +246,52 @@ private:
     std::vector<std::string> found_;
 };
 
+/// Own headers that a file reaches, directly or through others.
+std::set<std::string> reached(const Files& files, const std::string& file)
+{
+    std::set<std::string> found;
+    std::vector<std::string> open{file};
+    while (!open.empty()) {
+        const std::string next = open.back();
+        open.pop_back();
+        const auto known = files.find(next);
+        if (known == files.end()) {
+            continue;
+        }
+        for (const auto& include : known->second) {
+            const std::string target = resolved(next, include.target);
+            if (include.own && found.insert(target).second) {
+                open.push_back(target);
+            }
+        }
+    }
+    return found;
+}
+
+void find_wide_headers(const Files& files, std::vector<std::string>& result)
+{
+    for (const auto& [file, includes] : files) {
+        const auto count = file.ends_with(".hpp") ? reached(files, file).size() : 0;
+        if (count > most_reached_headers) {
+            result.push_back(file + ":1: reaches " + std::to_string(count) +
+                             " own headers; declare what the header only mentions");
+        }
+    }
+}
+
+void find_full_folders(const Files& files, std::vector<std::string>& result)
+{
+    std::map<std::string, std::size_t> counts;
+    for (const auto& [file, includes] : files) {
+        ++counts[fs::path(file).parent_path().generic_string()];
+    }
+    for (const auto& [folder, count] : counts) {
+        if (count > most_files_of_folder) {
+            result.push_back(folder + ":1: holds " + std::to_string(count) + " files; divide it into rooms");
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> include_violations(const fs::path& root)
@@ -260,5 +309,7 @@ std::vector<std::string> include_violations(const fs::path& root)
     const auto units = units_of(files);
     const auto cycles = CycleSearch(units).run();
     result.insert(result.end(), cycles.begin(), cycles.end());
+    find_wide_headers(files, result);
+    find_full_folders(files, result);
     return result;
 }

@@ -10,7 +10,9 @@
 ///  - public headers include only std and own headers: one that shows a library's header, directly or through another
 ///    header, is internal and may be included only from its own folder;
 ///  - files below src/ spell own headers "deadpoint/<folder>/<file>";
-///  - units (a header and its source together) form no cycle.
+///  - units (a header and its source together) form no cycle;
+///  - no header reaches more than 19 own headers, directly or through others;
+///  - no folder holds more than 25 files.
 ///
 /// @return one line per violation: "file:line: what is wrong"; empty if all is well
 std::vector<std::string> include_violations(const std::filesystem::path& root);

@@ -32,7 +32,7 @@ std::string violation(const std::string& file, const std::string& text)
 
 TEST_CASE("the project's own sources keep the rules")
 {
-    REQUIRE(fs::exists(fs::path(DEADPOINT_SOURCE_DIR) / "src/deadpoint/core/error.hpp"));
+    REQUIRE(fs::exists(fs::path(DEADPOINT_SOURCE_DIR) / "src/deadpoint/core/vec.hpp"));
     for (const auto& text : include_violations(DEADPOINT_SOURCE_DIR)) {
         FAIL_CHECK(text);
     }
@@ -126,4 +126,33 @@ TEST_CASE("a library seen through a header may not leave its folder")
     REQUIRE(found.size() == 1);
     CHECK(found.front() == "src/deadpoint/study/c.cpp:2: 'deadpoint/fem/b.hpp' shows a library's header and is "
                            "therefore internal to 'fem'");
+}
+
+TEST_CASE("a header that reaches twenty others is too wide; nineteen are allowed, however they are reached")
+{
+    const Tree tree;
+    for (int i = 0; i < 20; ++i) {
+        const auto next = "#include \"deadpoint/core/h" + std::to_string(i + 1) + ".hpp\"\n";
+        tree.add("src/deadpoint/core/h" + std::to_string(i) + ".hpp", i < 19 ? next : "#include <vector>\n");
+    }
+    CHECK(include_violations(tree.root).empty());
+    tree.add("src/deadpoint/core/wide.hpp", "#include \"deadpoint/core/h0.hpp\"\n");
+    const auto found = include_violations(tree.root);
+    REQUIRE(found.size() == 1);
+    CHECK(found.front() ==
+          "src/deadpoint/core/wide.hpp:1: reaches 20 own headers; declare what the header only mentions");
+}
+
+TEST_CASE("a folder of twenty-six files is too full")
+{
+    const Tree tree;
+    for (int i = 0; i < 25; ++i) {
+        tree.add("src/deadpoint/core/room/f" + std::to_string(i) + ".cpp", "#include <vector>\n");
+    }
+    tree.add("src/deadpoint/core/beside.cpp", "#include <vector>\n");
+    CHECK(include_violations(tree.root).empty());
+    tree.add("src/deadpoint/core/room/more.hpp", "#include <vector>\n");
+    const auto found = include_violations(tree.root);
+    REQUIRE(found.size() == 1);
+    CHECK(found.front() == "src/deadpoint/core/room:1: holds 26 files; divide it into rooms");
 }
