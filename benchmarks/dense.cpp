@@ -1,4 +1,7 @@
 #include "../tests/unit/heat/lumps.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/laws/laws.hpp"
+#include "deadpoint/exchange/machine.hpp"
 
 #include <algorithm>
 #include <chrono>
