@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What of a case's results depends on the mesh, on the steps in time and on how far linear systems are solved.
+"""Shows how a case's results depend on the mesh, on the time steps and on the tolerance of the linear solver.
 
-Prints docs/validation/independence.md, or writes it with --write. Every run is `deadpoint run`; finished ones (--scratch) are taken
-as they are. Mesh: finer and finer by --size, with the limit that the results tend to: a value f on cells of mean size
-h = cells^(-1/3) is fitted by f0 + c h^p, the limit being f0: p by least squares over all meshes between 0.5 and 4, with 2, the
-order of first-order elements, beside it as a check. Time and solver: against a run with a far smaller tolerance on the first mesh.
+Prints docs/validation/independence.md, or writes it with --write. Every run is `deadpoint run`; runs that are already
+finished (--scratch) are reused. Mesh: --size gives finer and finer meshes. A value f on cells of mean size h = cells^(-1/3) is
+fitted by f0 + c h^p; f0 is the limit. p follows from least squares over all meshes, between 0.5 and 4; the limit with p = 2,
+the order of first-order elements, is given as a check. Time and solver: against a run with a far smaller tolerance on the first mesh.
 """
 import argparse
 import datetime
@@ -91,8 +91,8 @@ def mesh_section(summaries, options):
 
 `--size` {", ".join(f"{size:g}" for size in options.size)}. The deformation had {", ".join(
     f"{count:,}".replace(",", " ") for count in own)} cells.
-Limit and order: least squares of f0 + c h^p with h = cells^(-1/3) over all meshes, p between 0.5 and 4; an order at either end
-of that range means that the differences follow no power of h. The last column is the limit with p = 2.
+Limit f0 and order p come from least squares of f0 + c h^p with h = cells^(-1/3) over all meshes, with p between 0.5 and 4. An
+order at either end of that range means that the differences follow no power of h. The last column is the limit with p = 2.
 
 {table(["", *grouped, "last - first", "limit", "order", "limit, order 2"], rows)}
 From {grouped[0]} to {grouped[-1]} cells
@@ -100,7 +100,7 @@ From {grouped[0]} to {grouped[-1]} cells
 - rises of probes change by {100 * worst[0]:.2f} % at most (`{worst[1]}`); aim: less than {100 * PROBE_LIMIT:.0f} %: **{verdict(worst[0] < PROBE_LIMIT)}**;
 - E_SW changes by {gap:.2f} um at most; aim: less than {GAP_LIMIT:.0f} um: **{verdict(gap < GAP_LIMIT)}**.
 
-Parts whose share of E_SW at the end changes most between the first mesh and the last:
+The contributions of these parts to E_SW at the end change most between the first mesh and the last:
 
 {table(["part", "change [um]"], [[part, f"{change:+.3f}"] for change, part in moved])}"""
 
@@ -124,7 +124,7 @@ def tolerance_section(title, options):
                      f"{worst[0]}, {worst[1]}", f"{own - gap:+.2g}", f"{summary['energy_J']['relative_mismatch']:.1e}"])
     return f"""## {title}
 
-`{key}` against {sharp}, on the first mesh; E_SW there is {gap:.4f} um.
+Each row is compared with `{key}` = {sharp} on the first mesh; E_SW there is {gap:.4f} um.
 
 {table([f"`{key}`", "steps", "iterations", "largest difference of a rise [K]", "at", "of E_SW [um]", "heat balance"], rows)}"""
 
@@ -133,7 +133,7 @@ def document(options):
     return f"""# What the results depend on
 
 Written by `scripts/independence.py --write` on {datetime.date.today()}, version {run(options, options.size[0])["version"]}:
-`{os.path.relpath(os.path.abspath(options.case), ROOT)}`, three hours of operation, all else as shipped.
+`{os.path.relpath(os.path.abspath(options.case), ROOT)}`, three hours of operation, everything else as shipped.
 
 """ + "\n".join([mesh_section([run(options, size) for size in options.size], options),
                  *(tolerance_section(title, options) for title in LADDERS)])

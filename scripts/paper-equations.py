@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Makes docs/validation/paper-equations.md of tests/paper/equations.toml: every equation, table and figure of the paper, what
-became of it, where it is computed and which test shows it. Refuses a list that leaves one out or names what is not there.
+"""Writes docs/validation/paper-equations.md from tests/paper/equations.toml: every equation, table and figure of the paper, how
+the program uses it, where it is computed and which test shows it. The script refuses a list that leaves one out or names a
+file, test or symbol that does not exist.
 
     scripts/paper-equations.py           write the page
     scripts/paper-equations.py --check   fail if the page is not what would be written
@@ -15,9 +16,9 @@ source = root / "tests/paper/equations.toml"
 page = root / "docs/validation/paper-equations.md"
 fates = {
     "as printed": "as printed",
-    "corrected": "printed form wrong, corrected",
+    "corrected": "wrong as printed, corrected",
     "replaced": "another method for the same quantity",
-    "compared": "result, held against ours",
+    "compared": "result, compared with ours",
     "data": "carried over as data",
     "not used": "not used",
 }
@@ -35,7 +36,7 @@ def covered(name):
     """The numbers a name such as "Eq. 4-7", "A.1-A.2" or "Fig. A.1-A.2" stands for."""
     match = re.fullmatch(r"(Eq\.|Fig\. A\.|Fig\.|Table A\.|Table|A\.) ?(\d+)(?:-(?:A\.)?(\d+))?", name)
     if not match:
-        sys.exit(f"error: {source.name}: '{name}' is no equation, table or figure")
+        sys.exit(f"error: {source.name}: '{name}' is not an equation, table or figure")
     first, last = int(match[2]), int(match[3] or match[2])
     return [(match[1], n) for n in range(first, last + 1)]
 
@@ -44,7 +45,7 @@ def problems(entries):
     found = []
     seen = [item for entry in entries for item in covered(entry["id"])]
     found += [f"{kind} {n} is missing" for kind, n in wanted if (kind, n) not in seen]
-    found += [f"{kind} {n} stands more than once, or is not in the paper" for kind, n in seen if seen.count((kind, n)) > 1
+    found += [f"{kind} {n} is listed more than once, or is not in the paper" for kind, n in seen if seen.count((kind, n)) > 1
               or (kind, n) not in wanted]
     for entry in entries:
         where = entry["id"]
@@ -85,12 +86,12 @@ def text(entries):
         "<!-- Written by scripts/paper-equations.py from tests/paper/equations.toml. Do not edit. -->",
         "# The paper's equations, tables and figures",
         "",
-        "What became of each equation (1-34, A.1-A.46), table and figure of Zheng et al. (2018), where the program computes it, and",
-        "which test or page shows that it does. The derivations stand in [theory.md](../theory.md).",
+        "This page lists each equation (1-34, A.1-A.46), table and figure of Zheng et al. (2018), how the program uses it, where the",
+        "program computes it, and which test or page shows this. The derivations are in [theory.md](../theory.md).",
         "",
         f"Of {sum(count.values())}: " + "; ".join(f"{number} {fates[fate]}" for fate, number in count.items()) + ".",
         "",
-        "| | what | what became of it | code | shown by |",
+        "| | what | how it is used | code | shown by |",
         "|---|---|---|---|---|",
     ]
     return "\n".join(head + [row(entry) for entry in entries]) + "\n"

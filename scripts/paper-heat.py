@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Sets what the paper prints about heat (Tables 1 to 7 and A.1, Section 4) beside what the program has.
+"""Compares what the paper prints about heat (Tables 1 to 7 and A.1, Section 4) with the program.
 
 Prints docs/validation/paper-heat.md, or writes it with --write. Figures of the paper come from tests/data/paper_tables.json;
-all others from runs of `deadpoint heat` and from tests/paper, which asserts them as well.
+all others come from runs of `deadpoint heat` and from tests/paper, which also asserts them.
 """
 
 import argparse
@@ -22,8 +22,8 @@ PRESS = ROOT / "cases" / "jl75g-60"
 PRINTED = json.loads((ROOT / "tests" / "data" / "paper_tables.json").read_text())
 SURFACES = {row["name"]: row for row in json.loads((ROOT / "tests" / "data" / "heat_oracle_contact_air.json").read_text())["table3_tcr"]}
 
-# The contacts of Table 3: name of the assumed surfaces, and the interface of the press that takes them. The paper's bush is
-# not a part of the press here: the pin of link 6 is given its bronze.
+# The contacts of Table 3: name of the assumed surfaces, and the interface of the press that uses them. The press here has no
+# part for the paper's bush, so the pin of link 6 gets its bronze.
 CONTACTS = {
     "rolling bearing and bearing seats": ("bearing-seat", "joints.crank_bearing.interfaces.4"),
     "rolling bearings and crank shaft": ("bearing-shaft", "joints.crank_bearing.interfaces.0"),
@@ -50,7 +50,7 @@ def run(command, **options):
 
 
 class Program:
-    """Runs `deadpoint heat` on a coarse mesh, on which none of these figures depends."""
+    """Runs `deadpoint heat` on a coarse mesh; none of these figures depends on the mesh."""
 
     def __init__(self, path, folder):
         self.path, self.folder = path, folder
@@ -98,7 +98,7 @@ def contact_table(program):
     for contact, printed in PRINTED["table_3_m2_K_per_W"].items():
         surface = SURFACES[CONTACTS[contact][0]]
         error = own[contact] / printed - 1
-        verdict = "met (1e-8) by the choice of z, no prediction" if abs(error) < 1e-8 else f"differs by {error:.1%}"
+        verdict = "met (1e-8) by the choice of z; not a prediction" if abs(error) < 1e-8 else f"differs by {error:.1%}"
         lines.append(f"| {contact} | {printed:.3e} | {surface['D']}, {surface['P'] / 1e6:g}, {surface['H'] / 1e9:g}, "
                      f"{surface['z'] * 1e6:.3f} | {own[contact]:.3e} | {doubled[contact]:.3e} | {air[contact]:.3e} | {verdict} |")
     return "\n".join(lines)
@@ -153,12 +153,12 @@ def heat_table(program):
         lines.append(f"| {row['joint']} | printed | " + " | ".join(f"{v:.{digits}f}" for v in row["heat_W"]) + " | | |")
         lines.append("| | here | " + " | ".join(f"{v['heat_W']:.{max(digits, 2)}f}" for v in values) +
                      f" | {difference:.4f} | " + (f"reproduced to {tolerance:g} W |" if met else
-                                                  f"misses {tolerance:g} W at {where:g} degC alone, see below |"))
-    note = "All rows keep to it." if not misses else " ".join(
-        f"The row \"{joint}\" is {difference:.4f} W off at {where:g} degC where {tolerance:g} W was the aim."
+                                                  f"misses {tolerance:g} W, at {where:g} degC only; see below |"))
+    note = "All rows meet this aim." if not misses else " ".join(
+        f"The row \"{joint}\" differs by {difference:.4f} W at {where:g} degC; the aim is {tolerance:g} W."
         for joint, difference, where, tolerance in misses)
-    note += (f" The row \"{crank['joint']}\", printed to 0.01 W, does so with the constants of the smallest largest difference; "
-             f"those of least squares would miss by {fit_difference:.4f} W at {fit_where:g} degC.")
+    note += (f" The row \"{crank['joint']}\", printed to 0.01 W, meets it with the constants that minimise the largest difference; "
+             f"constants by least squares would miss by {fit_difference:.4f} W at {fit_where:g} degC.")
     totals = []
     for i, temperature in enumerate(table["temperature_degC"]):
         printed = sum(row["heat_W"][i] for row in table["rows"])
@@ -176,21 +176,21 @@ def heat_table(program):
 def physics_reason(row):
     name = row["row"]
     if name == "crank_bearings":
-        return ("the row needs three times the largest catalogue value of f0 for this size at 200 rpm (at 400 rpm it would "
-                "fit), and the peak load throughout; load rating and contact angle assumed")
+        return ("at 200 rpm the row needs three times the largest catalogue value of f0 for this size (at 400 rpm it would "
+                "fit), and the peak load during the whole turn; load rating and contact angle are assumed")
     if name == "crank_pin":
-        return "turns with the crank as the paper has it; friction, length and clearance assumed"
+        return "turns with the crank, as in the paper; friction, length and clearance are assumed"
     if name.startswith("guide"):
-        return "side force, friction and gib preload are not in the paper"
+        return "the paper does not give side force, friction and gib preload"
     if name in ("links_8_11", "link_11_slider_12"):
-        return "the bearing swings; the paper takes it to turn with the crank"
-    return "the pin only swings; the paper's viscous part is that of a pin that turns with the crank; friction assumed"
+        return "the bearing swings; the paper assumes that it turns with the crank"
+    return "the pin only swings; the paper's viscous part is that of a pin that turns with the crank; friction is assumed"
 
 
 def speed_table(program):
-    """Totals of the rows if Table 5 is taken to hold at 200 rpm or at 400 rpm, for a press at 200 rpm."""
+    """Totals of the rows for a press at 200 rpm, if Table 5 holds at 200 rpm or at 400 rpm."""
     rows = [row["row"] for row in PRINTED["table_5"]["rows"]]
-    lines = ["| Table 5 taken to hold at | " + " | ".join(f"{t} degC" for t in PRINTED["table_5"]["temperature_degC"]) + " |",
+    lines = ["| Table 5 assumed to hold at | " + " | ".join(f"{t} degC" for t in PRINTED["table_5"]["temperature_degC"]) + " |",
              "|---|" + "--:|" * 6]
     for speed in (200, 400):
         heat = program.heat("case.toml", *[f"friction.{row}.reference_speed={speed} rpm" for row in rows])["friction"]
@@ -201,46 +201,46 @@ def speed_table(program):
 
 # equation, what, where (paths under src/deadpoint or tests, checked to exist), how it differs
 EQUATIONS = [
-    ("18", "resistance of a contact", "`tribology/conductance/fractal_contact.hpp`", "without the nominal area: Table 3 is per area, with it "
-     "the result would be in K/W", "`tests/unit/tribology/conductance.cpp`"),
-    ("19", "thickness of the gap", "`tribology/conductance/fractal_contact.hpp`", "the exponent of psi is -(2-D)^2/4, printed without its "
-     "sign; the equation for psi, not printed, is that of Wang and Komvopoulos", "`tests/unit/tribology/conductance.cpp`"),
+    ("18", "resistance of a contact", "`tribology/conductance/fractal_contact.hpp`", "without the nominal area: Table 3 is per area; with the "
+     "area the result would be in K/W", "`tests/unit/tribology/conductance.cpp`"),
+    ("19", "thickness of the gap", "`tribology/conductance/fractal_contact.hpp`", "the exponent of psi is -(2-D)^2/4; the paper prints it "
+     "without its sign. It prints no equation for psi; the one used is that of Wang and Komvopoulos", "`tests/unit/tribology/conductance.cpp`"),
     ("20", "real area, all spots plastic", "`tribology/conductance/fractal_contact.hpp`", "as printed", "`tests/unit/tribology/conductance.cpp`"),
-    ("21", "real area, elastic and plastic spots", "`tribology/conductance/fractal_contact.hpp`", "replaced by the two sums over the spots "
-     "themselves, solved for the largest spot: the printed branches diverge or vanish at D = 1.5 and are wrong by a factor of "
-     "two near it; exponents are garbled", "`tests/unit/tribology/conductance.cpp`"),
+    ("21", "real area, elastic and plastic spots", "`tribology/conductance/fractal_contact.hpp`", "replaced by the two sums over the spots, "
+     "solved for the largest spot: the printed branches diverge or vanish at D = 1.5 and are wrong by a factor of "
+     "two near it; the printed exponents are garbled", "`tests/unit/tribology/conductance.cpp`"),
     ("22", "heat of a bearing", "`tribology/friction/rolling_bearing.hpp`", "as printed (1.047e-4 is pi/30000), but averaged over the turn",
      "`tests/unit/tribology/friction_oracle.cpp`"),
-    ("23", "sum of torques", "`tribology/friction/rolling_bearing.hpp`, `tribology/friction/ball_bearing.hpp`", "load and viscous torque add; "
-     "spin does not belong to the shaft's speed and adds as heat", "`tests/unit/tribology/ball_bearing.cpp`"),
-    ("24", "torque under load", "`tribology/friction/rolling_bearing.hpp`", "with P1 not below Fr, P0 not below Fr (else P1 is negative "
-     "without axial load), and single row and pair told apart; the printed Xy is Ys", "`tests/unit/tribology/friction_laws.cpp`"),
-    ("25", "viscous torque", "`tribology/friction/rolling_bearing.hpp`", "as printed, with the units it leaves out: mm2/s, rpm, mm; each "
-     "instant of the turn on its own branch", "`tests/unit/tribology/friction_oracle.cpp`"),
-    ("26", "torque of spin", "`tribology/friction/ball_bearing.hpp`", "as printed for one ball; its heat is Z times it at the speed of "
-     "spin, omega sin(angle), ball by ball under the load distribution", "`tests/unit/tribology/ball_bearing.cpp`"),
+    ("23", "sum of torques", "`tribology/friction/rolling_bearing.hpp`, `tribology/friction/ball_bearing.hpp`", "load and viscous torque add up; "
+     "spin does not occur at the shaft's speed, so it is added as heat", "`tests/unit/tribology/ball_bearing.cpp`"),
+    ("24", "torque under load", "`tribology/friction/rolling_bearing.hpp`", "P1 and P0 are at least Fr (else P1 is negative "
+     "without axial load); single row and pair are distinguished; the printed Xy is Ys", "`tests/unit/tribology/friction_laws.cpp`"),
+    ("25", "viscous torque", "`tribology/friction/rolling_bearing.hpp`", "as printed, with the units that the paper leaves out: mm2/s, rpm, mm; each "
+     "instant of the turn uses its own branch", "`tests/unit/tribology/friction_oracle.cpp`"),
+    ("26", "torque of spin", "`tribology/friction/ball_bearing.hpp`", "as printed for one ball; the heat is the sum over the Z balls, each under its own load, "
+     "at the speed of spin omega sin(angle)", "`tests/unit/tribology/ball_bearing.cpp`"),
     ("27", "heat of a guide", "`tribology/friction/guide.hpp`", "as printed, averaged over the turn, with gib preload and shear of the "
      "film", "`tests/unit/tribology/friction_laws.cpp`"),
     ("-", "heat of a pin, not printed but in Table 5", "`tribology/friction/pin.hpp`", "Coulomb and Petroff at the true relative speed",
      "`tests/unit/tribology/friction_oracle.cpp`"),
     ("-", "Table 5 as a law", "`tribology/friction/calibrated.hpp`", "c0 + c1 nu^p, scaled with speed and load", "`tests/paper/laws.cpp`"),
     ("28, 29", "rotating surface", "`surroundings/convection.hpp`", "as printed, with Re = omega d^2 / (2 nu): the printed flow "
-     "velocity of the surrounding air is the surface's own; three other correlations beside it",
+     "velocity of the surrounding air is that of the surface; the same file has three other correlations",
      "`tests/unit/surroundings/convection.cpp`"),
-    ("30", "flat wall", "`surroundings/convection.hpp`", "with the coefficients of textbooks, see Table 6; smooth where one "
-     "law takes over", "`tests/unit/surroundings/convection.cpp`"),
-    ("31", "Grashof number", "`surroundings/air.hpp`", "with the expansion 1/T; printed is the conductivity column of Table 7, 7.6 "
-     "to 10 times as large. The printed reading is kept for comparison in `surroundings/paper_film.hpp`",
+    ("30", "flat wall", "`surroundings/convection.hpp`", "with the coefficients of textbooks, see Table 6; the transition between "
+     "laws is smooth", "`tests/unit/surroundings/convection.cpp`"),
+    ("31", "Grashof number", "`surroundings/air.hpp`", "with the expansion 1/T; the paper prints the conductivity column of Table 7, which is 7.6 "
+     "to 10 times as large. `surroundings/paper_film.hpp` keeps the printed form for comparison",
      "`tests/unit/surroundings/film.cpp`"),
-    ("32, 33", "dimension chain", "`drift/chain.hpp`", "only changes are computed", "`tests/verification/elastic_solutions.cpp`"),
-    ("34", "change of the gap", "`drift/chain.hpp`", "as printed, positive where the gap opens; the paper plots the opposite sign",
+    ("32, 33", "dimension chain", "`drift/chain.hpp`", "the program computes only changes", "`tests/verification/elastic_solutions.cpp`"),
+    ("34", "change of the gap", "`drift/chain.hpp`", "as printed, positive if the gap opens; the paper plots the opposite sign",
      "`tests/verification/elastic_solutions.cpp`"),
 ]
 ASSUMPTIONS = [
-    ("bearings are hollow cylinders with uneven heat", "rings of that shape; heat enters where the ring touches shaft and seat"),
-    ("no resistance within the frame", "the same: parts of one body that touch are bonded"),
-    ("no radiation", "a key of each surface (`emissivity`); the shipped base case leaves it out as the paper does"),
-    ("films of 5 and 9.7 W/m2/K", "taken over by the base case; laws by orientation, size and speed can stand in their place"),
+    ("bearings are hollow cylinders with uneven heat", "rings of that shape; the heat enters at the faces between ring and shaft and between ring and seat"),
+    ("no resistance within the frame", "the same: touching parts of one body are bonded"),
+    ("no radiation", "a key of each surface (`emissivity`); the shipped base case has no radiation, like the paper"),
+    ("convection coefficients of 5 and 9.7 W/m2/K", "the base case uses them; laws by orientation, size and speed can replace them"),
 ]
 
 
@@ -267,20 +267,21 @@ def page(program, tables):
     return f"""<!-- Written by scripts/paper-heat.py from runs of the program and of its tests. Do not edit. -->
 # The heat of the paper's press, table by table
 
-Tables 1 to 7 and A.1 of Zheng et al. (2018) row by row, and the equations of its Section 4. *Carried over* is what the case
-`cases/jl75g-60` takes as data; *reproduced* is what the program computes. `tests/paper` asserts the comparison with every
-printed figure. The loads of the same press are compared in [paper-loads.md](paper-loads.md), its temperatures in
-[press-rises.md](press-rises.md), other speeds, forces and stiffnesses in [paper-results.md](paper-results.md).
+This page compares Tables 1 to 7 and A.1 of Zheng et al. (2018) row by row, and the equations of its Section 4. *Carried over*
+means that the case `cases/jl75g-60` uses the figures as data; *reproduced* means that the program computes them.
+`tests/paper` asserts the comparison with every printed figure. Other pages compare the loads of the same press
+([paper-loads.md](paper-loads.md)), its temperatures ([press-rises.md](press-rises.md)), and other speeds, forces and
+stiffnesses ([paper-results.md](paper-results.md)).
 
 | table | verdict |
 |---|---|
 | 1, crankshaft | carried over; bearing stiffness as in Section 5, which contradicts it tenfold |
 | 2, materials | carried over |
-| 3, contact resistances | met with surfaces chosen to meet them; cannot be predicted, since the paper prints no roughness, hardness or pressure |
-| 4, static factors | reproduced from ISO 76 but at 15 degrees |
-| 5, joint heat | reproduced by calibrated laws; cannot be predicted: sizes, friction, clearances and the speed it holds for are not printed |
+| 3, contact resistances | met with surfaces chosen for that; a prediction is not possible, since the paper prints no roughness, hardness or pressure |
+| 4, static factors | reproduced from ISO 76, except at 15 degrees |
+| 5, joint heat | reproduced by calibrated laws; a prediction is not possible, since the paper prints no sizes, friction, clearances or speed of the table |
 | 6, convection | four of five coefficients reproduced |
-| 7, air | conductivity reproduced but at 40 degC; all six viscosities are other quantities |
+| 7, air | conductivity reproduced, except at 40 degC; all six viscosities are other quantities |
 | A.1, linkage | carried over |
 
 ## Table 1: crankshaft
@@ -290,10 +291,11 @@ printed figure. The loads of the same press are compared in [paper-loads.md](pap
 {tables["table_2"]}
 
 ## Table 3: contact resistances
-By `deadpoint heat` with the fractal law on interfaces of the press. D, pressure, hardness and the common G = 2e-10 m,
-L_u = 1 mm, oil of 0.14 W/m/K and a bush of bronze (60 W/m/K, 110 GPa) are assumed; z is then the one value that gives the
-printed resistance, so that agreement shows no more than that the law can. Other surfaces do as well. Twice the pressure, or
-air instead of oil (0.026 W/m/K, jump of 0.37 um), say how far the figure would move.
+The figures come from `deadpoint heat` with the fractal law on interfaces of the press. D, pressure and hardness are assumed,
+and so are the common values G = 2e-10 m, L_u = 1 mm, oil of 0.14 W/m/K and a bush of bronze (60 W/m/K, 110 GPa). z is then
+the only value that gives the printed resistance. So agreement shows only that the law can give these values; other surfaces
+give them as well. The columns with twice the pressure and with air instead of oil (0.026 W/m/K, jump of 0.37 um) show how
+much the figure would change.
 
 {contact_table(program)}
 
@@ -301,39 +303,41 @@ air instead of oil (0.026 W/m/K, jump of 0.37 um), say how far the figure would 
 {tables["table_4"]}
 
 ## Table 5: heat of the joints
-By `deadpoint heat cases/jl75g-60/case.toml`, whose laws c0 + c1 nu^p are decomposed from this very table: two constants for
-six values of each row, one for each guide. Rows are totals of the press. The aim is 0.003 W, 0.5 W on the two rows printed in
-whole watts.
+The figures come from `deadpoint heat cases/jl75g-60/case.toml`. Its laws c0 + c1 nu^p are fitted to this same table: two
+constants for the six values of each row, one constant for each guide. Rows are totals of the press. The aim is a difference
+of 0.003 W at most, and 0.5 W for the two rows printed in whole watts.
 
 {heat}
 
-{wrapped(f"{note} Total of all rows, printed (here): {totals} W.")}
+{wrapped(f"{note} Totals of all rows, printed (here): {totals} W.")}
 
-The table says neither speed nor load. What follows for the press at 200 rpm, by the speed it is taken to hold at:
+Table 5 states neither speed nor load. The next table shows the totals for the press at 200 rpm, by the speed at which Table 5
+is assumed to hold:
 
 {speed_table(program)}
 
-From first principles, by `cases/jl75g-60/physics.toml`, where what the paper does not print is assumed:
+The next table shows the heat from first principles, computed with `cases/jl75g-60/physics.toml`. That file assumes everything
+that the paper does not print:
 
 {physics}
 
-The table shows how it was made: the viscous parts of all pins are in proportion to the cubes of 80, 110, 120 and 140, as
-Petroff's law has it if all turn with the speed of the crank, while all but the crank's only swing. The load parts over these
-diameters are equal at both ends of links 3, 6 and 7, as they must be (`tests/paper/laws.cpp`).
+Table 5 reveals how it was made. The viscous parts of all pins are proportional to the cubes of 80, 110, 120 and 140. Petroff's
+law gives this if all pins turn with the speed of the crank; but all pins except the crank pin only swing. The load parts
+divided by these diameters are equal at both ends of links 3, 6 and 7, as they must be (`tests/paper/laws.cpp`).
 
 ## Table 6: natural convection
 {tables["table_6"]}
 
-Without a choice of the pair, a wall takes Churchill and Chu's one law for all Rayleigh numbers.
+If a case does not choose the pair of laws, a wall uses Churchill and Chu's single law for all Rayleigh numbers.
 
 ## Table 7: air
-The column is headed "kinematic viscosity (mm2/s)" with values in 1e-6. Beside it the standard table of dry air and
-`surroundings/air.hpp` (Sutherland's law; k to 1.2 %, the others to 1 % of that table).
+The paper's column has the heading "kinematic viscosity (mm2/s)" and values in 1e-6. Beside it are the standard table of dry
+air and `surroundings/air.hpp` (Sutherland's law; k agrees with that table to 1.2 %, the others to 1 %).
 
 {tables["table_7"]}
 
-The symbol alpha heads its conductivities and returns in Eq. 31 in the place of the expansion. What that does to film
-coefficients [W/m2/K]:
+The symbol alpha denotes the conductivities in Table 7, and in Eq. 31 it stands in the place of the expansion. The next table
+shows the effect on convection coefficients [W/m2/K]:
 
 {tables["films"]}
 
@@ -341,8 +345,8 @@ coefficients [W/m2/K]:
 {tables["table_a1"]}
 
 ## Where each equation of Sections 4 and 5.2 is
-Folders are those of `src/deadpoint`; equations 1 to 17 and A.1 to A.46 are in [paper-loads.md](paper-loads.md). Temperatures,
-for which the paper refers to a commercial program and prints no equation, are solved by `fem/conduction/heat_solver.hpp`.
+Folders are those in `src/deadpoint`; equations 1 to 17 and A.1 to A.46 are in [paper-loads.md](paper-loads.md). For temperatures
+the paper refers to a commercial program and prints no equation; here `fem/conduction/heat_solver.hpp` solves for them.
 
 {equation_table()}
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Computes the crankshaft loads of the paper's press in many variants and sets the printed peaks beside them.
+"""Computes the crankshaft loads of the paper's press in many variants and compares them with the printed peaks.
 
 Prints docs/validation/paper-loads.md, or writes it with --write. Every number of the page that is not marked as printed in
 the paper comes from a run of `deadpoint loads`.
@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "validation" / "paper-loads.md"
 CASES = {240: ROOT / "cases" / "jl75g-60" / "case.toml", 230: ROOT / "cases" / "jl75g-60" / "l5a-230.toml"}
 PRINTED = {"rigid": (86.11, 21400, 332.9, 22460), "flexible": (1540, 18030, 390, 17210)}  # Bx, By, Ex, Ey [N]
-CLOSE = 0.1  # share by which a computed peak may differ from the printed one to meet it
+CLOSE = 0.1  # a peak is met if it differs from the printed one by this share at most
 QUANTITIES = ("B, x", "B, y", "E, x", "E, y")
 FINE = ["mechanism.positions=3600"]  # 0.1 degrees, for short pulses
 
@@ -27,7 +27,7 @@ def fail(text, remedy):
 
 
 class Program:
-    """Runs `deadpoint loads` and remembers what it gave."""
+    """Runs `deadpoint loads` and keeps the results."""
 
     def __init__(self, path, folder):
         self.path, self.folder, self.known = path, folder, {}
@@ -121,7 +121,7 @@ def peak_table(program, model, variants, ranges):
 
 
 def nearest(ranges, model):
-    """The variant whose four peaks differ least from the printed ones, by the largest logarithm of a ratio."""
+    """The variant whose largest logarithm of computed over printed, among the four peaks, is smallest."""
     def distance(peaks):
         return max(abs(math.log(p / q)) for p, q in zip(peaks, PRINTED[model]))
 
@@ -137,24 +137,24 @@ def verdict(ranges, model, quantity):
     if any(meets(peaks, model, range(4)) for _, peaks in ranges[model]):
         return "reproduced"
     if any(meets(peaks, model, [quantity]) for _, peaks in ranges[model]):
-        return "not determined: met by some variants, never all four together"
+        return "not determined: some variants meet it, but none meets all four peaks"
     return "not reproducible"
 
 
 def verdict_table(ranges):
     reasons = {
-        ("rigid", 0): "the inertia of links and slider alone moves the pin sideways by more than 600 N, of which B takes "
+        ("rigid", 0): "the inertia of links and slider alone loads the pin sideways with more than 600 N, of which B takes "
                       "nearly half; the lengths of Table 1 do not give the printed ratio of 3.9 between E and B",
-        ("rigid", 1): "depends on the width of the pulse, on l5a and on what Eq. 2 leaves out",
-        ("rigid", 2): "depends on belt pull and unbalance; close to the unloaded press of Eq. 2 as printed, by chance",
-        ("rigid", 3): "B and E together carry the pin's force and the weights, and at E they have opposite signs; to have "
-                      "both printed peaks the pin would have to carry about 44 kN",
-        ("flexible", 0): "set by the shaft's sideways vibration after the blow, thus by damping and bearing stiffness; the paper "
-                         "gives no damping and two stiffnesses",
-        ("flexible", 1): "any value between the smooth and the rectangular force can be had",
-        ("flexible", 2): "every variant has the sideways inertia of the links and the unbalance of the crank, twice the "
-                         "printed figure; E, x a quarter of B, x does not follow from any",
-        ("flexible", 3): "as B, y",
+        ("rigid", 1): "depends on the width of the pulse, on l5a and on the terms that Eq. 2 leaves out",
+        ("rigid", 2): "depends on belt pull and unbalance; by chance it is close to the unloaded press of Eq. 2 as printed",
+        ("rigid", 3): "B and E together carry the pin's force and the weights, which have opposite signs at E; for both "
+                      "printed peaks the pin would have to carry about 44 kN",
+        ("flexible", 0): "follows from the shaft's sideways vibration after the blow, so from damping and bearing stiffness; the "
+                         "paper gives no damping and two stiffnesses",
+        ("flexible", 1): "the shape of the force, from smooth to rectangular, can give any value in between",
+        ("flexible", 2): "in every variant the sideways inertia of the links and the unbalance of the crank give twice the "
+                         "printed figure; in no variant is E, x a quarter of B, x",
+        ("flexible", 3): "see B, y",
     }
     lines = ["| figure | printed | computed, smallest to largest | verdict | reason |", "|---|--:|--:|---|---|"]
     for model, title in (("rigid", "traditional (Fig. 6)"), ("flexible", "improved (Fig. 12)")):
@@ -212,13 +212,13 @@ def trend_table(program):
 EQUATIONS = """| equation of the paper | what | here |
 |---|---|---|
 | 1 | belt pull Pm d1 / v | replaced by power over belt speed (`crankshaft.belt`): the printed product has the dimension of a force only if v is a speed of rotation |
-| 2 | bearing loads of the rigid shaft | `crankshaft/cycle` (`rigid_cycle`), with weight and unbalance of the crank, which Eq. 2 leaves out |
+| 2 | bearing loads of the rigid shaft | `crankshaft/cycle` (`rigid_cycle`), with the weight and unbalance of the crank, which Eq. 2 leaves out |
 | 3 | rectangular pulse | `mechanism/process_force` (`rectangle`) about bottom dead point; at crank angle 0, as printed, the slide is far from the die |
 | 4-6 | position and energy of the disk | `crankshaft/system`: Eq. 6 in its linear form; Eq. 5 drops terms that cancel |
 | 7 | rigid disk | `crankshaft/system`; the unbalance acts on v and w, not on u and v |
 | 8-10 | Timoshenko kinematics and strains | `crankshaft/element` |
-| 11 | energy of the beam | `crankshaft/element`: the axial load enters as P (v'^2 + w'^2) / 2, the printed quartic terms are left out |
-| 12, 14b, 14c, 15 | term with omega^2 | left out: in a frame at rest the whirl's inertia is already in M q''; keeping it lowers the first critical speed to 0.71 of its value |
+| 11 | energy of the beam | `crankshaft/element`: the axial load enters as P (v'^2 + w'^2) / 2, the program leaves out the printed quartic terms |
+| 12, 14b, 14c, 15 | term with omega^2 | left out: in a frame at rest, M q'' already contains the whirl's inertia; with the term, the first critical speed falls to 0.71 of its value |
 | 13 | Hamilton's principle | the basis of `crankshaft/element` |
 | 14a | axial motion | left out: it is not coupled to the others |
 | 14b-14e | motion of the beam | `crankshaft/element`, with the signs of shear and axial force corrected |
@@ -249,8 +249,8 @@ across (x) and along (y) the stroke, with the traditional (rigid) and the improv
 and widths of the process force, since the paper gives neither.
 
 The corrected equations are checked elsewhere: the mechanism against an independent multibody computation (1e-8), the
-crankshaft against published rotors. What differs here is therefore data, not solution. Forces at the pin are those on link 3
-by the crank, upwards positive; peaks are of magnitudes.
+crankshaft against published rotors. Differences on this page therefore come from the data, not from the solution. Forces at
+the pin are those of the crank on link 3, positive upwards. Peaks are those of the magnitude.
 
 ## Motion and pin force
 {kinematics_table(program)}
@@ -258,40 +258,41 @@ by the crank, upwards positive; peaks are of magnitudes.
 ## Traditional model
 {tables["rigid"]}
 
-Nearest in all four by the largest ratio: {close["rigid"][0]} (computed over printed: {ratios["rigid"]}).
+Nearest to all four peaks (by the largest ratio): {close["rigid"][0]} (computed over printed: {ratios["rigid"]}).
 
 ## Improved model
-Bearings 5e8 N/m and 2 % modal damping unless said otherwise; the paper states 5e7 N/m in Table 1, 5e8 N/m in Section 5, and
-no damping.
+Unless stated otherwise, the bearings have 5e8 N/m and the modal damping is 2 %. The paper states 5e7 N/m in Table 1 and
+5e8 N/m in Section 5, but no damping.
 
 {tables["flexible"]}
 
-Nearest in all four by the largest ratio: {close["flexible"][0]} (computed over printed: {ratios["flexible"]}).
+Nearest to all four peaks (by the largest ratio): {close["flexible"][0]} (computed over printed: {ratios["flexible"]}).
 
 ## Trends
-l5a = 240 mm; rectangle of 15 deg either side with the rigid, elastic die of 1e9 N/m with the flexible crankshaft.
+All rows have l5a = 240 mm. The rigid crankshaft has the rectangle of 15 deg either side, the flexible one the elastic die of
+1e9 N/m.
 
 {trend_table(program)}
 
-At bottom dead point inertia and weight pull the pin down and the process force pushes it up: they relieve each other. From
-300 rpm on it is the inertia at top dead point that sets the peak, and the force hardly matters.
+At bottom dead point inertia and weight pull the pin down and the process force pushes it up, so they partly cancel. From
+300 rpm on the inertia at top dead point determines the peak, and the process force hardly matters.
 
 ## Verdict
 {verdict_table(ranges)}
 
-A figure is met where a variant comes within {CLOSE:.0%}.
+A variant meets a figure if it differs by at most {CLOSE:.0%}.
 
-- Both peaks along the stroke at once, traditional: {pairs(ranges, "rigid")}. Improved: {pairs(ranges, "flexible")}.
-- At any instant B, y and E, y add up to the pin's vertical force and the weights. Peaks of 21.4 and 22.5 kN of one sign need
-  about 44 kN at the pin; 300 kN on the slide give {pin[240]:.0f} kN there, or {pin[230]:.0f} kN with l5a = 230 mm.
-- Flexibility does not lower the peaks as the paper has it. A smooth force changes little (B, y
-  {smooth[1] / 1e3:.1f} kN flexible with the elastic die, {rigid_smooth[1] / 1e3:.1f} kN rigid with the same), a rectangular one
-  overshoots by its edges ({edge[1] / 1e3:.1f} kN against {rigid_edge[1] / 1e3:.1f} kN).
-- With eight figures and shape, width, damping, stiffness, belt pull and l5a free, some combination meets two of them by chance.
-  That is no evidence for the values it assumes, and none is adopted.
+- Variants that meet both peaks along the stroke, traditional: {pairs(ranges, "rigid")}. Improved: {pairs(ranges, "flexible")}.
+- At any instant B, y and E, y sum to the pin's vertical force and the weights. Peaks of 21.4 and 22.5 kN with the same sign
+  need about 44 kN at the pin; 300 kN on the slide give {pin[240]:.0f} kN there, or {pin[230]:.0f} kN with l5a = 230 mm.
+- Flexibility does not lower the peaks as the paper says. With a smooth force it changes little (B, y
+  {smooth[1] / 1e3:.1f} kN flexible with the elastic die, {rigid_smooth[1] / 1e3:.1f} kN rigid with the same), with a
+  rectangular one the edges cause overshoot ({edge[1] / 1e3:.1f} kN flexible, {rigid_edge[1] / 1e3:.1f} kN rigid).
+- Shape, width, damping, stiffness, belt pull and l5a are free, so some combination meets two of the eight figures by chance.
+  This is no evidence for the assumed values, and the case adopts none of them.
 
 ## Where each equation of Section 3 and the appendix is
-Folders are those of `src/deadpoint`.
+Folders are those in `src/deadpoint`.
 
 {EQUATIONS}
 To renew this page, after `make build`: `scripts/paper-loads.py --write`.

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Makes docs/validation/verification.md of the figures that the verification tests held against their targets.
+"""Writes docs/validation/verification.md from the figures that the verification tests compared with their targets.
 
-The tests write them where DEADPOINT_RECORD says; `ctest` sets it to BUILD/validation/NAME.tsv, and the errors behind orders of
-convergence to NAME.tsv.orders, which --write draws beside the page as orders.svg. Without an option prints the page. --check
-compares figures and verdicts with the page as it stands, whatever its date and version.
+The tests write them to the path in DEADPOINT_RECORD; `ctest` sets it to BUILD/validation/NAME.tsv, and the errors behind orders of
+convergence to NAME.tsv.orders, which --write draws beside the page as orders.svg. Without an option the script prints the
+page. --check compares figures and verdicts with the existing page and ignores date and version.
 """
 
 import argparse
@@ -109,11 +109,12 @@ def page(rows):
     return "\n".join([
         "# Verification", "",
         f"Written by `make validate` on {datetime.date.today()}, version {version}: {len(rows)} figures, {missed} missed.",
-        "Each row is a figure that a test of `tests/verification` holds against its target; the test fails where the",
-        "difference exceeds the tolerance. Exact solutions, published benchmarks, observed orders of convergence, invariants.", "",
+        "Each row is a figure that a test of `tests/verification` compares with its target; the test fails if the difference",
+        "exceeds the tolerance. Targets are exact solutions, published benchmarks, orders of convergence and invariants.", "",
         "![Errors over sizes of cells and time steps](orders.svg)", "",
-        "Errors over the size of cells or of time steps, relative to the coarser; for mean displacements and in time, differences from one",
-        "run to the next finer one. Dashed: the order of theory, in brackets beside the order observed.",
+        "The charts show errors over the size of cells or of time steps, relative to the coarsest. For mean displacements and for time",
+        "steps they show differences from one run to the next finer one. Dashed lines have the theoretical order, which stands in",
+        "brackets beside the observed order.",
         "", *table(rows), ""])
 
 
