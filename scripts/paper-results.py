@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Sets what the paper prints and claims of its press's temperatures and thermal error (Section 5) beside computed studies.
+"""Compares what the paper prints and claims about its press's temperatures and thermal error (Section 5) with computed studies.
 
 Prints docs/validation/paper-results.md, or writes it with --write. Runs `deadpoint sweep` on cases/jl75g-60/paper-study.toml
 (or takes a finished sweep with --results) and `deadpoint compare` on every point, with the base case as the baseline. Printed
-figures come from paper.toml and paper-sweeps.toml; all others from these runs. What one run cannot show is judged here.
+figures come from paper.toml and paper-sweeps.toml; all others from these runs. This script judges claims that need several runs.
 """
 
 import argparse
@@ -34,17 +34,17 @@ STUDIES = {
 }
 LABELS = {BASE: {"speed": "200 rpm", "force": "300 kN", "stiffness": "5e8 N/m"}, "no_load": "0 kN"}
 
-# Why a claim that one run can show does not hold, by its beginning.
+# Reasons why a claim that one run can check does not hold, by the beginning of the claim.
 REASONS = {
-    "The temperature of upper beam and crankshaft rises sharply": "the crankshaft does, the upper beam does not: P1, on its "
-    "top plate, is warmed by conduction through the frame alone, which takes hours",
-    "It rises slowly after 1.5 h": "as before: true of the crankshaft, not of P1",
+    "The temperature of upper beam and crankshaft rises sharply": "the crankshaft does, the upper beam does not: only conduction "
+    "through the frame warms P1 on its top plate, and this takes hours",
+    "It rises slowly after 1.5 h": "as in the row above: true of the crankshaft, not of P1",
     "After 2.5 h the press is in thermal equilibrium": "joints and links, which the oil cools, are; the frame is not: "
-    "parts that only air cools take many hours, with the film coefficients of the paper",
-    "It is largest within the first hour": "early, but not that early: the gap turns when the frame grows faster than the links, and "
-    "those near the crank have not reached equilibrium after an hour, see the row on the frame",
-    "The largest rise is that of the crankshaft": "with the force joint 9-10 beside A warms further, while the crankshaft's "
-    "bearings hardly do; A, P2 and F lie close together",
+    "with the convection coefficients of the paper, parts that only air cools take many hours",
+    "It is largest within the first hour": "early, but not that early: the gap begins to open when the frame grows faster than the links, and "
+    "the links near the crank are not in equilibrium after an hour; see the row on the frame",
+    "The largest rise is that of the crankshaft": "more force warms joint 9-10 beside A further, but hardly the crankshaft's "
+    "bearings; A, P2 and F lie close together",
 }
 
 
@@ -77,7 +77,7 @@ def number(text):
 
 
 class Point:
-    """One operating point: what is printed of it, and what its run and its comparison hold."""
+    """One operating point: its printed figures, its run and its comparison."""
 
     def __init__(self, name, folder, comparison, sources):
         self.name, self.comparison = name, comparison
@@ -144,7 +144,7 @@ def read_points(program, results, scratch):
 # ---------------------------------------------------------------- figures
 
 def verdict(value):
-    """Of one printed figure; loads and micrometres of drift are not judged by their error, see the text."""
+    """Verdict on one printed figure; loads and micrometres of drift are not judged by their error, see the text."""
     if value["kind"] in ("chain", "loads"):
         return "not reproducible"
     baseline = None if value["baseline"] is None else value["baseline"] - value["reference"]
@@ -187,7 +187,7 @@ def study_rises(points, study):
 
 
 def printed_base_rms(points, name):
-    """Of predicting the printed rises of the base case at another point [K]."""
+    """Rms error if the printed rises of the base case are predicted at another point [K]."""
     differences = [points[BASE].printed["rises"][p] - v for p, v in points[name].printed["rises"].items()]
     return math.sqrt(sum(d * d for d in differences) / len(differences))
 
@@ -291,7 +291,7 @@ def duty_table(points, study):
 
 
 def load_part(point):
-    """Of the heat of all joints at 40 degC."""
+    """Share of the load parts in the heat of all joints at 40 degC."""
     return sum(row["load_part_W"] for row in point.rows.values()) / point.heat(40)
 
 
@@ -299,33 +299,33 @@ def speed_why(points):
     slow, fast = points[BASE], points["speed_500"]
     grows = {degC: fast.heat(degC) / slow.heat(degC) for degC in (20, 40)}
     return bullets([
-        f"Heat grows faster here than the printed rises. At a given temperature the joints together make {grows[20]:.1f} (20 degC) to "
-        f"{grows[40]:.1f} times (40 degC) the heat at 500 rpm that they make at 200 rpm: rolling bearings go with n^(5/3), the paper's "
-        "own Eq. 25, pins with n^2. The printed rises grow nearly with n or less, and each point by another exponent, which no one "
-        "cause gives.",
-        f"The inertia of links and slider raises the loads with n^2 besides: the load part of the crankshaft's bearings is "
+        f"Here the heat grows faster than the printed rises. At a given temperature all joints together produce {grows[20]:.1f} (20 degC) to "
+        f"{grows[40]:.1f} times (40 degC) the heat at 500 rpm that they produce at 200 rpm: the heat of rolling bearings grows with n^(5/3) (the "
+        "paper's own Eq. 25), that of pins with n^2. The printed rises grow nearly with n or less, and with a different exponent at "
+        "each point; no single cause gives this.",
+        f"In addition, the inertia of links and slider raises the loads with n^2: the load part of the crankshaft's bearings is "
         f"{duty(points, 'speed_500'):.0f} times that at 200 rpm, that of guide 4, beside E, "
         f"{fast.rows['guide_4']['load_duty_over_reference']:.0f} times. Load parts are {load_part(slow):.0%} of all heat at 200 rpm and 40 "
         f"degC, {load_part(fast):.0%} at 500 rpm.",
-        "The oil takes up the same heat per kelvin at all speeds here. Oil that is pumped or thrown by the crank would take more at "
-        "higher speed and bring the rises down; the paper says nothing of oil, so this is not assumed.",
+        "Here the oil takes up the same heat per kelvin at all speeds. Oil that the crank pumps or throws would take up more at "
+        "higher speed and reduce the rises. The paper says nothing about oil, so the case does not assume this.",
     ])
 
 
 def force_why(points):
     base = points[BASE]
     return bullets([
-        f"The force acts on the load part of the heat only. In the law that reproduces the paper's Table 5 that part is "
+        f"The force changes only the load part of the heat. In the law that reproduces the paper's Table 5, this part is "
         f"{load_share(points, BASE, 20):.0%} (20 degC) to {load_share(points, BASE, 40):.0%} (40 degC) of the crankshaft's bearings, and "
         f"{base.rows['links_8_11']['load_part_W'] / base.rows['links_8_11']['40_degC']['heat_W']:.1%} at 40 degC of the bearings between "
-        "links 8 and 11, which warm F. Without any load the rest of the heat remains. The paper's fall of D to "
-        f"{points['no_load'].printed['rises']['D'] / base.printed['rises']['D']:.0%} of its rise contradicts its own table.",
-        "Nor does the load fall as the force does. Inertia and weight remain without force, and at bottom dead point the die lifts "
-        f"the shaft against them. The load part of the crankshaft's bearings is {duty(points, 'no_load'):.3f} times that of the base case "
-        f"at no force, {duty(points, 'force_200'):.3f} times at 200 kN and {duty(points, 'force_400'):.3f} times at 400 kN: not of one "
-        "trend.",
-        "What does follow the force are the pins between crank and slider, joint 9-10 above all. So A beside it moves "
-        f"most, {points['no_load'].rise('A'):.1f} to {points['force_400'].rise('A'):.1f} K (printed "
+        "links 8 and 11, which warm F. Without load the rest of the heat remains. In the paper the rise of D falls to "
+        f"{points['no_load'].printed['rises']['D'] / base.printed['rises']['D']:.0%} of its value; this contradicts the paper's own table.",
+        "The load also does not fall in proportion to the force. Inertia and weight remain without force, and at bottom dead point the "
+        f"die lifts the shaft against them. The load part of the crankshaft's bearings is {duty(points, 'no_load'):.3f} times that of the base case "
+        f"at no force, {duty(points, 'force_200'):.3f} times at 200 kN and {duty(points, 'force_400'):.3f} times at 400 kN; this is not "
+        "monotonic.",
+        "The pins between crank and slider do follow the force, above all joint 9-10. So A beside it changes "
+        f"most, from {points['no_load'].rise('A'):.1f} to {points['force_400'].rise('A'):.1f} K (printed "
         f"{points['no_load'].printed['rises']['A']:.1f} to {points['force_400'].printed['rises']['A']:.1f} K).",
     ])
 
@@ -340,12 +340,12 @@ def stiffness_why(points):
     most = max(abs(duty(points, n) - 1) for n in names)
     heat = max(abs(points[n].heat(40) / points[BASE].heat(40) - 1) for n in names)
     return bullets([
-        f"Stiffness hardly changes what the bearings carry. The load part of the crankshaft's bearings moves by {most:.1%} at most, the "
-        f"heat of all joints at 40 degC by {heat:.2%}, no rise by more than {moved:.2f} K: the sum of the reactions at each seat is "
-        "nearly fixed by statics, and stiffness only shifts it within a pair of bearings and changes the shaft's vibration.",
-        "So the computed rises are those of the base case, and where they meet a printed figure the base case unchanged does so too.",
-        "The printed rises of all six points follow one function of the stiffness to the rounding of their digits. More heat at the "
-        "crankshaft's bearings alone cannot warm the foot of link 9 by four fifths of what it warms the crankshaft.",
+        f"Stiffness hardly changes the loads of the bearings. The load part of the crankshaft's bearings changes by {most:.1%} at most, the "
+        f"heat of all joints at 40 degC by {heat:.2%}, and no rise by more than {moved:.2f} K. Statics nearly determines the sum of the "
+        "reactions at each seat; stiffness only shifts the load within a pair of bearings and changes the shaft's vibration.",
+        "So the computed rises are those of the base case. Where they meet a printed figure, the base case unchanged meets it too.",
+        "The printed rises of all six points follow one function of the stiffness within the rounding of their digits. If only the "
+        "crankshaft's bearings produce more heat, the foot of link 9 cannot warm by four fifths of the crankshaft's additional rise.",
     ])
 
 
@@ -356,15 +356,15 @@ def traditional_why(points):
     warmest = max(abs(rigid.rise(p) - base.rise(p)) for p in base.summary["probe_rises_K"])
     return bullets([
         f"The two models of the crankshaft differ by {warmest:.2f} K at most and "
-        f"{abs(rigid.drift['largest'] - base.drift['largest']):.1f} um in the peak. The joints make {rigid.heat(40):.0f} W with the rigid and {base.heat(40):.0f} W with the flexible one at 40 degC.",
-        f"Under the same process force the load part of a bearing with the rigid over that with the flexible shaft is "
-        f"{span('by_mean')} by the mean over the turn, {span('by_peak')} by its peak, by bearing. So the peak as the measure of load "
-        "(`load_measure`) does not make the difference either.",
-        "The rigid model has the paper's rectangular force, the flexible one an elastic die. That is felt beside joint 9-10, whose load "
+        f"{abs(rigid.drift['largest'] - base.drift['largest']):.1f} um in the peak. At 40 degC the joints produce {rigid.heat(40):.0f} W with the rigid and {base.heat(40):.0f} W with the flexible crankshaft.",
+        f"Under the same process force, the ratio of a bearing's load part with the rigid shaft to that with the flexible shaft is "
+        f"{span('by_mean')} by the mean over the turn and {span('by_peak')} by the peak, depending on the bearing. So the choice of the "
+        "peak as the measure of load (`load_measure`) does not explain the difference either.",
+        "The rigid model has the paper's rectangular force, the flexible one an elastic die. This shows beside joint 9-10, whose load "
         f"part is {rigid.rows['link_9_slider_10']['load_duty_over_reference']:.3f} times that of the improved model: the shape of the force, "
-        "which is not printed, counts as much as the shaft.",
-        "The reason that the paper gives, that the traditional model overestimates because it neglects a source of heat, has the wrong "
-        "sign: who leaves out heat computes lower temperatures.",
+        "which the paper does not print, matters as much as the shaft.",
+        "The paper's reason is that the traditional model overestimates because it neglects a source of heat. This reason has the wrong "
+        "sign: a model that leaves out heat computes lower temperatures.",
     ])
 
 
@@ -376,22 +376,22 @@ def drift_why(points):
     times = [value["reference"] for point in points.values() for value in point.values("times")]
     own_times = [peak_time(point) for point in points.values()]
     return bullets([
-        f"**The level is not reproducible.** At the end the dimensions of the chain have changed by {gross:.0f} um in sum (E_BG "
+        f"**The level is not reproducible.** At the end the changes of the chain's dimensions sum to {gross:.0f} um in magnitude (E_BG "
         f"{final['E_BG']:+.1f}, E_WG {final['E_WG']:+.2f}, E_CS {final['E_CS']:+.1f}, E_BC {final['E_BC']:+.1f} um); the printed end is "
-        f"{base.printed['end'] / gross:.1%} of that, the printed peak {base.printed['largest'] / gross:.1%}, while the eight rises are met "
-        f"to {rises['rms'] / rises['rms_of_no_change']:.0%} of their level (rms) only. The frame, whose growth has to cancel that of the "
-        "links to a micrometre, is reconstructed. A value that fitted would be tuned; none is.",
-        "**What moves the gap here** (above zero: opens it): " +
+        f"{base.printed['end'] / gross:.1%} of that, the printed peak {base.printed['largest'] / gross:.1%}, while the error of "
+        f"the eight rises is {rises['rms'] / rises['rms_of_no_change']:.0%} of their level (rms). The growth of the frame would have to "
+        "cancel that of the links to a micrometre, but the frame is reconstructed. A matching value would have to be tuned; none is.",
+        "**These parts move the gap most here** (above zero: opens it): " +
         ", ".join(f"{part.replace('_', ' ')} ({value:+.1f} um)" for part, value in parts) +
-        " at the end. The crankshaft's own temperature hardly counts, since near bottom dead point the throw moves the slider little.",
-        "**Sign, peak and decline are reproduced** as the table shows: the gap closes, most of it in the first hour, is narrowest within "
-        "the first two hours and opens slowly afterwards. The decline is smaller than printed: the links are in equilibrium, the frame "
-        "goes on growing beyond three hours.",
-        f"**The times** of the peak, {min(own_times):.0f} to {max(own_times):.0f} s, vary little from point to point; the printed ones, "
-        f"{min(times):.0f} to {max(times):.0f} s, do so without a trend, and {sum(time > 3600 for time in times)} of them lie beyond the "
-        "first hour that the paper names. Here the links near the crank need longer than an hour, so the frame outgrows them later.",
-        "The printed ends over the stiffness are no linear function of the printed rises, as they would be in any linear-elastic press, "
-        "and the base case is printed with two peaks (4.258 and 4.221 um) and two times.",
+        " at the end. The crankshaft's own temperature hardly matters, since near bottom dead point the throw moves the slider little.",
+        "**Sign, peak and decline are reproduced**, as the table shows: the gap closes mostly in the first hour, is narrowest within "
+        "the first two hours and opens slowly afterwards. The decline is smaller than printed: the links are in equilibrium, but the "
+        "frame continues to grow beyond three hours.",
+        f"**The times** of the peak, {min(own_times):.0f} to {max(own_times):.0f} s, vary little from point to point. The printed times, "
+        f"{min(times):.0f} to {max(times):.0f} s, vary without a trend, and {sum(time > 3600 for time in times)} of them lie beyond the "
+        "first hour that the paper names. Here the links near the crank need more than an hour, so the frame outgrows them later.",
+        "In any linear-elastic press the ends would be a linear function of the rises. The printed ends over the stiffness are not, "
+        "and the paper prints two peaks (4.258 and 4.221 um) and two times for the base case.",
     ])
 
 
@@ -476,8 +476,8 @@ def compromise(points):
     printed = drift_series(points, names, False)
     return (yes(stands_out), f"200 to 500 rpm: {drift_listed(own)}; largest over speed {', '.join(f'{v:.3f}' for v in per_speed)} um/rpm",
             f"{agreement(printed['end'][2] < printed['end'][1])}: {drift_listed(printed)}",
-            "drift grows faster than the speed, so that the slowest press drifts least, also for its speed, and no speed stands out. What "
-            "is a good compromise depends on the drift that the work allows")
+            "drift grows faster than the speed, so the slowest press drifts least, also relative to its speed, and no speed stands out. A "
+            "good compromise depends on the drift that the work allows")
 
 
 def traditional_above(points):
@@ -488,10 +488,10 @@ def traditional_above(points):
     above = [d > 0 for d in (*differences.values(), *drift.values())]
     result = "reproduced" if all(above) else "in part" if any(above) else "differs"
     printed = all(rigid.printed[key] > base.printed[key] for key in drift)
-    return (result, "traditional less improved: " + ", ".join(f"{p} {d:+.2f} K" for p, d in differences.items()) +
+    return (result, "traditional minus improved: " + ", ".join(f"{p} {d:+.2f} K" for p, d in differences.items()) +
             "; gap closes further by " + ", ".join(f"{d:+.2f} um ({at})" for at, d in zip(("peak", "end"), drift.values())),
             f"{agreement(printed)} (E_SW; rises not printed)",
-            "see the traditional model above: the two differ by little, and more heat by one joint than by all")
+            "see the traditional model above: the two differ little, and the heat of one joint more than that of all")
 
 
 def no_load(points):
@@ -500,8 +500,8 @@ def no_load(points):
     met = [abs(own / printed - 1) <= NEAR for printed, own in ratios.values()]
     return ("reproduced" if all(met) else "in part" if any(met) else "differs",
             "without force over 300 kN: " + ", ".join(f"{p} {own:.2f} (printed {printed:.2f})" for p, (printed, own) in ratios.items()),
-            "agree", "the force acts on a small part of the heat only, by the paper's own Table 5, and does not bear on the "
-            "crankshaft in one sense; see the force study")
+            "agree", "by the paper's own Table 5 the force changes only a small part of the heat, and its effect on the crankshaft "
+            "is not monotonic; see the force study")
 
 
 def smaller_loads(points):
@@ -526,33 +526,33 @@ def measurement(points):
     measured = {v["name"].split()[-1]: -v["reference"] for v in points[BASE].values("chain") if v["group"] == "measured"}
     return ("not reproducible", f"rises: {rises['rms']:.2f} K rms from the paper's model, calibrated on it; measured E_SW "
             f"{measured['largest']:.2f} and {measured['end']:.3f} um, here {drift['largest']:.1f} and {drift['end']:.1f} um", "",
-            "the measured rises are curves in pictures and not printed; of E_SW two measured values are, whose level is out of reach, see "
-            "the thermal error above")
+            "the paper shows the measured rises only as curves in pictures. It prints two measured values of E_SW, but their level is out of "
+            "reach; see the thermal error above")
 
 
 def furthest(points):
     parts = points[BASE].summary["drift_um"]["final_by_part"]
     first = next(iter(parts))
-    return ("not reproducible", f"to the gap at the end {first.replace('_', ' ')} gives most, {parts[first]:+.1f} um, the crankshaft "
-            f"{parts['crank_shaft']:+.1f} um", "", "a picture whose scale and point at rest are not in the text; displacement is not drift")
+    return ("not reproducible", f"at the end {first.replace('_', ' ')} contributes most to the gap, {parts[first]:+.1f} um; the crankshaft contributes "
+            f"{parts['crank_shaft']:+.1f} um", "", "the claim rests on a picture; the text gives neither its scale nor its fixed point, and displacement is not drift")
 
 
 # What takes several runs or cannot be checked, by the beginning of the claim.
 JUDGES = {
     "Temperature and thermal error are larger with the traditional": traditional_above,
     "400 rpm is a good compromise": compromise,
-    "Between 200 and 300 kN": least_drift("force", ["force_200", BASE], "force warms the links by their pins and the frame hardly, "
-                                          "so the gap closes the further the more force, and least without"),
+    "Between 200 and 300 kN": least_drift("force", ["force_200", BASE], "force warms the links through their pins, but hardly the frame; "
+                                          "so more force closes the gap further, and the press without force drifts least"),
     "The best bearing stiffness": least_drift("stiffness", ["stiffness_1e8", BASE], "the stiffness does not change the heat, see the "
-                                              "stiffness study; so there is no best one for the drift"),
+                                              "stiffness study; so no stiffness is best for the drift"),
     "The rises grow with the speed": rises_grow("speed", ""),
-    "The rises grow with the force": rises_grow("force", "load parts are small, and the die relieves the crankshaft of its own "
-                                                "weight and inertia; see the force study"),
+    "The rises grow with the force": rises_grow("force", "load parts are small, and the die's force acts against weight and "
+                                                "inertia at the crankshaft; see the force study"),
     "The rises grow with the bearing stiffness": rises_grow("stiffness", "loads stay within a few per cent; see the stiffness study"),
     "Without process force the rises are far smaller": no_load,
     "The thermal error generally grows with the speed": drift_trend("speed", "grows", ""),
     "With the force the thermal error first grows": drift_trend("force", "grows, then falls", "more force means warmer links; nothing "
-                                                                "in the model turns this round"),
+                                                                "in the model reverses this"),
     "With the bearing stiffness the thermal error first grows": drift_trend("stiffness", "grows, then falls", "the stiffness does not "
                                                                             "change the heat"),
     "The bearing loads are smaller": smaller_loads,
@@ -566,7 +566,7 @@ def by_beginning(table, text):
 
 
 def printed_says(point, claim):
-    """What the printed figures of a point say to a claim on them, True or False; None where they say nothing."""
+    """Whether the printed figures of a point support a claim about them; None if they say nothing about it."""
     printed = point.printed
     rises = printed["rises"]
     if claim["kind"] == "hottest" and rises:
@@ -581,7 +581,7 @@ def printed_says(point, claim):
 
 
 def claim_rows(points):
-    """(text, verdict, evidence, the paper's figures, reason) of every statement; the same one at several points is one row."""
+    """(text, verdict, evidence, the paper's figures, reason) of every statement; a statement about several points is one row."""
     source = [c for file in ("paper.toml", "paper-sweeps.toml") for c in load(PRESS / file)["claims"]]
     details = {(c.get("point", BASE), c["text"]): c for c in source}
     grouped = {}
@@ -609,7 +609,7 @@ def claim_rows(points):
 
 
 def judged(points, claims, details):
-    """Of one statement that `compare` has checked at one or several points."""
+    """Result of one statement that `compare` has checked at one or several points."""
     holding = [name for name, claim in claims if claim["verdict"] == "holds"]
     result = "reproduced" if len(holding) == len(claims) else "in part" if holding else "differs"
     own = [(name, printed_says(points[name], details[name, claim["text"]])) for name, claim in claims]
@@ -641,7 +641,7 @@ def claim_table(rows):
 # ---------------------------------------------------------------- page
 
 def check_words(points):
-    """Fails where the page's sentences without figures say what the runs do not show."""
+    """Fails if a sentence of the page without figures states something that the runs do not show."""
     def says(sentence, *holds):
         if not all(holds):
             fail(f"the page says that {sentence}, but these runs do not show it", "rewrite that sentence in scripts/paper-results.py")
@@ -707,20 +707,20 @@ def summary_of_trends(points):
     span = lambda group, key: f"{min(p.drift[key] for p in group):.1f} to {max(p.drift[key] for p in group):.1f} um"  # noqa: E731
     faster = [v for n in STUDIES["speed"] if n != BASE for v in points[n].values("rises")]
     return bullets([
-        "**Skill** over the base case unchanged, rms of all rises of a study: " + ", ".join(skill(points, study) for study in STUDIES) +
+        "**Skill** against the base case unchanged, by the rms of all rises of a study: " + ", ".join(skill(points, study) for study in STUDIES) +
         f". Of the {len(faster)} rises at other speeds {sum(abs(v['relative_error']) <= NEAR_SPEED for v in faster)} are within "
-        f"{NEAR_SPEED:.0%}, where all were aimed at.",
-        f"**Speed**: the sign agrees everywhere, the growth does not: D by {fast.rise('D') / base.rise('D'):.1f} from 200 to 500 rpm, "
-        f"printed {fast.printed['rises']['D'] / base.printed['rises']['D']:.1f}. The peak of E_SW goes from {base.drift['largest']:.0f} to "
+        f"{NEAR_SPEED:.0%}; the aim was all of them.",
+        f"**Speed**: the sign agrees everywhere, the growth does not. From 200 to 500 rpm, D grows by a factor of {fast.rise('D') / base.rise('D'):.1f} "
+        f"(printed {fast.printed['rises']['D'] / base.printed['rises']['D']:.1f}). The peak of E_SW grows from {base.drift['largest']:.0f} to "
         f"{fast.drift['largest']:.0f} um. Here the slowest press drifts least; 400 rpm does not stand out.",
         f"**Force**: D stays between {min(p.rise('D') for p in force):.1f} and {max(p.rise('D') for p in force):.1f} K, where the paper has "
         f"{min(p.printed['rises']['D'] for p in force):.1f} to {max(p.printed['rises']['D'] for p in force):.1f} K. The peak of E_SW grows "
-        f"with the force ({span(force, 'largest')}). Here the press without force drifts least, not that at 200 to 300 kN.",
-        f"**Bearing stiffness**: makes no difference: D {min(p.rise('D') for p in stiff):.2f} to {max(p.rise('D') for p in stiff):.2f} K "
+        f"with the force ({span(force, 'largest')}). Here the press without force drifts least, not the one at 200 to 300 kN.",
+        f"**Bearing stiffness** makes no difference: D {min(p.rise('D') for p in stiff):.2f} to {max(p.rise('D') for p in stiff):.2f} K "
         f"(printed {min(p.printed['rises']['D'] for p in stiff):.1f} to {max(p.printed['rises']['D'] for p in stiff):.1f} K). There is no "
         "best window.",
-        f"**Traditional against improved**: nearly the same: E_SW {points['traditional'].drift['largest']:.1f} against "
-        f"{base.drift['largest']:.1f} um at the peak, the other way round than printed.",
+        f"**Traditional and improved model** are nearly the same: E_SW {points['traditional'].drift['largest']:.1f} against "
+        f"{base.drift['largest']:.1f} um at the peak; the printed order is the opposite.",
     ])
 
 
@@ -729,20 +729,20 @@ def page(points):
     rises = base.sets("rises")[0]
     cells = base.summary["model"]["cells"]
     intro = wrapped(
-        "The numbers and claims of Section 5 of Zheng et al. (2018), and its bearing loads, one by one beside `deadpoint sweep "
-        f"cases/jl75g-60/paper-study.toml`: {len(points)} operating points of the case `oil-refitted.toml` ({cells} cells, three "
-        "hours). Each point is compared by `deadpoint compare` with `paper.toml` or `paper-sweeps.toml`. The heat, the loads and the "
-        "refit of the same press have pages of their own: [paper-heat.md](paper-heat.md), [paper-loads.md](paper-loads.md), "
+        "This page compares the numbers and claims of Section 5 of Zheng et al. (2018), and its bearing loads, one by one with "
+        f"`deadpoint sweep cases/jl75g-60/paper-study.toml`: {len(points)} operating points of the case `oil-refitted.toml` ({cells} cells, three "
+        "hours). `deadpoint compare` compares each point with `paper.toml` or `paper-sweeps.toml`. Other pages describe the heat, the "
+        "loads and the refit of the same press: [paper-heat.md](paper-heat.md), [paper-loads.md](paper-loads.md), "
         "[press-rises.md](press-rises.md).")
     kinds = wrapped(
-        f"**Calibrated** are the eight rises of the base case, to which three oil coefficients ({len(base.comparison['calibrated_on'])} "
-        "keys of the case) were fitted, and what is printed of them a second time. **Predicted** is all else: other speeds, forces "
-        "and stiffnesses, the traditional model, every course over time, E_SW. Beside a prediction stands what the "
-        "**base case unchanged** would give: a prediction that is no better than that has no skill. Errors are computed less printed.")
+        f"The eight rises of the base case are **calibrated**: three oil coefficients ({len(base.comparison['calibrated_on'])} keys of the "
+        "case) were fitted to them. This includes the rises that are printed a second time. Everything else is **predicted**: other "
+        "speeds, forces and stiffnesses, the traditional model, every curve over time, E_SW. Beside a prediction stands the value of "
+        "the **base case unchanged**; a prediction that is no better has no skill. Errors are computed minus printed.")
     rule = wrapped(
-        f"A figure is *reproduced* if it is met within {NEAR:.0%} and, where predicted, with an error of less than {BETTER:.0%} of that "
-        "of the base case unchanged. "
-        "*Not reproducible* are figures for which the paper lacks the data, whatever the error; the reason stands with each group.")
+        f"A figure is *reproduced* if it is met within {NEAR:.0%}. For a predicted figure, the error must also be less than {BETTER:.0%} of "
+        "that of the base case unchanged. "
+        "A figure is *not reproducible* if the paper lacks the data for it, whatever the error; each group states the reason.")
     return f"""<!-- Written by scripts/paper-results.py from runs of the program. Do not edit. -->
 # The results of the paper's press, figure by figure and claim by claim
 
@@ -757,23 +757,23 @@ def page(points):
 
 {wrapped(f"Claims in words: {claim_counts(rows)}.")}
 
-Where the model's trend stands against the paper's:
+The model's trends compared with the paper's:
 
 {summary_of_trends(points)}
 
 ## Base case: calibrated
 {base_rises(base)}
 
-{wrapped(f"The eight rises: rms {rises['rms']:.2f} K, bias {rises['bias']:+.2f} K; predicting no rise {rises['rms_of_no_change']:.2f} K, "
-         f"predicting their mean {rises['rms_of_mean']:.2f} K. This is a fit and proves nothing of other points.")}
+{wrapped(f"The eight rises have rms {rises['rms']:.2f} K, bias {rises['bias']:+.2f} K. The rms is {rises['rms_of_no_change']:.2f} K if no rise is predicted, "
+         f"and {rises['rms_of_mean']:.2f} K if their mean is predicted. This is a fit and proves nothing about other points.")}
 
-- P1 is on the top plate, where conduction brings a few kelvin in three hours and oil can only lower them. Oil splash, warm
-  air inside the frame or another place of the probe may explain it.
-- B is on the same link as F: one coefficient for all plain joints cannot move them apart. C depends, as P1, on what warms the
-  upper beam beside conduction. More is said in [press-rises.md](press-rises.md).
+- P1 is on the top plate. There, conduction causes a rise of a few kelvin in three hours, and oil can only lower it. Oil splash,
+  warm air inside the frame or another position of the probe may explain the difference.
+- B is on the same link as F, so one coefficient for all plain joints cannot separate them. Like P1, C depends on what warms the
+  upper beam besides conduction. [press-rises.md](press-rises.md) says more.
 
 ## Traditional model: predicted
-The paper prints no rises of it, only E_SW and loads; both are in the tables below.
+For this model the paper prints only E_SW and loads, no rises; both are in the tables below.
 
 {traditional_why(points)}
 
@@ -805,8 +805,8 @@ The paper prints no rises of it, only E_SW and loads; both are in the tables bel
 {stiffness_why(points)}
 
 ## Thermal error: predicted
-Above zero the gap closes in this table, as in the paper; everywhere else in the program E_SW > 0 opens it. The paper prints
-none without force. An early peak is one within two hours.
+In this table, as in the paper, a positive value closes the gap; everywhere else in the program E_SW > 0 opens it. The paper
+prints no thermal error without force. A peak counts as early if it is within two hours.
 
 {drift_table(points)}
 
@@ -815,17 +815,17 @@ none without force. An early peak is one within two hours.
 ## Bearing loads: predicted
 {load_table(points)}
 
-Width and shape of the process force, damping and belt pull are not printed, and between them a peak can take nearly any value:
-[paper-loads.md](paper-loads.md) shows the ranges and which of the printed peaks exclude each other.
+The paper does not print width and shape of the process force, damping and belt pull. With these free, a peak can take nearly
+any value: [paper-loads.md](paper-loads.md) shows the ranges, and which of the printed peaks exclude each other.
 
 ## Claims in words
-One row for each statement; what is claimed of several points of the sweeps is one statement. *In part*: it holds at some of its
-points or for some of its figures.
+The table has one row for each statement; a claim about several points of the sweeps is one statement. *In part* means that it
+holds at some of its points or for some of its figures.
 
 {claim_table(rows)}
 
-To renew this page, after `make build`: `scripts/paper-results.py --write` (a few minutes; with `--results DIR` from a finished
-sweep, at once).
+To renew this page, after `make build`: `scripts/paper-results.py --write` (this takes a few minutes; with
+`--results DIR` of a finished sweep it is immediate).
 """
 
 
