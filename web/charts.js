@@ -1,4 +1,4 @@
-// Line charts, waterfalls and bars. They are drawn anew for every width, so that text stays readable on a phone, and
+// Line charts, waterfalls and bars. They are drawn again for every width, so that text stays readable on a phone, and
 // once for paper. Lines differ by colour (Okabe and Ito), dashes and name, so that they can be told apart without colour.
 
 const palette = ["#0072b2", "#d55e00", "#009e73", "#b5548a", "#56b4e9", "#c98a00", "#222222"];
@@ -35,7 +35,7 @@ addEventListener("resize", () => requestAnimationFrame(() => redrawFigures()));
 addEventListener("beforeprint", () => { paper = true; redrawFigures(true); });
 addEventListener("afterprint", () => { paper = false; redrawFigures(true); });
 
-/** Heights of labels near those wanted, `pitch` apart. */
+/** Heights of labels near the wanted heights, at least `pitch` apart. */
 function spreadLabels(wanted, pitch, low, high) {
     const order = wanted.map((_, i) => i).sort((a, b) => wanted[a] - wanted[b]);
     const result = [...wanted];
@@ -51,7 +51,7 @@ function lineSample({ colour, dash }, bold) {
         stroke: colour, "stroke-width": bold ? 3.2 : 2, "stroke-dasharray": dash }));
 }
 
-/** What a chart says, as a table: for screen readers, and to read numbers off. */
+/** The content of a chart as a table, for screen readers and for reading numbers. */
 function figuresTable(series, xName, yUnit, xFormat) {
     const at = (list, pick) => {
         let best = -1;
@@ -67,7 +67,7 @@ function figuresTable(series, xName, yUnit, xFormat) {
             make("tbody", {}, series.map((list) => make("tr", {}, make("th", { scope: "row" }, list.name),
                 make("td", {}, shown(list.y[0], 4)), make("td", {}, at(list, (a, b) => a < b)),
                 make("td", {}, at(list, (a, b) => a > b)), make("td", {}, shown(list.y[list.y.length - 1], 4))))))),
-    make("p", { class: "note" }, `In ${yUnit}; in brackets where, in ${xName}.`));
+    make("p", { class: "note" }, `Values in ${yUnit}; their place in brackets, in ${xName}.`));
 }
 
 /**

@@ -14,7 +14,7 @@ function energies(run) {
     const joints = columnsOf(run.history, "joint_heat", "source_heat", "enclosed_air_power")
         .map((entry) => ({ name: words(entry.of), value: integral(time, entry.values) }))
         .filter((entry) => entry.value > 0).sort((a, b) => b.value - a.value);
-    // The history is sampled; the balance is exact. What the samples miss is spread evenly.
+    // The history is sampled, the balance is exact. The difference is distributed evenly.
     const sampled = joints.reduce((sum, entry) => sum + entry.value, 0);
     for (const entry of joints) entry.value *= energy.generated / sampled;
     const sources = joints.slice(0, 9);
@@ -75,7 +75,7 @@ function flowFigure(run) {
         return drawing;
     };
     const rows = [...sources.map((s) => ["from " + s.name, s]), ...sinks.map((s) => [s.name, s])];
-    return figure("flow", "Where the heat comes from and where it goes", "Energy over the whole run, of the whole press. "
+    return figure("flow", "Where the heat comes from and where it goes", "Energy of the whole press over the whole run. "
         + "Bands are as wide as the energy they carry.", draw, make("details", {}, make("summary", {}, "Figures of this chart"),
         table(["", "energy [MJ]", "share"], rows.map(([name, { value }]) =>
             [name, shown(value / 1e6, 4), `${shown(100 * value / total)} %`]))));

@@ -28,20 +28,20 @@ function parallelSection(run) {
     const steepest = Math.abs(across.largest_um_per_m) > Math.abs(along.largest_um_per_m)
         ? ["to the right", "to the left", across] : ["at the back", "in front", along];
     return make("section", { id: "parallelism" }, make("h2", {}, "Slide parallelism"),
-        make("p", {}, "The gap at the four corners of the slide, at bottom dead point and unloaded, as changes since the start. "
+        make("p", {}, "Changes of the gap at the four corners of the slide since the start, at bottom dead point and unloaded. "
             + "Front is z < 0, left is x < 0. "
             + (half ? "Half of the press is computed, so left and right are mirror images and there is no slope between them. " : "")
             + `The slope is steepest after ${duration(steepest[2].time_of_largest_s)}: the gap is wider `
             + `${steepest[2].largest_um_per_m > 0 ? steepest[0] : steepest[1]} by `
             + `${fixed(Math.abs(steepest[2].largest_um_per_m), 1)} µm per metre.`),
         lineChart({ id: "corners", title: "Gap at the corners of the slide", text: "E_SW is the mean over the whole "
-            + "face; the corners lie off it where the face bends.", x: ["time", "h"], y: ["change", "µm"],
+            + "face; the corners differ from it where the face bends.", x: ["time", "h"], y: ["change", "µm"],
             series: [...corners, ...(gap ? [{ name: "E_SW, mean", x: run.hours, y: gap, bold: true }] : [])] }),
-        lineChart({ id: "slopes", title: "Slope of the slide against the table", text: "Positive where the gap opens more to the "
+        lineChart({ id: "slopes", title: "Slope of the slide against the table", text: "Positive if the gap opens more to the "
             + "right, or to the back.", x: ["time", "h"], y: ["slope", "µm/m"], series: slopes }),
         cornerPlan(parallel.corners, "Change at the end [µm], seen from above", (corner) => corner.final_um),
-        make("p", { class: "note" }, "Joints hold the slide's tilt by their surfaces: the tilts of all bodies are those that "
-            + "leave the least mismatch in pins, bearings and guides. Play and the give of joints are left out."));
+        make("p", { class: "note" }, "The surfaces of the joints determine the tilt of the slide: the tilts of all bodies are "
+            + "those with the least mismatch in pins, bearings and guides. Play and compliance of joints are left out."));
 }
 
 function clearanceSection(run) {
@@ -56,9 +56,9 @@ function clearanceSection(run) {
                 : `used up after ${duration(entry.used_up_s)}`] : [])]);
     const lines = strongest(gapLines(run, "clearance"), 8);
     return make("section", { id: "clearances" }, make("h2", {}, "Clearances"),
-        make("p", {}, "Changes since the start; below zero the clearance closes. Bearings and pins on the diameter, with the "
-            + "growth of their rings; guides across both faces together. "
-            + (stated ? "" : "The case states no clearances at the start, so how much is left is not known "
+        make("p", {}, "Changes since the start; below zero the clearance closes. For bearings and pins the clearance is that of the diameter and "
+            + "includes the growth of their rings; for guides it is the sum over both faces. "
+            + (stated ? "" : "The case states no clearances at the start, so the remaining clearance is not known "
                 + "(joints.NAME.clearance).")),
         lineChart({ id: "clearance-changes", title: "Change of the clearances", text: lines.length < list.length
             ? `The eight of ${list.length} that change most.` : "", x: ["time", "h"], y: ["change", "µm"], series: lines }),
@@ -72,7 +72,7 @@ function forceChart(run) {
     const force = run.summary?.gaps?.force;
     if (!force || !run.gaps) return null;
     return lineChart({ id: "force-change", title: "Force at a fixed die height", text: "Change of the force if the die height is "
-        + `never set anew: the gap's change times ${shown(force.press_stiffness_N_per_m / 1e9)} kN/µm of press and tool.`,
+        + `never readjusted: the change of the gap times the stiffness of press and tool, ${shown(force.press_stiffness_N_per_m / 1e9)} kN/µm.`,
     x: ["time", "h"], y: ["change of the force", "kN"], series: [{ name: "force", x: gapHours(run),
         y: column(run.gaps, "force_change") }] });
 }

@@ -100,8 +100,8 @@ function linkageFigure(motion, joints) {
         };
         next();
     } }, "Play");
-    const element = figure("linkage", "The linkage in motion", "Thin lines are the paths of the joints; triangles stand on the "
-        + "ground, squares slide.", draw, make("div", { class: "controls" }, button,
+    const element = figure("linkage", "The linkage in motion", "Thin lines are the paths of the joints. Triangles are fixed pivots, "
+        + "squares are sliding joints.", draw, make("div", { class: "controls" }, button,
         make("label", { class: "grow" }, "Crank", slider, readout)));
     element.classList.add("linkage");
     entry = figures[figures.length - 1];

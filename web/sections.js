@@ -1,6 +1,6 @@
-// The sections of the page, each from what one result folder holds; null where it holds nothing of it.
+// The sections of the page. Each is made from the data of one results folder, or is null if the folder has no such data.
 
-const kelvinNote = "Rises are over the temperature at the start; heat is that of the whole press.";
+const kelvinNote = "Rises are relative to the temperature at the start. Heat is that of the whole press.";
 
 function facts(run) {
     const { summary, loads } = run;
@@ -12,7 +12,7 @@ function facts(run) {
         card(`largest change of the gap, after ${duration(drift.time_of_largest_s)}`, `${fixed(drift.largest_E_SW, 1, true)} µm`);
         card("change of the gap at the end", `${fixed(drift.final_E_SW, 1, true)} µm`);
         if ("warm_up_s" in summary) card(summary.warm_up_s === null ? "the gap still drifts too fast at the end"
-            : "the gap is steady from here on", summary.warm_up_s === null ? "not warm" : duration(summary.warm_up_s));
+            : "the gap is steady from this time on", summary.warm_up_s === null ? "not warm" : duration(summary.warm_up_s));
     }
     const rises = Object.entries(summary?.probe_rises_K ?? {}).map(([name, list]) => [name, list.end]);
     if (rises.length) {
@@ -20,7 +20,7 @@ function facts(run) {
         card(`largest rise of a probe: ${words(name)}`, `${fixed(most, 1, true)} K`);
     }
     if (summary?.energy_J) card("friction heat over the run", `${shown(summary.energy_J.generated / 1e6)} MJ`);
-    if (summary?.reference) card(`off the published rises (no model: ${shown(summary.reference.rms_null_K)} K)`,
+    if (summary?.reference) card(`difference from the published rises (if no rise is predicted: ${shown(summary.reference.rms_null_K)} K)`,
         `${shown(summary.reference.rms_residual_K)} K rms`);
     if (loads) {
         card("largest process force", `${shown(loads.operation.process_force_peak_N / 1000)} kN`);
@@ -37,7 +37,7 @@ function lead(run) {
     const end = run.hours ? duration(3600 * run.hours[run.hours.length - 1]) : "the run";
     return make("p", { class: "lead" }, `After ${end} the gap between slide and table has `
         + `${drift.final_E_SW < 0 ? "closed" : "opened"} by ${fixed(Math.abs(drift.final_E_SW), 1)} µm at bottom dead point`
-        + (strongest.length ? `; ${strongest.join(" and ")} ${strongest.length > 1 ? "move" : "moves"} it most.` : "."));
+        + (strongest.length ? `; ${strongest.join(" and ")} ${strongest.length > 1 ? "contribute" : "contributes"} most.` : "."));
 }
 
 /** Columns of the history of some kinds as lines over hours. */
@@ -57,7 +57,7 @@ function temperatureSection(run) {
         lineChart({ id: "probes", title: "Rise of the probes", text: kelvinNote, x: ["time", "h"], y: ["rise", "K"],
             series: probes, markNote: reference?.source }),
         lineChart({ id: "joints", title: "Temperature of the joints", text: "Mean over both sides of all surfaces in contact"
-            + (joints.length === 10 ? "; the ten that change most." : "."), x: ["time", "h"], y: ["temperature", "°C"],
+            + (joints.length === 10 ? ", for the ten joints that change most." : "."), x: ["time", "h"], y: ["temperature", "°C"],
         zero: false, series: joints }), airChart(run));
 }
 
@@ -67,7 +67,7 @@ function airChart(run) {
         y: ["temperature", "°C"], zero: false, series }) : "";
 }
 
-/** The lines that change most, in the order in which they stood. */
+/** The lines that change most, in their original order. */
 function strongest(lines, count) {
     const change = (line) => line.y.reduce((most, value) => Math.max(most, Math.abs(value - line.y[0])), 0);
     const chosen = [...lines].sort((a, b) => change(b) - change(a)).slice(0, count);
@@ -87,14 +87,14 @@ function heatSection(run) {
         y: generated.map((value, i) => value - (air?.[i] ?? 0) - (oil?.[i] ?? 0)) });
     const shownJoints = joints.slice(0, 8).filter((line) => Math.max(...line.y) > 0);
     return make("section", { id: "heat" }, make("h2", {}, "Heat"), flowFigure(run),
-        lineChart({ id: "balance", title: "Heat flows over time", text: "What the joints make goes to the air, to the oil, or "
-            + "warms the machine.", x: ["time", "h"], y: ["heat flow", "W"],
+        lineChart({ id: "balance", title: "Heat flows over time", text: "The heat of the joints goes to the air or to the oil, "
+            + "or warms the machine.", x: ["time", "h"], y: ["heat flow", "W"],
         series: balance.map((line) => ({ ...line, x: run.hours })) }),
         lineChart({ id: "joint-heat", title: "Friction heat of the joints", text: joints.length > 8
-            ? `The eight strongest of ${joints.length}.` : "", x: ["time", "h"], y: ["heat", "W"], series: shownJoints }));
+            ? `The eight largest of ${joints.length}.` : "", x: ["time", "h"], y: ["heat", "W"], series: shownJoints }));
 }
 
-/** What each part has done to the gap at a time, largest first. */
+/** Contribution of each part to the gap at a time, largest first. */
 function steps(run, hour) {
     const columns = columnsOf(run.contributions, "part_share");
     const hours = column(run.contributions, "time").map((second) => second / 3600);
@@ -102,7 +102,7 @@ function steps(run, hour) {
         "parts");
 }
 
-/** The steps of a waterfall, largest first, the small ones as one. */
+/** The steps of a waterfall, largest first; small ones are combined into one. */
 function mainSteps(steps, kind) {
     const rows = [...steps].sort((a, b) => Math.abs(b.value) - Math.abs(a.value));
     const kept = rows.slice(0, 9).filter((row) => Math.abs(row.value) > 0.005 * Math.abs(rows[0].value));
@@ -112,7 +112,7 @@ function mainSteps(steps, kind) {
     return kept;
 }
 
-/** What each heat has done to the gap at a time of the summary's list. */
+/** Contribution of each heat source to the gap at a time of the summary's list. */
 function causeSteps(entry) {
     const named = (group, what) => Object.entries(entry[group] ?? {}).map(([name, value]) =>
         ({ name: what ? `${what} ${words(name)}` : words(name), value }));
@@ -127,8 +127,8 @@ function causeFigure(entry, end) {
     return waterfall({ id: last ? "causes-end" : "causes-largest", unit: "µm", total: "gap E_SW", rows: causeSteps(entry),
         title: last ? `Which heat causes the change at the end, after ${duration(end)}`
             : `Which heat causes the largest change, after ${duration(entry.time_s)}`,
-        text: "Each cause counts with all that its heat does anywhere in the machine until then, with the heat of all joints "
-            + "as it was in the run. Oil and ambient count by what their temperature differs from the start.", note: null });
+        text: "Each cause counts with the effect of its heat anywhere in the machine up to this time, with the heat of all joints "
+            + "as in the run. Oil and ambient count with the difference of their temperature from the start.", note: null });
 }
 
 function driftSection(run) {
@@ -143,9 +143,9 @@ function driftSection(run) {
         const fall = (id, title, hour, exact) => {
             const rows = steps(run, hour);
             const miss = exact - rows.reduce((sum, row) => sum + row.value, 0);
-            return waterfall({ id, title, text: "Solid bars open the gap, hatched bars close it; each part counts with all "
-                + "that its own warming does.", unit: "µm", rows, total: "gap E_SW", note: Math.abs(miss) > 0.05
-                ? `The gap itself is at ${fixed(exact, 1, true)} µm then: shares are linear between the time steps.` : null });
+            return waterfall({ id, title, text: "Solid bars open the gap, hatched bars close it. Each part counts with the "
+                + "full effect of its own warming.", unit: "µm", rows, total: "gap E_SW", note: Math.abs(miss) > 0.05
+                ? `The gap itself is at ${fixed(exact, 1, true)} µm at this time; contributions are interpolated linearly between time steps.` : null });
         };
         if (Math.abs(at - end) > 0.01 * end)
             falls.push(fall("waterfall-largest", `Which part causes the largest change, after ${duration(3600 * at)}`, at,
@@ -156,7 +156,7 @@ function driftSection(run) {
     for (const entry of drift.by_cause ?? []) falls.push(causeFigure(entry, 3600 * end));
     const known = lines.filter((line) => data.schema.dimensions[line.key]);
     return make("section", { id: "gap" }, make("h2", {}, "The gap between slide and table"),
-        make("p", {}, "All at bottom dead point, with the press unloaded, as changes since the start. Above zero the gap opens. "
+        make("p", {}, "All values are changes since the start, at bottom dead point, with the press unloaded. Above zero the gap opens. "
             + "E_SW = E_BG − E_WG − E_CS − E_BC."),
         lineChart({ id: "drift", title: "The dimension chain over time", x: ["time", "h"], y: ["change", "µm"],
             series: lines }),
@@ -169,7 +169,7 @@ function loadsSection(run) {
     const { loads, joints, bearings } = run;
     if (!loads) return null;
     const angle = column(joints, "crank_angle");
-    const x = ["crank past bottom dead point", "°"];
+    const x = ["crank angle past bottom dead point", "°"];
     const xTicks = [0, 60, 120, 180, 240, 300, 360];
     const force = (table, kind, name) => {
         const [a, b] = ["x", "y"].map((axis) => column(table, `${kind}_${axis}`, name));
@@ -185,7 +185,7 @@ function loadsSection(run) {
     if (angle) parts.push(
         lineChart({ id: "slide", title: "Height of the slide", x, y: ["height", "mm"], xTicks,
             series: [{ name: "slide", x: angle, y: column(joints, "slide_height").map((value) => 1000 * value) }] }),
-        lineChart({ id: "joint-forces", title: "Forces in the joints", text: "Largest first; magnitude of the net force.", x,
+        lineChart({ id: "joint-forces", title: "Forces in the joints", text: "Magnitude of the net force, largest first.", x,
             y: ["force", "kN"], xTicks, series: pins }));
     if (bearings) parts.push(...bearingFigures(loads, bearings, x, xTicks, force));
     return make("section", { id: "loads" }, parts);
@@ -201,7 +201,7 @@ function bearingFigures(loads, bearings, x, xTicks, force) {
         .slice(0, 3);
     const shownLines = lines.filter((line) => strong.some((other) => other.name.split(",")[0] === line.name.split(",")[0]));
     return [lineChart({ id: "bearings", title: "Loads of the crankshaft's bearings", text: models.length > 1
-        ? "With the flexible crankshaft and, beside it, the rigid one." : "With the rigid crankshaft.", x, y: ["force", "kN"],
+        ? "With the flexible and with the rigid crankshaft." : "With the rigid crankshaft.", x, y: ["force", "kN"],
     xTicks, series: shownLines }),
     orderChart({ id: "orders", title: "Load spectrum of the bearings", text: "Amplitude of the load's magnitude at multiples of "
         + "the crank speed; 0 is the mean.", unit: "amplitude [kN]", series: shownLines.slice(0, 4).map((line) =>
@@ -235,13 +235,13 @@ function comparisonSection(run) {
     return make("section", { id: "comparison" }, make("h2", {}, "Against published or measured values"),
         make("p", {}, `Reference: ${reference.source}.`),
         table(["probe", "computed [K]", "reference [K]", "difference [K]"], rows),
-        make("p", {}, `Root mean square of the differences: ${shown(reference.rms_residual_K)} K. Predicting no rise at all `
+        make("p", {}, `The root mean square of the differences is ${shown(reference.rms_residual_K)} K. Predicting no rise at all `
             + `would give ${shown(reference.rms_null_K)} K, so the model is `
-            + (better ? `${shown(reference.rms_null_K / reference.rms_residual_K, 2)} times closer than that.`
-                : "no better than that.")),
-        reference.calibrated_on?.length ? make("p", {}, "Calibrated: these keys of the case were fitted to these very values, so "
-            + `their agreement proves nothing about them: ${reference.calibrated_on.join(", ")}.`)
-            : make("p", {}, "The case names nothing that was calibrated on these values."));
+            + (better ? `${shown(reference.rms_null_K / reference.rms_residual_K, 2)} times closer.`
+                : "no better.")),
+        reference.calibrated_on?.length ? make("p", {}, "Some keys of the case were calibrated on these values, so the agreement "
+            + `proves nothing about these keys: ${reference.calibrated_on.join(", ")}.`)
+            : make("p", {}, "The case names no keys that were calibrated on these values."));
 }
 
 function trustSection(run) {
@@ -251,21 +251,21 @@ function trustSection(run) {
     const left = source.left_out ?? [];
     return make("section", { id: "trust" }, make("h2", {}, "Warnings and assumptions"),
         source.interrupted ? make("p", {}, make("strong", {}, "The run was stopped before its end."), " ",
-            "Everything here holds up to then.") : null,
+            "All results cover the time up to the stop.") : null,
         warnings.length ? make("ul", { class: "warnings" }, warnings.map((text) => make("li", {}, text)))
             : make("p", {}, "The run gave no warnings."),
         make("h3", {}, "What the model assumes"),
         make("ul", {}, [
-            "Parts keep their material constants at all temperatures; each part is of one material.",
-            "Deformation is linear and elastic, and follows the temperature at once.",
-            "Bodies meet only in the joints; heat crosses there as the case file says.",
-            source.model?.half_model ? "The press is symmetric about x = 0: half of it is computed." : null,
+            "Parts keep their material constants at all temperatures; each part has one material.",
+            "Deformation is linear and elastic, and follows the temperature without delay.",
+            "Bodies touch only in the joints; the case file states how heat passes there.",
+            source.model?.half_model ? "The press is symmetric about x = 0; half of it is computed." : null,
             "The dimension chain is that of the unloaded press at bottom dead point.",
             left.length ? `Left out: ${left.join(", ")}.` : null,
         ].filter(Boolean).map((text) => make("li", {}, text))),
         run.summary?.energy_J?.relative_mismatch != null ? make("p", {}, "The energy balance closes to "
             + `${run.summary.energy_J.relative_mismatch.toExponential(0)} of the heat.`) : null,
-        check ? make("p", {}, `The gap by the chain and by the deformation solved at ${duration(check.time_s)}: `
+        check ? make("p", {}, `The gap at ${duration(check.time_s)}, from the dimension chain and from the deformation: `
             + `${fixed(check.E_SW_um_by_adjoint, 3, true)} and ${fixed(check.E_SW_um_by_deformation, 3, true)} µm.`) : null);
 }
 
@@ -286,6 +286,6 @@ function aboutSection(run) {
         table(["", ""], rows),
         make("p", {}, `Cite as: deadpoint ${source.version}, thermal drift of mechanical presses at bottom dead point; case `
             + `“${source.case?.name}”, hash ${source.case?.hash}. The file CITATION.cff of the program has the full entry.`),
-        run.case_file ? make("details", { class: "screen" }, make("summary", {}, "The case file as it was understood"),
+        run.case_file ? make("details", { class: "screen" }, make("summary", {}, "The case file as the program read it"),
             make("pre", {}, run.case_file)) : null);
 }

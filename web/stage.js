@@ -16,14 +16,14 @@ function viewSection(run) {
     const scale = make("div", { class: "scale" });
     const stage = make("div", { class: "stage" }, canvas, still, clock, scale);
     const section = make("section", { id: "machine" }, make("h2", {}, "The machine in three dimensions"),
-        make("p", {}, "Drag to turn, click a point to read its temperature. Zoom with two fingers, with the buttons, or with "
-            + "the wheel after a click."), stage);
+        make("p", {}, "Drag to turn the machine. Click a point to read its temperature. Zoom with two fingers, with the buttons, or, after a "
+            + "click, with the wheel."), stage);
     let scene;
     try {
         scene = new MachineScene(canvas, run.view, run.motion);
     } catch (error) {
-        stage.replaceChildren(make("p", { class: "note" }, "This browser shows no WebGL 2 graphics, which the view needs. "
-            + `The charts below do without. (${error.message})`));
+        stage.replaceChildren(make("p", { class: "note" }, "The view needs WebGL 2, which this browser does not provide. "
+            + `The charts below work without it. (${error.message})`));
         return { section, dispose() {} };
     }
     const ui = new Stage(run, scene, { canvas, still, clock, scale, stage, section });
@@ -164,15 +164,15 @@ class Stage {
         const keys = [["← → ↑ ↓", "turn"], ["+ −", "zoom"], ["Space", "play or pause"], [", .", "step in time"],
             ["P", "temperature at the middle of the view"], ["Home", "first view"]];
         const view = this.run.view;
-        return make("details", { class: "screen" }, make("summary", {}, "Keys, and what this view is made of"),
+        return make("details", { class: "screen" }, make("summary", {}, "Keys, and the data of this view"),
             make("ul", { class: "keys" }, keys.map(([key, what]) => make("li", {}, make("kbd", {}, key), " ", what))),
-            make("p", { class: "note" }, "The keys work while the view has the focus (Tab). Shown are "
+            make("p", { class: "note" }, "The keys work while the view has the focus (Tab). The view shows "
                 + `${view.parts.reduce((sum, part) => sum + part.triangles, 0)} triangles between nodes of the mesh`
                 + (view.merged_within_m ? `, merged within ${shown(1000 * view.merged_within_m, 2)} mm and less` : "")
                 + `, and ${view.coefficients.length} modes of the field at ${view.time_s.length} times. Leaving out further `
                 + `modes changes no temperature by more than ${shown(view.error_of_modes_K, 2)} K (largest rise `
-                + `${shown(view.largest_rise_K)} K)` + (view.displacement_m ? `; the deformation takes the first `
-                + `${view.displacement_m.modes.length} of them and is good to about 1 %` : "") + `. Between the times, values are linear. Cut faces are grey: the inside is `
+                + `${shown(view.largest_rise_K)} K)` + (view.displacement_m ? `; the deformation uses the first `
+                + `${view.displacement_m.modes.length} of them and is accurate to about 1 %` : "") + `. Between the times, values are interpolated linearly. Cut faces are grey; the values inside are `
                 + "in fields.pvd, for ParaView."));
     }
 
@@ -230,7 +230,7 @@ class Stage {
         make("a", { href: copy.toDataURL("image/png"), download: name.replace(/[^\w.-]+/g, "-") }).click();
     }
 
-    /** Nothing but the machine, over the whole window: what `deadpoint report --pictures` takes its pictures of. */
+    /** Shows only the machine, over the whole window, for the pictures of `deadpoint report --pictures`. */
     pose(name) {
         document.body.classList.add("picture");
         const { scene } = this;
@@ -261,7 +261,7 @@ class Stage {
         this.play.setAttribute("aria-pressed", "false");
     }
 
-    /** The whole run in ten seconds, from the start if it is at its end; in few large steps for those who ask for calm. */
+    /** Plays the whole run in ten seconds, from the start if it is at its end; in a few large steps if reduced motion is set. */
     run_() {
         const { fields, state } = this.scene;
         this.playing = true;
@@ -282,7 +282,7 @@ class Stage {
         requestAnimationFrame(frame);
     }
 
-    /** Brings everything beside the picture in line with the state. */
+    /** Updates everything beside the picture from the state. */
     refresh() {
         const { state, fields } = this.scene;
         this.time.value = Math.round(1000 * state.time / fields.end);
@@ -379,7 +379,7 @@ class Stage {
         this.covering = setTimeout(() => this.coverLabels(), 120);
     }
 
-    /** Pales the labels of what lies behind something. */
+    /** Dims the labels of hidden places. */
     coverLabels() {
         for (const { element, mark } of this.labels)
             element.classList.toggle("behind", this.scene.covered(this.scene.placeOf(mark)));

@@ -38,7 +38,7 @@ function studyLead() {
     const drifting = sets.flatMap((set) => set.places).filter((place) => place.point.figures?.E_SW)
         .sort((a, b) => Math.abs(a.point.figures.E_SW.largest_um) - Math.abs(b.point.figures.E_SW.largest_um));
     if (drifting.length > 1) {
-        const tell = (place) => `${fixed(place.point.figures.E_SW.largest_um, 1, true)} µm at most with ${placeName(place)}`;
+        const tell = (place) => `${fixed(place.point.figures.E_SW.largest_um, 1, true)} µm at most, with ${placeName(place)}`;
         parts.push(`The gap between slide and table changes least, by ${tell(drifting[0])}, and most, by `
             + `${tell(drifting[drifting.length - 1])}.`);
     }
@@ -54,7 +54,7 @@ function limitsText() {
 function windowsSection() {
     if (!limited) return null;
     return make("section", { id: "windows" }, make("h2", {}, "Best windows"),
-        make("p", {}, `The largest block of neighbouring values of each set that keeps the limits: ${limitsText()}.`),
+        make("p", {}, `For each set, the table gives the largest block of neighbouring values that meets the limits: ${limitsText()}.`),
         table(["set", "window", "share of the range"], sets.map((set) => [words(set.name), set.window?.text ?? "–",
             set.window?.points ? `${fixed(100 * set.window.share_of_range, 0)} %` : "–"])));
 }
@@ -86,7 +86,7 @@ function overAxis(id, title, text, unit, set, axis, places, lines) {
 const otherSteps = (set, steps, free) => set.axes.map((axis, i) => (free.includes(i) ? null
     : `${words(axis.name)} ${axis.labels[steps[i]]}`)).filter(Boolean).join(", ");
 
-/** Curves along one axis, the others held; what is chosen stands in `state`. */
+/** Curves along one axis, with the others fixed; `state` holds the choice. */
 function family(set, state) {
     const axis = set.axes.length ? state.axis : null;
     const places = set.places.filter((place) => place.point.course && place.steps.every((step, i) =>
@@ -122,7 +122,7 @@ const mapQuantities = [
     { name: "change of the gap at the end [µm]", of: (f) => f.E_SW?.end_um },
     ...probes.map((probe) => ({ name: `rise of ${words(probe)} at the end [K]`, of: (f) => f.rises_at_end_K[probe] }))];
 
-/** Two axes across each other: numbers in cells, the darker the larger; the window has a thick frame. */
+/** A map of two axes with numbers in cells: darker is larger, and the window has a thick frame. */
 function map(set, state) {
     const [across, down] = state.map;
     const quantity = mapQuantities[state.quantity];
@@ -220,7 +220,7 @@ function tableColumns() {
     return columns.filter((column) => places.some((place) => column.value(place) !== undefined));
 }
 
-/** Rows with a value first, smallest first or largest first; signs count. */
+/** Rows sorted by value with its sign, ascending or descending; rows without a value come last. */
 function sorted(places, column, descending) {
     const order = (a, b) => {
         const [x, y] = [column.value(a), column.value(b)];
@@ -258,8 +258,8 @@ function pointsSection() {
         .map((column) => make("label", {}, make("input", { type: "checkbox", checked: column.chosen, "data-column": column.title,
             change: (event) => { column.chosen = event.target.checked; draw(); } }), column.title))));
     return make("section", { id: "points" }, make("h2", {}, "All points"),
-        make("p", {}, "A row for each place of each set; headings sort. Changes of the gap since the start, at bottom dead point: "
-            + "above zero it opens."),
+        make("p", {}, "The table has one row for each point of each set. Click a heading to sort. Changes of the gap are relative to the start, at "
+            + "bottom dead point; above zero the gap opens."),
         sets.length > 1 ? make("div", { class: "controls" }, select("Show", "only-set", ["all sets", ...sets.map((set) => words(set.name))], 0,
             (index) => { only = index; draw(); })) : null,
         make("details", { class: "columns" }, make("summary", {}, "Choose columns"), boxes), holder);
@@ -275,8 +275,8 @@ function studyTrust() {
             failed.map((point) => [point.name, stateWords[point.state], point.reason ?? (point.interrupted ? "was stopped" : "–")]))) : null,
         warnings.length ? make("ul", { class: "warnings" }, warnings.map((text) => make("li", {}, text)))
             : make("p", {}, "The study gave no warnings."),
-        make("p", {}, "Every point is a case of its own with the same mesh; the folder points/ holds the files of each. The page of one "
-            + "point, with its view in three dimensions, its loads and assumptions, comes with “deadpoint report” and that folder."),
+        make("p", {}, "Every point is a separate case with the same mesh; the folder points/ holds its files. “deadpoint report” with the folder of "
+            + "a point writes its page, with the view in three dimensions, loads and assumptions."),
         data.left_out?.length ? make("p", {}, `Left out of the model: ${data.left_out.join(", ")}.`) : null);
 }
 

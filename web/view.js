@@ -1,4 +1,4 @@
-// The machine in three dimensions: temperature and enlarged deformation over time, to turn, cut open and ask.
+// The machine in three dimensions: temperature and enlarged deformation over time; it can be turned, cut open and queried.
 
 // Light to dark, so that the order also holds without colour (ColorBrewer YlOrRd, Brewer and Harrower).
 const heatColours = ["ffffcc", "ffeda0", "fed976", "feb24c", "fd8d3c", "fc4e2a", "e31a1c", "bd0026", "800026"]
@@ -21,7 +21,7 @@ class Fields {
         this.end = this.times[this.times.length - 1];
     }
     modal(field) { return { base: restored(field.base), modes: field.modes.map(restored) }; }
-    /** The whole field at a time [s]; linear between the times that were kept. */
+    /** The whole field at a time [s], interpolated linearly between the stored times. */
     at(field, time) {
         const values = Float32Array.from(field.base);
         field.modes.forEach((mode, k) => {
@@ -30,14 +30,14 @@ class Fields {
         });
         return values;
     }
-    /** One entry over all times that were kept. */
+    /** One entry over all stored times. */
     course(field, entry) {
         return this.times.map((_, j) => field.modes.reduce((sum, mode, k) => sum + this.coefficients[k][j] * mode[entry],
             field.base[entry]));
     }
 }
 
-/** What can be shown in colours: name, unit, values at vertices from the fields. */
+/** The quantities that can be shown in colours: name, unit, values at vertices from the fields. */
 function quantities(fields) {
     const list = [{ id: "rise", name: "temperature rise", unit: "K",
         values: (time) => fields.at(fields.temperature, time).map((value) => value - fields.initial) },
@@ -62,7 +62,7 @@ function colourTicks(entry, fields) {
         if (value > high) high = value;
     }
     if (high - low < 1e-3) return [Math.round(low), Math.round(low) + 1];  // nothing happens
-    // What the modes left out must not add a band.
+    // The error of the modes must not add a band.
     if (Math.abs(low) < 0.03 * (high - low)) low = 0;
     return niceTicks(low, Math.max(high - 0.01 * (high - low), low + 1e-6), 9);
 }
@@ -116,7 +116,7 @@ class MachineScene {
         const offset = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
         this.materials = {
             front: new L.MeshLambertMaterial({ map: this.texture, flatShading: true, clippingPlanes, ...offset }),
-            // Seen only where the cut opens a part; drawn before the edges behind it, it looks like the cut face.
+            // Visible only where the cut opens a part. It is drawn before the edges behind it, so it looks like the cut face.
             back: new L.MeshBasicMaterial({ color: 0xb4b8bc, side: L.BackSide, clippingPlanes, polygonOffset: true,
                 polygonOffsetFactor: -0.5, polygonOffsetUnits: -4 }),
             edge: new L.LineBasicMaterial({ color: 0x30363c, transparent: true, opacity: 0.6, clippingPlanes }),
@@ -197,7 +197,7 @@ class MachineScene {
         const back = new L.Vector3(...direction).normalize();
         const right = new L.Vector3(0, 1, 0).cross(back).normalize();
         const up = back.clone().cross(right);
-        // As near as all eight corners of the box around the machine allow.
+        // As near as possible with all eight corners of the machine's box in view.
         const slope = 0.92 * Math.tan(this.camera.fov * Math.PI / 360);
         let distance = 0;
         for (let corner = 0; corner < 8; ++corner) {
@@ -255,7 +255,7 @@ class MachineScene {
         this.materials.front.map = this.texture;
     }
 
-    /** Takes over what changed of the state and draws. */
+    /** Takes over changes of the state and draws. */
     update(change = {}) {
         Object.assign(this.state, change);
         const { time, magnification, quantity, mirrored } = this.state;
@@ -272,7 +272,7 @@ class MachineScene {
                 uv.array[2 * v] = Math.min(0.9999, Math.max(0.0001, (values[part.first_vertex + v] - low) / (high - low)));
             position.needsUpdate = uv.needsUpdate = true;
             part.geometry.computeBoundingSphere();
-            // The symmetry plane is no surface of the whole machine, nor is its outline an edge.
+            // The symmetry plane is not a surface of the whole machine, and its outline is not an edge.
             const [faces, edges] = mirrored ? part.range.mirrored : part.range.open;
             part.geometry.setDrawRange(0, faces);
             part.lines.setDrawRange(0, edges);
@@ -286,7 +286,7 @@ class MachineScene {
         this.render();
     }
 
-    /** Where a body is at the chosen crank angle. What exists twice has its own image; what is cut by the plane has not. */
+    /** Place of a body at the chosen crank angle. A body that exists twice has a mirror image, a body cut by the plane has none. */
     pose(body, mirrored) {
         const L = Libraries;
         const matrix = new L.Matrix4();
@@ -321,14 +321,14 @@ class MachineScene {
         this.afterRender?.();
     }
 
-    /** What a ray meets first of all that is shown. */
+    /** The first visible thing that a ray meets. */
     hit(ray) {
         const fronts = this.parts.flatMap((part) => part.copies.filter((copy) => copy.group.visible)
             .map((copy) => copy.front));
         return ray.intersectObjects(fronts, false).find((entry) => this.plane.distanceToPoint(entry.point) >= 0);
     }
 
-    /** What lies under a place of the canvas (-1..1 each way): part, vertices and weights. */
+    /** Part, vertices and weights under a place of the canvas (-1..1 each way). */
     pick(x, y) {
         const ray = new Libraries.Raycaster();
         ray.setFromCamera(new Libraries.Vector2(x, y), this.camera);
@@ -339,19 +339,19 @@ class MachineScene {
             vertices: [hit.face.a, hit.face.b, hit.face.c].map((v) => v + part.first_vertex), weights: hit.barycoord.toArray() };
     }
 
-    /** Where a mark on the machine is now, with deformation and crank. */
+    /** Current place of a mark on the machine, with deformation and crank. */
     placeOf({ vertices, weights, copy }) {
         const place = [0, 1, 2].map((i) => weights.reduce((sum, w, k) => sum + w * this.shownPositions[3 * vertices[k] + i], 0));
         return new Libraries.Vector3(...place).applyMatrix4(copy.group.matrix).toArray();
     }
 
-    /** The same in the machine as it was meshed [m]. */
+    /** The same place in the machine as meshed [m]. */
     originOf({ vertices, weights, copy }) {
         return [0, 1, 2].map((i) => (i === 0 && copy.mirrored ? -1 : 1)
             * weights.reduce((sum, w, k) => sum + w * this.fields.positions[3 * vertices[k] + i], 0));
     }
 
-    /** Whether something shown stands between the camera and a place in the machine. */
+    /** Whether something visible lies between the camera and a place in the machine. */
     covered(point) {
         const place = new Libraries.Vector3(...point);
         const distance = place.distanceTo(this.camera.position);
