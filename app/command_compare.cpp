@@ -86,7 +86,7 @@ void compare(const CompareOptions& options)
     Console console(options.console);
     const auto stem = output_stem(options);
     const auto if_there = replaced_files(options, stem);
-    const auto claim = claim_folder_of(stem, console);  // so that what is read is what is added to
+    const auto claim = claim_folder_of(stem, console);  // no other run may change the folder between reading and adding
     const auto run = report::read_result(options.folder);
     const auto contents = study::contents(run);
     const auto reference = casefile::read_reference(options.reference, options.point, &contents);

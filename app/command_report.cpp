@@ -80,7 +80,7 @@ void take_pictures(const fs::path& page, const fs::path& folder)
     if (error) {
         throw IoError(fmt::format("cannot create '{}': {}", folder.string(), error.message()));
     }
-    // Its own profile: with that of a browser that is open already, it would hand over to it and draw nothing.
+    // Uses a separate profile. With the profile of a running browser it would hand over to that one and draw nothing.
     const auto profile = fs::temp_directory_path() / fmt::format("deadpoint-browser-{}", getpid());
     for (const char* pose : {"oblique", "front", "side", "cut"}) {
         const auto file = fs::absolute(folder / fmt::format("machine-{}.png", pose));
@@ -98,7 +98,7 @@ void take_pictures(const fs::path& page, const fs::path& folder)
                                          "--screenshot=" + file.string(),
                                          fmt::format("file://{}#picture={}", fs::absolute(page).string(), pose)};
         if (geteuid() == 0) {
-            command.insert(command.begin() + 1, "--no-sandbox");  // it refuses to start as root otherwise
+            command.insert(command.begin() + 1, "--no-sandbox");  // otherwise it refuses to start as root
         }
         for (const char* browser : {"chromium", "chromium-browser", "google-chrome"}) {
             command.front() = browser;
@@ -119,7 +119,7 @@ void take_pictures(const fs::path& page, const fs::path& folder)
 void write_page_of(const std::vector<fs::path>& folders, const fs::path& file, IfThere if_there)
 {
     Console console({});
-    const auto claim = claim_folder_of(file, console);  // so that what is read is what is added to
+    const auto claim = claim_folder_of(file, console);  // no other run may change the folder between reading and adding
     const auto study = std::ranges::find_if(folders, report::is_study);
     if (study == folders.end()) {
         report::write_report(file, report::report_sources(folders), if_there);

@@ -24,7 +24,7 @@ namespace {
 
 struct RunOptions : ResultOptions {
     std::string from;      ///< result folder whose final temperatures are the start
-    std::string accuracy;  ///< numerics.accuracy, in place of the case's
+    std::string accuracy;  ///< numerics.accuracy, overrides the case's
     CheckpointOptions checkpoints;
 };
 
@@ -104,7 +104,7 @@ int run_case(RunOptions options, const OnRanks& ranks)
     }
     const auto read = read_case(options, console);
     const auto& input = read.value;
-    std::optional<report::FolderClaim> claim;  // before anything beside the folder is believed
+    std::optional<report::FolderClaim> claim;  // taken before files beside the folder are trusted
     on_first_rank(ranks.first, [&] { claim.emplace(claim_folder(options.folder, console)); });
     study::RunOptions wanted;
     plan_checkpoints(options.checkpoints, options.folder, options.force, input, ranks.first, wanted);

@@ -98,7 +98,7 @@ void Console::progress(double fraction, std::string_view detail)
         return;
     }
     const double pause = seconds_since(last_shown_);
-    // A log gets a line each tenth of the way, and each minute where that takes long.
+    // A log gets a line for each tenth of the work, and each minute if a tenth takes longer.
     const bool due = terminal_ ? pause > 0.1 : pause > 60 || (pause > 2 && fraction >= last_fraction_ + 0.1);
     if (due) {
         last_shown_ = Clock::now();

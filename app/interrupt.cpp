@@ -10,7 +10,7 @@
 namespace {
 
 volatile std::sig_atomic_t stop_wanted = 0;
-volatile std::sig_atomic_t asked_to_end = 0;  // by a user or a shutdown; only they can end the program at once
+volatile std::sig_atomic_t asked_to_end = 0;  // set by a user or a shutdown; only these can end the program at once
 
 void ask_for_stop()
 {

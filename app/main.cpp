@@ -65,7 +65,7 @@ int run(int argc, char** argv)
     add_sweep(app, exit_code);
     add_report(app, exit_code);
     add_view(app, exit_code);
-    if (argc == 3 && std::string_view(argv[1]) == "--write-manual") {  // for those who pack the program
+    if (argc == 3 && std::string_view(argv[1]) == "--write-manual") {  // used when the program is packaged
         write_manual(app, std::string(deadpoint::version), argv[2]);
         return 0;
     }

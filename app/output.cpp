@@ -12,7 +12,7 @@
 
 namespace {
 
-int first_failure = 0;  // of standard output, as errno
+int first_failure = 0;  // first error of standard output, as errno
 
 void note_failure(bool failed)
 {
@@ -35,7 +35,7 @@ void flush_out()
     errno = 0;
     if (std::fflush(stdout) != 0) {
         note_failure(true);
-        __fpurge(stdout);  // else libraries that flush it at their end stumble over the rest
+        __fpurge(stdout);  // otherwise libraries that flush it at exit fail on the rest
     }
 }
 
@@ -48,7 +48,7 @@ void write_err(std::string_view text)
 
 void require_whole_output()
 {
-    flush_out();  // of what CLI11 gave to std::cout too, which has no buffer of its own
+    flush_out();  // also flushes the text that CLI11 wrote to std::cout, which has no buffer of its own
     if (first_failure == 0 && std::ferror(stdout) == 0 && !std::cout.fail()) {
         return;
     }
@@ -62,7 +62,7 @@ void open_missing_streams()
 {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(stream, F_GETFD) < 0 && errno == EBADF) {
-            // The lowest number that is free, which is this one.
+            // Gets the lowest free number, which is this one.
             (void)open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
         }
     }

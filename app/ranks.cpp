@@ -14,7 +14,7 @@ int on_ranks(Console::Options options, const std::function<int(const OnRanks&)>&
     int argc = 0;
     char** argv = nullptr;
     const fem::Session session(argc, argv);
-    catch_interrupts();  // after MPI, which has handlers of its own
+    catch_interrupts();  // after MPI, which installs its own handlers
     const bool first = session.rank() == 0;
     options.silent = !first;
     Console console(options);

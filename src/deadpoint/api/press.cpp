@@ -25,7 +25,7 @@
 namespace deadpoint {
 namespace {
 
-constexpr double least_scale = 0.01, largest_scale = 100;  // as the command line has it
+constexpr double least_scale = 0.01, largest_scale = 100;  // the same limits as on the command line
 
 void require_scale(double scale)
 {

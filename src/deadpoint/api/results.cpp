@@ -53,7 +53,7 @@ private:
     {
         series_.push_back({kind, name, quantity, unit, std::move(values), {}});
     }
-    /// Heat of the model becomes that of the press.
+    /// Converts heat of the model to heat of the whole press.
     void add_heat(Kind kind, const std::string& name, const char* quantity, const std::vector<double>& watts)
     {
         add(kind, name, quantity, "W", scaled(watts, result_.symmetry_factor));

@@ -8,7 +8,7 @@ namespace deadpoint {
 
 LinearCurve::LinearCurve(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y))
 {
-    (void)interpolate_linear(x_, y_, 0);  // refuses what is not a curve
+    (void)interpolate_linear(x_, y_, 0);  // refuses values that are not a curve
     sum_.assign(x_.size(), 0.0);
     for (std::size_t i = 1; i < x_.size(); ++i)
         sum_[i] = sum_[i - 1] + 0.5 * (y_[i] + y_[i - 1]) * (x_[i] - x_[i - 1]);

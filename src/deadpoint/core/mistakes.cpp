@@ -53,7 +53,7 @@ void throw_about(const std::string& path, const Error& error)
     Mistakes mistakes;
     mistakes.add(path, error);
     mistakes.raise();
-    throw InputError(error.what());  // of no diagnostics: cannot be
+    throw InputError(error.what());  // there were no diagnostics; this cannot happen
 }
 
 void Mistakes::keep(Diagnostic found)

@@ -51,7 +51,7 @@ Character first_character(std::string_view text)
 bool is_printable(const Character& c)
 {
     // Controls; joiners and marks of direction; separators and embeddings; further ones; byte order mark; annotations
-    // and what is no character; tags.
+    // and noncharacters; tags.
     constexpr std::array<std::pair<char32_t, char32_t>, 8> refused{{{0x00, 0x1f},
                                                                     {0x7f, 0x9f},
                                                                     {0x200b, 0x200f},

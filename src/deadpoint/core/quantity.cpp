@@ -135,7 +135,7 @@ public:
         return parse(unit) != nullptr;
     }
 
-    /// Scale from `unit` to `si`, or nothing where they measure different things or the relation is not a line.
+    /// Scale from `unit` to `si`; nothing if their dimensions differ or the relation is not linear.
     [[nodiscard]] std::optional<Scale> scale(const std::string& unit, const std::string& si)
     {
         const std::scoped_lock lock(mutex_);
@@ -189,7 +189,7 @@ private:
     }
 
     ut_system* system_ = nullptr;
-    std::map<std::string, Unit> si_units_;  ///< those of our dimensions, parsed
+    std::map<std::string, Unit> si_units_;  ///< SI units of our dimensions, parsed
     std::mutex mutex_;
 };
 

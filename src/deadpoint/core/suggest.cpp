@@ -34,7 +34,7 @@ int edit_distance(std::string_view a, std::string_view b)
 
 std::string closest_name(std::string_view name, const std::vector<std::string>& candidates)
 {
-    constexpr std::size_t longest = 100;  // what is longer is no slip of the pen
+    constexpr std::size_t longest = 100;  // a longer text is not a typing mistake
     if (name.size() > longest) {
         return {};
     }

@@ -170,7 +170,7 @@ JointCentres joint_centres(const Machine& machine, const Linkage& linkage,
 double travel_by_play(const Linkage& linkage, const BottomDeadPointSensitivity& sensitivity,
                       const ChainDescription& chain)
 {
-    // The crank's centre on the ground's side lies the clearance away from the seat's.
+    // On the ground's side, the crank's centre is offset from the seat's centre by the clearance.
     const bool ground_is_b = linkage.joints[chain.crank_joint].body_b == linkage.ground;
     return (ground_is_b ? 1 : -1) * dot(sensitivity.weight[chain.crank_joint], chain.pressed);
 }

@@ -13,7 +13,7 @@ namespace {
 // A contact of a guide, or its mirror image.
 struct GuideFace {
     int contact = 0;
-    Vec3 normal{};  ///< out of the first contact's body a
+    Vec3 normal{};  ///< outward normal of body a of the first contact
 };
 
 Vec3 mean_normal(const Contact& contact)

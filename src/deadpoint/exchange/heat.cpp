@@ -7,7 +7,7 @@ namespace deadpoint {
 
 double EnergyBalance::mismatch() const
 {
-    constexpr double nothing = 1e-6;  // [J]; a machine that neither warms nor cools has no balance to miss
+    constexpr double nothing = 1e-6;  // [J]; a machine that neither warms nor cools has no balance to check
     const double scale =
         std::max({std::abs(generated), std::abs(to_air), std::abs(to_oil), std::abs(from_surfaces), std::abs(stored)});
     return scale > nothing ? std::abs(generated + from_surfaces - to_air - to_oil - stored) / scale : 0;

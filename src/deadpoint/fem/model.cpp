@@ -55,17 +55,17 @@ struct Model::Implementation {
             elastic = std::make_unique<ElasticSolver>(deformed(), materials, foundation);
         return *elastic;
     }
-    /// A field of the heat at the unknowns of the deformation.
+    /// Transfers a field of the heat mesh to the unknowns of the deformation.
     [[nodiscard]] Field where_deformed(const Field& field) const
     {
         return own ? Field{own->to.apply(field.owned)} : field;
     }
-    /// A displacement at the unknowns of the heat.
+    /// Transfers a displacement to the unknowns of the heat mesh.
     [[nodiscard]] std::vector<double> on_heat_mesh(const Displacement& u) const
     {
         return own ? own->back.apply(u.owned, 3) : u.owned;
     }
-    /// Weights on the temperatures of the heat.
+    /// Converts weights to weights on the temperatures of the heat mesh.
     [[nodiscard]] std::vector<Adjoint> on_heat_mesh(std::vector<Adjoint> adjoints) const
     {
         if (own)
@@ -76,7 +76,7 @@ struct Model::Implementation {
     const Machine& machine;
     std::vector<Material> materials;
     Discretisation space;
-    std::unique_ptr<OwnMesh> own;  ///< of the deformation, where it differs
+    std::unique_ptr<OwnMesh> own;  ///< mesh of the deformation, if it differs
     Expansion expansion;
     std::unique_ptr<ElasticSolver> elastic;
     std::unique_ptr<HeatSolver> heat;
@@ -457,7 +457,7 @@ namespace {
 /// What a field file shows: values at all unknowns, and what to say of each part.
 struct ShownFields {
     std::vector<double> temperature;   ///< [K]
-    std::vector<double> displacement;  ///< three for each unknown [m]; empty: none
+    std::vector<double> displacement;  ///< three per unknown [m]; empty if there is none
     const std::vector<RigidMotion>& motion_of_part;
     const std::vector<int>& body_of_part;
     const std::vector<PointData>& point_data;
@@ -530,7 +530,7 @@ private:
     const Machine& machine_;
     const ShownFields& shown_;
     VtuGrid grid_;
-    std::vector<std::int64_t> local_;  ///< per node: its number in the file, or -1
+    std::vector<std::int64_t> local_;  ///< per node: number in the file, or -1
     std::vector<float> celsius_, millimetre_;
     std::vector<std::int32_t> part_, body_;
     std::vector<std::vector<float>> more_;

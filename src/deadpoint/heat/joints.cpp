@@ -13,8 +13,8 @@ constexpr int most_law_steps = 50;
 
 struct SourceHeat {
     double heat = 0;
-    double slope = 0;  ///< by the film temperature
-    double film = 0;   ///< its temperature [K]
+    double slope = 0;  ///< derivative by the film temperature
+    double film = 0;   ///< temperature of the film [K]
     bool in_range = true;
 };
 

@@ -40,7 +40,7 @@ void OilMarch::march_circuit(std::size_t k, const JointBalance& joints, HeatBala
     const double step = capacity > 0 ? factor : 1;
     const double gains = capacity * known + step * loss * segment_->ambient(time);
     const auto out = [&](double inlet) { return outlet(k, inlet, joints, balance, reaches); };
-    double leaving = loss + flow;  // of the sump, per kelvin
+    double leaving = loss + flow;  // heat leaving the sump per kelvin
     OilFlow state;
     if (circuit.cooled) {
         state.inlet = circuit.inlet_temperature;

@@ -39,7 +39,7 @@ BinaryReader::BinaryReader(std::filesystem::path file, std::string_view kind, st
 {
     std::error_code error;
     if (std::filesystem::exists(file_, error) && !std::filesystem::is_regular_file(file_, error))
-        refuse("it is not a file");  // a pipe would be waited for
+        refuse("it is not a file");  // reading a pipe would wait
     errno = 0;
     in_.open(file_, std::ios::binary | std::ios::ate);
     if (!in_)

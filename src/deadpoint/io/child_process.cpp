@@ -48,7 +48,7 @@ void write_all(int to, const char* data, std::size_t size)
             continue;
         }
         if (written <= 0) {
-            _exit(1);  // nobody listens any more
+            _exit(1);  // no process reads the pipe any more
         }
         data += written;
         size -= static_cast<std::size_t>(written);
@@ -79,7 +79,7 @@ void set_limit(int resource, std::uint64_t value)
     if (std::freopen("/dev/null", "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr) {
         _exit(1);
     }
-    clearenv();  // it may name further files, which a library would look for
+    clearenv();  // the environment may name further files that a library would open
     try {
         confine({limits.file, limits.name, to, refusal});
         hand_over(to, handed_over, work());
@@ -114,7 +114,7 @@ public:
         if (pipe(ends.data()) != 0) {
             throw IoError(fmt::format("{}: no process can be started: {}", what_, std::strerror(errno)));
         }
-        std::fflush(nullptr);  // else the child would write what stands in the buffers once more
+        std::fflush(nullptr);  // otherwise the child would write the content of the buffers again
         process_ = fork();
         if (process_ < 0) {
             close(ends[0]);
@@ -141,7 +141,7 @@ public:
         }
     }
 
-    /// Everything that it hands over.
+    /// All data that the child hands over.
     std::string read_all(const std::function<void(double)>& waiting)
     {
         const auto start = Clock::now();

@@ -131,7 +131,7 @@ public:
             add(action, call, {});
         }
     }
-    /// The rule counts where all conditions on the call's arguments hold.
+    /// Adds a rule; it applies if all conditions on the call's arguments hold.
     void add(std::uint32_t action, int call, const std::vector<scmp_arg_cmp>& conditions)
     {
         const int result = seccomp_rule_add_array(filter_.get(), action, call, static_cast<unsigned>(conditions.size()),

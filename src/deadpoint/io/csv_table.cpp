@@ -105,7 +105,7 @@ CsvTable parse_csv(const std::string& text, const std::string& file)
             line.pop_back();
         }
         if (number == 1 && line.starts_with("\xEF\xBB\xBF")) {
-            line.erase(0, 3);  // byte order mark, as spreadsheets write it
+            line.erase(0, 3);  // byte order mark, which spreadsheets write
         }
         if (line.starts_with('#') || trimmed(line).empty()) {
             continue;

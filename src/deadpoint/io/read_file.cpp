@@ -45,7 +45,7 @@ public:
 
     [[nodiscard]] std::uintmax_t size() const { return size_; }
 
-    /// Fills what it can of the room. @return bytes read; 0 at the end of the file
+    /// Reads as many bytes as possible into the buffer. @return bytes read; 0 at the end of the file
     std::size_t read_some(char* room, std::size_t count)
     {
         ssize_t here = 0;
@@ -59,7 +59,7 @@ public:
         return static_cast<std::size_t>(here);
     }
 
-    /// The end of the file must be where its size says.
+    /// Checks that the file ends where its size says.
     void require_all() const
     {
         if (done_ != size_) {
@@ -89,7 +89,7 @@ std::optional<std::string> read_file(const fs::path& path, std::uintmax_t larges
                                      "it is the file that is meant",
                                      path.string(), largest >> 20U));
     }
-    std::string text(static_cast<std::size_t>(file.size()) + 1, '\0');  // a byte more would show a file that grows
+    std::string text(static_cast<std::size_t>(file.size()) + 1, '\0');  // one byte more, to detect a file that grows
     std::size_t done = 0;
     for (std::size_t here = 1; here > 0 && done < text.size(); done += here) {
         here = file.read_some(text.data() + done, text.size() - done);

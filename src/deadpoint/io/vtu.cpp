@@ -17,8 +17,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "files are declared little-endian");
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are written as they stand in memory");
 
-constexpr std::size_t block_size = std::size_t{1} << 20;  // bytes compressed at a time
-constexpr int compression_level = 3;                      // fields hardly shrink further, at several times the effort
+constexpr std::size_t block_size = std::size_t{1} << 20;  // [byte] compressed at once
+constexpr int compression_level = 3;                      // higher levels take several times longer and save little
 
 std::string comment_lines(const VtuNotes& notes)
 {

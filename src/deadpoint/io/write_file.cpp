@@ -84,7 +84,7 @@ bool sync_to_disk(const fs::path& path)
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     bool done = file >= 0 && fsync(file) == 0;
     const int reason = errno;
-    done = done || (file >= 0 && reason == EINVAL);  // a file system that need not be told
+    done = done || (file >= 0 && reason == EINVAL);  // a file system that does not need this call
     if (file >= 0) {
         close(file);
     }

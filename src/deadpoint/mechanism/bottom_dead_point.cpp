@@ -43,7 +43,7 @@ PlanarPosition lowest(const SlideMotion& slide, const std::vector<PlanarPosition
     std::vector<double> heights;
     for (const PlanarPosition& position : positions)
         heights.push_back(slide.height(position));
-    heights.back() = heights.front();  // the same position: no difference by rounding
+    heights.back() = heights.front();  // the same position, so rounding must make no difference
     const auto [bottom, top] = std::minmax_element(heights.begin(), heights.end());
     const Linkage& linkage = slide.system().linkage();
     if (!(*top - *bottom > 1e-9))
@@ -60,7 +60,7 @@ PlanarPosition lowest(const SlideMotion& slide, const std::vector<PlanarPosition
         if (same ? from_assembled(low) < from_assembled(*best) : above < 0)
             best = std::move(low);
     }
-    return *best;  // the slide moves, so that there is one
+    return *best;  // the slide moves, so a lowest position exists
 }
 
 /// The same position, reached by turning the driver the shorter way.

@@ -48,7 +48,7 @@ public:
         return sum / turn;
     }
 
-    /// Largest value of a function of the position near the sample where it is largest (golden section).
+    /// Maximum of a function of the position near its largest sample (golden section).
     template <class Of>
     [[nodiscard]] double largest(int sample, Of of) const
     {
@@ -61,7 +61,7 @@ public:
         double right = low + section * (high - low);
         double at_left = value(left);
         double at_right = value(right);
-        while (high - low > 1e-9) {  // the value is then good to rounding
+        while (high - low > 1e-9) {  // the value is then accurate to rounding
             if (at_left > at_right) {
                 high = right;
                 right = left;

@@ -136,7 +136,7 @@ double PlanarAlgebra::opening(int index) const
 Eigen::PartialPivLU<Eigen::MatrixXd> PlanarAlgebra::factorised(const Eigen::MatrixXd& matrix, double driver_angle) const
 {
     Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
-    // A small pivot is a cheap warning; the condition is then estimated properly.
+    // A small pivot is a cheap indication; only then is the condition number estimated.
     const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
     const bool suspect = !(pivots.minCoeff() > 1e-6 * pivots.maxCoeff());
     if (suspect && !(lu.rcond() > smallest_condition))

@@ -117,7 +117,7 @@ PlanarSystem::PlanarSystem(const Linkage& linkage)
         layout_.first_equation.push_back(layout_.equations);
         layout_.equations += equations_of(joint);
     }
-    ++layout_.equations;  // the driver
+    ++layout_.equations;  // the driver's equation
 
     const std::vector<PlanarPose> start = assembled();
     const PlanarAlgebra algebra{layout_, start};

@@ -52,7 +52,7 @@ bool PlanarWalk::close(std::vector<PlanarPose>& guess, double angle, Eigen::Part
         if (!std::isfinite(size) || size > 1)
             return false;
         add(guess, 1, algebra.spread(correction));
-        // The second: rounding keeps it from shrinking further.
+        // The second condition: rounding prevents a further decrease.
         if (size < 1e-14 || (size < 1e-11 && size > 0.5 * last))
             return true;
         if (size > 0.05 * last)
@@ -88,7 +88,7 @@ PlanarPosition PlanarWalk::furthest(PlanarPosition from, double to) const
         } else if (step > shortest_step) {
             step /= 4;
         } else if (stepped(from, from.angle + std::copysign(longest_step, to - from.angle), true)) {
-            // It closes beyond, so that this is no end of its range but a place where two ways of closing cross.
+            // The linkage closes beyond this point, so its range does not end here; two ways of closing cross.
             const PlanarAlgebra here{layout, from.poses, shifts};
             throw InputError(
                 fmt::format("the linkage is singular near {:.2f} degrees from its assembled position, where it could "
@@ -166,11 +166,11 @@ std::string PlanarWalk::obstacle(const PlanarPosition& last, double to) const
     const double way = to < last.angle ? -1 : 1;
     double end = last.angle;
     if (shifts.empty()) {
-        try {  // from the assembled position the other way round
+        try {  // from the assembled position in the other direction
             const PlanarPosition other = furthest(located(layout.assembled()), last.angle - way * turn);
             end = other.angle + way * turn;
         } catch (const InputError&) {
-            // Singular on that way: say only where it stops on this one.
+            // Singular in that direction: state only where it stops in this one.
         }
     }
     const bool both = end - last.angle != 0;

@@ -34,7 +34,7 @@ double SlideMotion::curvature(const PlanarPosition& position) const
 PlanarPosition SlideMotion::zero(const std::function<double(const PlanarPosition&)>& of, const PlanarPosition& first,
                                  const PlanarPosition& second) const
 {
-    // False position, Illinois variant: an end that stays twice counts half.
+    // False position, Illinois variant: the value at an end that stays twice is halved.
     PlanarPosition last = first;
     double last_value = of(last);
     double other = second.angle;
@@ -68,7 +68,7 @@ PlanarPosition SlideMotion::extremum(Extremum kind, const PlanarPosition& near, 
         return near;
     const PlanarPosition other = system_.moved(near, near.angle + side * reach);
     if (slope(other) * here > 0)
-        return near;  // no change of sign: the height only flattens there
+        return near;  // no change of sign: the height only has a flat point there
     return zero([this](const PlanarPosition& p) { return slope(p); }, near, other);
 }
 

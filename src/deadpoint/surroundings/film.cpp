@@ -152,7 +152,7 @@ double exponent_of(const AirSurface& surface)
 LawValue film_of(const AirSurface& surface, double surface_temperature, double ambient)
 {
     const double mean = (surface_temperature + ambient) / 2;
-    const bool air_in_range = air_properties(mean).in_range;  // refuses a temperature without meaning
+    const bool air_in_range = air_properties(mean).in_range;  // refuses an impossible temperature
     const Air air = detail::air_form(Dual(mean, 0.5));
     const Dual difference(surface_temperature - ambient, 1);
 
@@ -162,7 +162,7 @@ LawValue film_of(const AirSurface& surface, double surface_temperature, double a
     if (!law_contains_natural(surface)) {
         const Part natural = natural_part(surface, air, difference);
         convection = detail::blend(forced.coefficient, natural.coefficient, exponent_of(surface));
-        // Where the forced part is the smaller one, a speed below its tested range does no harm.
+        // If forced convection is the smaller part, a speed below its tested range has little effect.
         in_range =
             forced.coefficient.value > natural.coefficient.value ? in_range && natural.in_range : natural.in_range;
     }

@@ -87,7 +87,7 @@ std::vector<double> enclosure_exchange(const std::vector<double>& areas, const s
     std::vector<double> result;
     for (Eigen::Index i = 0; i < count; ++i)
         for (Eigen::Index j = 0; j < count; ++j)
-            result.push_back(0.5 * (exchange(i, j) + exchange(j, i)));  // symmetric but for rounding
+            result.push_back(0.5 * (exchange(i, j) + exchange(j, i)));  // symmetric except for rounding
     return result;
 }
 

@@ -300,7 +300,7 @@ private:
         report_unknown(path, is_cylinder ? "part or surface" : "surface", name, names);
     }
 
-    /// An interface may lie on the bodies of its joint and on bearing rings.
+    /// Checks that an interface lies on the bodies of its joint or on bearing rings.
     void check_body(const std::string& path, const Joint& joint, const std::string& name)
     {
         const auto part = c_.parts.find(name);
@@ -339,7 +339,7 @@ private:
         }
     }
 
-    /// A slip such as "1 ms" must not fill memory and disk.
+    /// Refuses mistakes such as "1 ms", which would fill memory and disk.
     void check_row_count()
     {
         constexpr double most_rows = 1e6;
@@ -354,7 +354,7 @@ private:
         }
     }
 
-    /// Steps that the operation takes at least [-]: they double from the first one to the largest.
+    /// Smallest number of steps of the operation [-]: step sizes double from the first to the largest.
     [[nodiscard]] double least_steps() const
     {
         double steps = 0;
@@ -368,7 +368,7 @@ private:
         return steps;
     }
 
-    /// Each step is kept until the end of the run.
+    /// Limits the number of steps, since each step is kept until the end of the run.
     void check_step_count()
     {
         constexpr double most_steps = 1e6, many_steps = 1e5;
@@ -496,7 +496,7 @@ private:
         }
     }
 
-    /// The temperatures of a formula that is the same everywhere, over the operation.
+    /// Checks the temperatures of a formula that does not depend on place, over the operation.
     void check_course(const std::string& path, const Formula& formula)
     {
         constexpr int samples = 1000;

@@ -12,7 +12,7 @@ namespace deadpoint::casefile {
 
 namespace {
 
-constexpr double aligned = 1e-6;  // sine of the angle within which two directions are the same
+constexpr double aligned = 1e-6;  // directions whose angle has a smaller sine are the same
 
 bool is_held_sideways(const Foundation& foundation)
 {

@@ -13,7 +13,7 @@ namespace deadpoint::casefile {
 namespace {
 
 constexpr std::size_t most_shown = 30;
-constexpr std::size_t most_findings = 10'000;  // a case that is wrong throughout must not fill memory
+constexpr std::size_t most_findings = 10'000;  // a case with errors everywhere must not fill memory
 
 }  // namespace
 

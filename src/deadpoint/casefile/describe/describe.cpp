@@ -13,7 +13,7 @@ using D = Dimension;
 constexpr Need required = Need::required;
 constexpr Need optional = Need::optional;
 constexpr Range absolute_temperature = positive;
-constexpr double everywhere = 1e3;  ///< half width of a window that is not limited [m]
+constexpr double everywhere = 1e3;  ///< half width of an unlimited window [m]
 
 void describe_form(Visitor& v, BoxShape& box)
 {

@@ -17,7 +17,7 @@
 namespace deadpoint::casefile {
 namespace {
 
-constexpr double same_time = 1e-9;  ///< relative, so that "3 h" is the end of a run of 10800 s
+constexpr double same_time = 1e-9;  ///< relative; with it "3 h" is the end of a run of 10800 s
 
 Dimension measured_dimension(ReferenceCurve::Measures measures)
 {
@@ -54,7 +54,7 @@ private:
                           std::nullopt, ""});
     }
 
-    /// Checks every item of a list, those of the wanted point also against the result, and drops the others.
+    /// Checks every item of a list, and items of the wanted point also against the result; drops items of other points.
     template <class T, class Check>
     void each(const std::string& list, std::vector<T>& items, const std::string& wanted, Check&& check)
     {
@@ -134,7 +134,7 @@ private:
         check_probe(at + ".probe", t.probe);
     }
 
-    /// How far a path leads into loads.json, and how it may go on from there.
+    /// Returns how far a path leads into loads.json, and how it can continue from there.
     [[nodiscard]] std::string next_steps(const std::string& path) const
     {
         std::set<std::string> steps;
@@ -246,7 +246,7 @@ private:
         check_time(at + ".file", c.time.back());
     }
 
-    /// A column in SI units: its unit is that of the key or else of its heading.
+    /// Reads a column in SI units; its unit comes from the key or else from its heading.
     std::vector<double> in_si(const CsvTable& table, std::size_t column, const std::string& stated, Dimension dimension,
                               const std::string& at, const std::string& key)
     {

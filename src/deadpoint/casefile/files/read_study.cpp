@@ -123,7 +123,7 @@ private:
         }
     }
 
-    /// Keys, steps, labels and name of one axis.
+    /// Reads keys, steps, labels and name of one axis.
     void complete(std::size_t s, std::size_t a)
     {
         auto& axis = file_.sets[s].axes[a];
@@ -171,7 +171,7 @@ private:
         }
         for (int i = 0; i < axis.count; ++i) {
             const double share = static_cast<double>(i) / (axis.count - 1);
-            // Twelve digits hide what the division leaves behind: 0.3, not 0.30000000000000004.
+            // Twelve digits hide the rounding of the division: 0.3, not 0.30000000000000004.
             const double number = from->number + share * (to->number - from->number);
             axis.values.push_back({trimmed(fmt::format("{:.12g} {}", number, from->unit))});
         }
@@ -240,7 +240,7 @@ private:
         return axis.key.empty() ? fmt::format("{}.keys.{}", at, k) : at + ".key";
     }
 
-    /// No key and no name twice in a set.
+    /// Checks that no key and no name occurs twice in a set.
     void check_axes(std::size_t s)
     {
         std::vector<std::string> keys;
@@ -267,7 +267,7 @@ private:
         }
     }
 
-    /// Reads the base case, first as it is, then with what the study sets in all points.
+    /// Reads the base case, first as it is, then with the settings that the study makes in all points.
     bool base_reads_settings()
     {
         Diagnostics of_base;
@@ -284,9 +284,9 @@ private:
             {}, [](std::size_t i, const Diagnostic&) { return fmt::format("set.{}", i); }, "set");
     }
 
-    /// Reads the base case with the study's settings and more; reports what it refuses.
+    /// Reads the base case with the study's settings and further ones; reports all errors.
     /// @param place  path in the study file of an override
-    /// @param whole  path for what belongs to no single one
+    /// @param whole  path for errors that belong to no single override
     template <class PlaceOf>
     bool read_with(const std::vector<std::string>& more, PlaceOf&& place, const std::string& whole)
     {
@@ -351,8 +351,8 @@ private:
     const Document& document_;
     Diagnostics& diagnostics_;
     bool too_large_ = false;
-    std::set<std::string> said_;                     ///< places that have their message
-    std::set<std::vector<std::string>> known_good_;  ///< overrides that the base case has read
+    std::set<std::string> said_;                     ///< places with a message already
+    std::set<std::vector<std::string>> known_good_;  ///< overrides with which the base case could be read
 };
 
 void stop_at_errors(const Diagnostics& diagnostics)

@@ -272,7 +272,7 @@ private:
         return text;
     }
 
-    /// A bar would end the cell of the table.
+    /// Escapes bars, which would end the cell of the table.
     static std::string escaped(std::string_view text)
     {
         std::string result;

@@ -124,7 +124,7 @@ private:
 
     static std::string braces(const Frame& frame) { return "{ " + frame.body + " }"; }
 
-    /// Items of a list in a section stand on lines of their own, those of a list in braces on one line.
+    /// Writes each item of a list in a section on its own line, and a list in braces on one line.
     void add_item(Frame& list, const std::string& item) const
     {
         const bool inside_braces = frames_[frames_.size() - 2].layout == Layout::braces;

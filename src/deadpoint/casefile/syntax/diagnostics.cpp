@@ -13,7 +13,7 @@ namespace deadpoint::casefile {
 namespace {
 
 constexpr std::size_t most_kept = 200;
-constexpr int longest_line = 600;  // [characters] that are quoted
+constexpr int longest_line = 600;  // number of characters that are quoted
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
@@ -66,7 +66,7 @@ int Sources::add(const std::string& shown, const std::string& text)
         if (line.ends_with('\r')) {
             line.pop_back();
         }
-        file.lines.push_back(masked(line));  // as many characters as before, for the mark below
+        file.lines.push_back(masked(line));  // keeps the number of characters, so that the caret below fits
     }
     files_.push_back(std::move(file));
     return static_cast<int>(files_.size()) - 1;

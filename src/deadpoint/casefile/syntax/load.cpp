@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest_text = 32U << 20U;  // [byte], thousands of parts
+constexpr std::uintmax_t largest_text = 32U << 20U;  // [byte]; enough for thousands of parts
 
 /// With links followed as far as the path exists; a path that cannot be one is left as it is.
 fs::path real_path(const fs::path& path)
@@ -154,7 +154,7 @@ private:
     fs::path main_;
     Diagnostics& diagnostics_;
     Document document_;
-    std::uintmax_t size_ = 0;  ///< of all texts so far [byte]
+    std::uintmax_t size_ = 0;  ///< size of all texts so far [byte]
 };
 
 std::string trim(const std::string& text)

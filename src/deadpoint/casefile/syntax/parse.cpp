@@ -38,7 +38,7 @@ class Scanner {
 public:
     explicit Scanner(const std::string& text) : text_(text) {}
 
-    /// @return the first complaint, if any
+    /// @return the first error, if any
     std::optional<Complaint> run()
     {
         while (!complaint_ && position_ < text_.size()) {
@@ -150,7 +150,7 @@ private:
         }
     }
 
-    // Each step of a dotted key, and each bracket, is one more table in a table for all that walks over the tree.
+    // Each step of a dotted key and each bracket nests one table deeper; recursive walks over the tree go as deep.
     void count_nesting(char c)
     {
         if (c == '.') {
@@ -192,7 +192,7 @@ private:
         }
         begins_line_ = false;
         if (c == '"' || c == '\'') {
-            // toml++ takes such a quote for a part of what stands before it, and what follows for plain characters.
+            // toml++ reads such a quote as part of the text before it, and the text after it as plain characters.
             if (position_ > 0 &&
                 std::string_view(" \t\r\n=,.[{").find(text_[position_ - 1]) == std::string_view::npos) {
                 return complain("a quote in the middle of a name or value", "put all of the text in quotes");
@@ -225,7 +225,7 @@ private:
     bool begins_line_ = true;
     std::vector<Bracket> open_;
     std::size_t values_ = 0;
-    std::size_t dots_ = 0;  ///< of the key or number that is being read
+    std::size_t dots_ = 0;  ///< dots in the current key or number
     std::optional<Complaint> complaint_;
 };
 
@@ -332,7 +332,7 @@ std::string_view kind_name(Node::Kind kind)
 
 Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics)
 {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors begin UTF-8 with it
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors write it at the start of UTF-8 files
     if (text.starts_with(byte_order_mark)) {
         return parse_toml(text.substr(byte_order_mark.size()), file, diagnostics);
     }

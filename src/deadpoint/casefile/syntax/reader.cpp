@@ -427,7 +427,7 @@ std::vector<std::size_t> Reader::tagged(std::span<const std::string_view> keys, 
         report(*found, "unknown-choice", path_of(keys[key]), fmt::format("'{}' is not a form of a shape", found->text),
                near.empty() ? fmt::format("write one of {}", options) : fmt::format("did you mean \"{}\"?", near));
     }
-    frame.open_ended = true;  // its other keys cannot be judged
+    frame.open_ended = true;  // its other keys cannot be checked
     return {};
 }
 
@@ -474,7 +474,7 @@ void Reader::laws(std::string_view tag, std::string_view chosen, std::span<const
     const Node* named = top().node->find(tag);
     const std::string_view stated = named != nullptr ? std::string_view(named->text) : std::string_view();
     if (stated != chosen) {
-        return;  // which keys belong here cannot be judged
+        return;  // the program does not know which keys belong here
     }
     std::vector<LawKey> own;
     if (const auto law = std::ranges::find(laws, chosen, &Law::name); law != laws.end()) {

@@ -88,7 +88,7 @@ std::string daily_text(const DailyCourse& daily)
 /// Collects the keys of a law.
 class KeyTexts final : public ValueTexts {
 public:
-    /// @param defaults  leave out what stands for no value: the keys that a law cannot do without
+    /// @param defaults  leave out the keys that a law requires; their default only marks a missing value
     explicit KeyTexts(bool defaults) : defaults_(defaults) {}
 
     std::vector<LawKey> take() { return std::move(keys_); }

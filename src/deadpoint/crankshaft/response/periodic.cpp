@@ -20,7 +20,7 @@ using Complex = std::complex<double>;
 
 constexpr double grows = 1e-9;             ///< real part of an eigenvalue over its magnitude
 constexpr double resonant = 1e-9;          ///< |1 - exp(lambda T)| below which no periodic response is defined
-constexpr double worst_condition = 1e-10;  ///< reciprocal, of the matrix of complex modes
+constexpr double worst_condition = 1e-10;  ///< reciprocal condition number of the matrix of complex modes
 
 bool all_finite(const Matrix& m)
 {
@@ -51,8 +51,8 @@ void check(const ShaftSystem& system, const PeriodicLoad& load, const Readings& 
 /// The functions of exact integration for a load linear over a step, x = lambda h, without cancellation.
 struct StepFunctions {
     Complex decay;       ///< e^x
-    Complex from_start;  ///< phi1 - e^x: of the load at the start of the step
-    Complex from_end;    ///< 1 - phi1: of that at its end;  phi1 = (e^x - 1) / x
+    Complex from_start;  ///< phi1 - e^x: factor of the load at the start of the step
+    Complex from_end;    ///< 1 - phi1: factor of the load at its end;  phi1 = (e^x - 1) / x
 
     explicit StepFunctions(Complex x) : decay(std::exp(x))
     {

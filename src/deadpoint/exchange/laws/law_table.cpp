@@ -11,8 +11,8 @@
 namespace deadpoint {
 namespace {
 
-constexpr double smallest_interval = 1e-9;  // of the range
-constexpr int first_intervals = 8;          // so that no feature hides between three places of one
+constexpr double smallest_interval = 1e-9;  // relative to the range
+constexpr int first_intervals = 8;          // so that no feature hides between the test points of an interval
 
 struct Point {
     double at = 0;
@@ -60,7 +60,7 @@ public:
         : law_(law), tolerance_(tolerance), smallest_(smallest)
     {}
     [[nodiscard]] Point point(double at) const { return {at, value_at(law_, at)}; }
-    // Appends the points behind `a` up to `b`.
+    // Appends the points after `a` up to and including `b`.
     void refine(const Point& a, const Point& b, std::vector<Point>& points) const
     {
         if (b.at - a.at > smallest_ && !meets(a, b)) {

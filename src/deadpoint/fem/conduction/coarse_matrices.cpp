@@ -48,7 +48,7 @@ double largest_eigenvalue(Mat matrix)
     OwnedVec load, solution;
     DEADPOINT_PETSC(MatCreateVecs(matrix, solution.out(), load.out()));
     DEADPOINT_PETSC(VecSetRandom(load, nullptr));
-    DEADPOINT_PETSC(VecShift(load, -0.5));  // from between 0 and 1: of all eigenvectors alike
+    DEADPOINT_PETSC(VecShift(load, -0.5));  // values were in 0..1; now all eigenvectors contribute
     DEADPOINT_PETSC(KSPSolve(solver, load, solution));
     std::array<double, estimate_iterations> real{}, imaginary{};
     PetscInt count = 0;

@@ -93,7 +93,7 @@ void HeatCheckpoint::offer(bool now)
             observer_.warn(fmt::format("the run goes on without a new checkpoint: {}", first_line(error.what())));
         }
     }
-    if (!begun)  // the first rank gathers from the others
+    if (!begun)  // the first rank gathers the data of the others
         write(nowhere);
     last_ = std::chrono::steady_clock::now();
     cost_ = std::chrono::duration<double>(last_ - begin).count();

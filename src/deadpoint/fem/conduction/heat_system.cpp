@@ -76,7 +76,7 @@ bool HeatSystem::adopt(const HeatProblem& problem)
     if (!same)
         return false;
     if (longest_segment(problem) > longest_segment(*problem_))
-        parts_->stage.reset(longest_segment(problem));  // the multigrid's bounds hold up to that
+        parts_->stage.reset(longest_segment(problem));  // the multigrid's bounds hold up to this step size
     problem_ = &problem;
     parts_->functionals.adopt(problem);
     parts_->matrices.adopt(problem);

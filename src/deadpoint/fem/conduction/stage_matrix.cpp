@@ -31,15 +31,15 @@ void default_option(const char* name, const char* value)
 
 void set_default_options()
 {
-    // Weak couplings across films only blur the aggregates.
+    // Aggregates ignore weak couplings across films, which would only make them worse.
     default_option("-heat_pc_ml_Threshold", "0.01");
-    // Of aggregates and their interpolation, which are half of a hierarchy's cost; see prepare().
+    // Reuses aggregates and their interpolation, which are half of a hierarchy's cost; see prepare().
     default_option("-heat_pc_ml_reuse_interpolation", "true");
-    // Runs at the memory's speed, which Gauss-Seidel sweeps do not, and alike on any number of ranks.
+    // Chebyshev reaches the memory's bandwidth (Gauss-Seidel does not) and is the same on any number of ranks.
     default_option("-heat_mg_levels_ksp_type", "chebyshev");
     default_option("-heat_mg_levels_ksp_max_it", "2");
     default_option("-heat_mg_levels_pc_type", "jacobi");
-    // A bound that is too low turns the preconditioner indefinite where films are far stiffer than the metal.
+    // If films are far stiffer than the metal, too low a bound makes the preconditioner indefinite.
     default_option("-heat_mg_levels_ksp_chebyshev_esteig", "0,0.1,0,1.2");
     default_option("-heat_mg_levels_esteig_ksp_type", "cg");
 }
@@ -81,7 +81,7 @@ void StageMatrix::create_solver()
 {
     DEADPOINT_PETSC(KSPCreate(PETSC_COMM_WORLD, solver_.out()));
     DEADPOINT_PETSC(KSPSetType(solver_, KSPCG));
-    if (maps_.vary()) {  // the tangent is not symmetric, which conjugate gradients could not solve
+    if (maps_.vary()) {  // the tangent is not symmetric, so conjugate gradients cannot solve it
         for (const Mat matrix : {Mat(system_), Mat(*shell_)})
             DEADPOINT_PETSC(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_FALSE));
         maps_.mark_tangents();
@@ -117,7 +117,7 @@ void StageMatrix::prepare()
     DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, PETSC_FALSE));
     for (const double factor : {longest_, shortest_factor}) {
         fill(factor, nullptr, nullptr);
-        DEADPOINT_PETSC(PCSetUp(preconditioner_of(solver_)));  // KSPSetUp would do so only the first time
+        DEADPOINT_PETSC(PCSetUp(preconditioner_of(solver_)));  // KSPSetUp does this only the first time
         if (follows_temperature())
             break;
         coarse_->keep(preconditioner_of(solver_), factor);
@@ -130,7 +130,7 @@ bool StageMatrix::combine(double factor, Vec temperature)
     fill(factor, matrices_.films(), temperature);
     factor_ = factor;
     const bool near = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
-    // A matrix that follows the temperature changes little at a time: the old multigrid still serves it.
+    // A temperature-dependent matrix changes little per step, so the old multigrid remains usable.
     const bool anew = follows_temperature() && !near;
     DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, anew ? PETSC_FALSE : PETSC_TRUE));
     if (follows_temperature() && near)

@@ -6,7 +6,7 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr double least_singular_value = 0.02;
-constexpr double least_integral = 1e-3;  // of what is covered
+constexpr double least_integral = 1e-3;  // share of the covered area
 
 }  // namespace
 

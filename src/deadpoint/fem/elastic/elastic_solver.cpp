@@ -209,7 +209,7 @@ void ElasticSolver::assemble()
     DEADPOINT_PETSC(MatAssemblyEnd(all, MAT_FINAL_ASSEMBLY));
     expansion_ = ties_.expansion(space_);
     DEADPOINT_PETSC(MatPtAP(all, expansion_, MAT_INITIAL_MATRIX, 2.0, matrix_.out()));
-    DEADPOINT_PETSC(MatProductClear(matrix_));  // else it keeps the matrix of all displacements alive
+    DEADPOINT_PETSC(MatProductClear(matrix_));  // otherwise it keeps the matrix of all displacements in memory
     DEADPOINT_PETSC(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
     DEADPOINT_PETSC(MatSetOption(matrix_, MAT_USE_INODES, PETSC_FALSE));
 }

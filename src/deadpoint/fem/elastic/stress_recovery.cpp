@@ -20,7 +20,7 @@ namespace {
 constexpr double least_spread = 0.5;
 // The same for points within the cells, which add 1 to it.
 constexpr double least_spread_within = 2.5;
-constexpr std::size_t least_tetrahedra = 12;  // their stress scatters, so a fit needs many
+constexpr std::size_t least_tetrahedra = 12;  // stress in tetrahedra scatters, so a fit needs many
 
 // One rule of sampling points per kind of element.
 dealii::hp::QCollection<3> sampling_points(const dealii::hp::FECollection<3>& elements, bool within)

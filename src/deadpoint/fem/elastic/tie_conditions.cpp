@@ -26,8 +26,8 @@ struct BondedFace {
     std::uint32_t geometry = 0;
     std::vector<PetscInt> nodes;
     CoveredFace covered;
-    std::vector<int> chosen;  ///< of `nodes`: those that a dual function belongs to
-    Eigen::MatrixXd dual;     ///< at the points, of the chosen ones
+    std::vector<int> chosen;  ///< indices into `nodes` of the nodes with a dual function
+    Eigen::MatrixXd dual;     ///< values of the dual functions at the points
 };
 
 /// A node on bonds: what it would follow point by point, and the surface that its dual function lives on.
@@ -84,7 +84,7 @@ private:
         faces_.push_back(std::move(added));
     }
 
-    /// The surfaces on bonds, the largest first. A node on two of them belongs to the first, so that conditions on the
+    /// Surfaces on bonds, largest first. A node on two of them belongs to the first, so conditions on the
     /// first contain no other node that a condition on the second defines.
     [[nodiscard]] std::vector<std::uint32_t> by_area() const
     {
@@ -156,7 +156,7 @@ private:
         return tie;
     }
 
-    // Where a face defines no dual functions, the node that it says least about follows at its own place instead.
+    // If a face defines no dual functions, its node with the smallest integral is tied at its own position instead.
     void find_dual_functions()
     {
         std::vector<std::size_t> open(faces_.size());
@@ -203,7 +203,7 @@ private:
         return weakest;
     }
 
-    /// The sums of one node's condition.
+    /// Sums of one node's condition.
     struct Mean {
         double integral = 0;
         Weights weights;
@@ -261,7 +261,7 @@ private:
     std::vector<BondedFace> faces_;
     std::map<PetscInt, Candidate> candidates_;
     std::vector<std::size_t> unknowns_;
-    std::vector<Vec3> positions_{static_cast<std::size_t>(space_.total)};  ///< of the nodes met
+    std::vector<Vec3> positions_{static_cast<std::size_t>(space_.total)};  ///< positions of the nodes found so far
 };
 
 }  // namespace

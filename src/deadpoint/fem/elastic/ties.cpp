@@ -90,7 +90,7 @@ std::vector<PetscInt> Ties::free_nodes(const Discretisation& space) const
 
 OwnedMat Ties::expansion(const Discretisation& space) const
 {
-    // Number of a free node among the free nodes of all ranks.
+    // Returns the number of a free node among the free nodes of all ranks.
     std::vector<PetscInt> number(static_cast<std::size_t>(space.total), -1);
     PetscInt count = 0;
     for (PetscInt node = 0; node < space.total; ++node)

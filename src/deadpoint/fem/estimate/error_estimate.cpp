@@ -68,7 +68,7 @@ public:
         sample();
     }
 
-    // Calls visit(cell, weight [m3], recovered less own gradient per field) at the integration points of this rank's
+    // Calls visit(cell, weight [m3], recovered minus own gradient per field) at the integration points of this rank's
     // cells.
     template <class Visitor>
     void for_each_defect(const Visitor& visit)
@@ -100,7 +100,7 @@ public:
         }
     }
 
-    // Half the sum over the vertices of a cell of weight times recovered gradient of the first field times distance.
+    // Sums weight * recovered gradient of the first field * distance over the vertices of a cell; returns half the sum.
     double interpolation_error(const dealii::Point<3>& position, const PointShape& shape)
     {
         const auto cell = cell_of(shape);
@@ -146,7 +146,7 @@ private:
         throw std::logic_error("no cell of the part has the unknowns of a probe");
     }
 
-    // Gradients at the superconvergent points of all cells, and the cells around each vertex.
+    // Collects the gradients at the superconvergent points of all cells, and the cells around each vertex.
     void sample()
     {
         dealii::hp::FEValues<3> values(space_.mappings, space_.elements, rules_of(space_.elements, 0),
@@ -182,7 +182,7 @@ private:
         return {cells.begin(), cells.end()};
     }
 
-    // Least squares over the samples of the cells around a vertex.
+    // Fits the samples of the cells around a vertex by least squares.
     [[nodiscard]] Patch fit(unsigned vertex) const
     {
         Patch patch;

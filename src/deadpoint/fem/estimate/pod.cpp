@@ -55,7 +55,7 @@ Pod pod(const std::vector<std::vector<float>>& snapshots, double tolerance, std:
     sum_over_ranks(products);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
 
-    // Of round-off, eigenvalues of what is not there may come out below zero.
+    // Rounding can make eigenvalues of absent modes slightly negative.
     const Eigen::VectorXd squares = solver.eigenvalues().cwiseMax(0.0);
     const auto most = std::min(static_cast<Eigen::Index>(at_most), times);
     for (Eigen::Index k = 0; k < most && result.error > tolerance * result.largest_rise; ++k) {

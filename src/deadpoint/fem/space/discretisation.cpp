@@ -268,7 +268,7 @@ dealii::Tensor<2, 3> Discretisation::jacobian_at(std::uint32_t index, const deal
 dealii::Point<3> Discretisation::unit_in_round(std::uint32_t index, const dealii::Point<3>& position) const
 {
     constexpr int most_steps = 20;
-    constexpr double tolerance = 1e-14, largest_miss = 1e-9;  // of the cell's size
+    constexpr double tolerance = 1e-14, largest_miss = 1e-9;  // relative to the cell's size
     const auto& cell = cells_[index];
     const auto& machine_cell = machine.cells[index];
     const unsigned straight = element_index(machine_cell.kind == CellKind::hexahedron, 1);

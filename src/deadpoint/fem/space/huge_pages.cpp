@@ -15,7 +15,7 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr std::size_t large_page = std::size_t{1} << 21;
-constexpr std::size_t worth_while = 16 * large_page;  // matrices
+constexpr std::size_t worth_while = 16 * large_page;  // smallest size that uses large pages: matrices
 constexpr std::size_t vector_alignment = 64;
 
 // Mapped by themselves: malloc would take them from its pool, of small pages used before.

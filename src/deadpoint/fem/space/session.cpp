@@ -39,7 +39,7 @@ void require_room()
 /// asks again for ever, deaf to a polite end. So it gets the workspace now, and keeps it.
 void take_workspace_of_products()
 {
-    constexpr PetscBLASInt size = 256;  // too large for the kernels that need none
+    constexpr PetscBLASInt size = 256;  // too large for the kernels that work without a buffer
     constexpr PetscScalar one = 1;
     const std::vector<PetscScalar> factor(static_cast<std::size_t>(size) * size, one);
     std::vector<PetscScalar> product(factor);

@@ -19,7 +19,7 @@ PetscErrorCode ShellMatrix::multiply(Mat shell, Vec in, Vec out) noexcept
         return 0;
     } catch (...) {
         self->kept_ = std::current_exception();
-        PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);  // on its way back PETSc would print each frame
+        PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);  // otherwise PETSc prints each frame while it returns
         return PETSC_ERR_USER;
     }
 }

@@ -11,9 +11,9 @@
 namespace deadpoint::fem {
 namespace {
 
-constexpr double inside = 1e-10;              // of a cell's size
-constexpr double largest_continuation = 0.5;  // of a cell's size
-constexpr double margin = 0.1;                // of a cell's box, for places a little outside
+constexpr double inside = 1e-10;              // relative to a cell's size
+constexpr double largest_continuation = 0.5;  // relative to a cell's size
+constexpr double margin = 0.1;                // relative to a cell's box, for places slightly outside
 
 constexpr std::uint32_t nowhere = ~0U;
 
@@ -126,7 +126,7 @@ CellPlace CellFinder::find(const Vec3& position) const
     CellPlace best;
     const Bin own = bin_of(position);
     try_bin(index(own), position, true, best);
-    // Outside of all cells: wider and wider around, and once more beyond the first find.
+    // The place is outside all cells: widen the search box until a cell is found, then once more.
     const int widest = std::max({count_[0], count_[1], count_[2]});
     for (int ring = 0; ring <= widest && best.outside > margin; ++ring) {
         const bool found = std::isfinite(best.outside);

@@ -239,14 +239,14 @@ public:
         }
     }
 
-    /// Where found points and covered shares go; none: only the area counts.
+    /// Receives points and covered shares; if there is none, only the area is computed.
     struct Sink {
         std::vector<ContactPoint>* points = nullptr;
         std::vector<double>* covered = nullptr;
         double* max_gap = nullptr;
     };
 
-    /// The area in contact with side a displaced by `stop`; points are weighted with its share.
+    /// Contact area with side a displaced by `stop`; points are weighted with the share of the stop.
     double run(const TravelStop& stop, double gap, const Sink& sink)
     {
         const std::optional<Vec2> shift = chart_.shift(stop.offset, gap);
@@ -269,7 +269,7 @@ private:
         Vec2 shift;
     };
 
-    /// The point of a face with the given parameters; where its edges are round, corrected until it has them.
+    /// Point of a face at the given parameters; for round edges it is corrected until it has these parameters.
     [[nodiscard]] Vec3 place(const ChartFace& face, const Vec2& parameters) const
     {
         const Face& on = machine_.faces[face.face];

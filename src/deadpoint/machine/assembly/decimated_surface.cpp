@@ -109,9 +109,9 @@ public:
             representative_[node] = node;
     }
 
-    // Merges the nodes of each box of edge `grid`; with `faces` only those on the same faces of the solid. Boxes of
-    // small parts are smaller, with the fourth root of their area: they have fewer triangles, but more for their size.
-    // Where the surface would fold over, as beside a hole in a box of its size, boxes are halved until it does not.
+    // Merges the nodes in each box of edge `grid`; with `faces` only nodes on the same faces of the solid. The edge of
+    // a box scales with the fourth root of the part's area, so small parts have fewer triangles, but more per area.
+    // If the surface would fold over, for example beside a hole as large as a box, boxes are halved until it does not.
     void merge(double grid, bool faces)
     {
         constexpr int most_halvings = 5;
@@ -121,7 +121,7 @@ public:
             merge_boxes(grid, faces);
     }
 
-    // Calls visit for each triangle of a face that has not shrunk to a line.
+    // Calls visit for each triangle of a face that has not degenerated to a line.
     template <class Visit>
     void for_triangles(const Face& face, Visit&& visit) const
     {
@@ -181,7 +181,7 @@ private:
             representative_[node] = clusters[cluster_[node]].best;
     }
 
-    // Halves the boxes that meet in a triangle which faces the other way than before; whether there were any.
+    // Halves the boxes that meet in an inverted triangle; returns whether there were any.
     bool halve_at_folds()
     {
         std::vector<bool> folded(machine_.nodes.size(), false);  // by cluster
@@ -203,8 +203,8 @@ private:
     const Machine& machine_;
     std::vector<std::uint64_t> place_;
     std::vector<std::uint32_t> owner_;  // part of each node
-    std::vector<double> fineness_;      // of each part: its boxes' edge, over that of the largest part
-    std::vector<std::uint32_t> nodes_;  // on the outside
+    std::vector<double> fineness_;      // per part: edge of its boxes relative to that of the largest part
+    std::vector<std::uint32_t> nodes_;  // nodes of the outer surface
     std::vector<std::uint32_t> representative_;
     std::vector<std::uint32_t> cluster_;
     std::vector<int> halvings_;  // of the box of each node

@@ -59,7 +59,7 @@ private:
 /// A face seen from a cell: equal keys and unequal turns where two cells meet in it.
 struct Sight {
     FaceKey key{};
-    bool turn = false;  ///< the order of the nodes as the cell sees them, one way round or the other
+    bool turn = false;  ///< orientation of the nodes as seen from the cell
     std::uint32_t cell = 0;
 };
 
@@ -112,7 +112,7 @@ public:
     }
 
 private:
-    /// Free faces of one kind: how many, how far apart and where the first one is.
+    /// Free faces of one kind: their number, their distance and the place of the first one.
     struct Slit {
         int faces = 0;
         double area = 0;
@@ -160,7 +160,7 @@ private:
         }
     }
 
-    /// Nodes that cells of two pieces have in common.
+    /// Nodes that belong to cells of two pieces.
     void look_for_hinges()
     {
         constexpr auto none = std::numeric_limits<std::uint32_t>::max();
@@ -224,7 +224,7 @@ private:
         }
     }
 
-    /// The smallest extent of a face [m].
+    /// Smallest extent of a face [m].
     [[nodiscard]] double width(const Face& face) const
     {
         double longest = 0;
@@ -235,7 +235,7 @@ private:
         return (face.node_count == 3 ? 2 : 1) * norm(area_vector(face, machine_.nodes)) / longest;
     }
 
-    /// A place in the face's own cell: a step behind its middle, or half way through a thin cell.
+    /// A place in the face's own cell: a short distance behind its centre, or half way through a thin cell.
     [[nodiscard]] Vec3 behind(const Face& face, const Vec3& middle, const Vec3& step) const
     {
         const double thickness = -entry(machine_.cells[face.cell], middle, normalised(step));
@@ -248,7 +248,7 @@ private:
         return std::any_of(cells.begin(), cells.end(), [own](std::uint32_t cell) { return cell != own; });
     }
 
-    /// How far in front of a face another cell of the part begins, if it is near: below zero where it begins behind.
+    /// Distance from a face to the next cell in front of it, if one is near; negative if that cell begins behind.
     [[nodiscard]] std::optional<double> gap_before(const CellFinder& finder, const Face& face, const Vec3& middle,
                                                    const Vec3& step) const
     {
@@ -271,7 +271,7 @@ private:
                            [&](std::uint32_t node) { return std::find(cell.nodes.begin(), end, node) != end; });
     }
 
-    /// Where a line enters a cell, from its start [m].
+    /// Distance along a line from its start to the point where it enters a cell [m].
     [[nodiscard]] double entry(const Cell& cell, const Vec3& start, const Vec3& direction) const
     {
         double result = -std::numeric_limits<double>::infinity();
@@ -306,7 +306,7 @@ private:
                          place(centre(machine_.cells[where], machine_.nodes)), micrometres(least), 1e3 * longest));
     }
 
-    /// The shortest and the longest distance of two nodes of a cell [m].
+    /// Shortest and longest distance between two nodes of a cell [m].
     [[nodiscard]] std::array<double, 2> edges(const Cell& cell) const
     {
         std::array<double, 2> found{std::numeric_limits<double>::infinity(), 0};

@@ -116,7 +116,7 @@ std::vector<std::uint32_t> selected_parts(const Assembly& assembly, const Surfac
             pattern.find('*') != std::string::npos &&
             std::any_of(assembly.machine.dropped_parts.begin(), assembly.machine.dropped_parts.end(),
                         [&](const std::string& name) { return matches(pattern, name); });
-        // one of several names may be a twin on the far side
+        // one of several names can be the mirror image on the other side
         const bool forgiven =
             dropped_too || (selector.parts.size() > 1 && std::count(assembly.machine.dropped_parts.begin(),
                                                                     assembly.machine.dropped_parts.end(), pattern) > 0);

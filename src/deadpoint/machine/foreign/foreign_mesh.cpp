@@ -108,7 +108,7 @@ void GmshComplaints::require_none(const ForeignFile& file) const
     if (error == lines.end()) {
         return;
     }
-    // An error that only names the file says no more than that.
+    // An error that only names the file adds nothing.
     const bool says_more = error->find(file.name) == std::string::npos;
     const std::string reason = says_more ? error->substr(mark.size()) : "its contents are incomplete or out of order";
     throw InputError(

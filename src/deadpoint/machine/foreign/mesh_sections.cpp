@@ -57,7 +57,7 @@ double lines_of(std::string_view section, const std::array<double, 2>& counts, d
     if (version < 4 || section == "$PhysicalNames") {
         return counts[0];
     }
-    // A line for each block; in 4.1 a node is a line with its number and another with its place.
+    // Each block has one line. In version 4.1 a node has a line with its number and another with its coordinates.
     const double lines_each = section == "$Nodes" && version > 4.05 ? 2 : 1;
     return counts[0] + lines_each * counts[1];
 }

@@ -114,14 +114,14 @@ public:
     }
 
 private:
-    /// A corner of a ring, and which of its coordinates the edges beside it hold fast.
+    /// A corner of a ring, and which of its coordinates its edges fix.
     struct Corner {
         Vec2* point = nullptr;
         std::size_t ring = 0;
         std::array<bool, 2> held{};
         [[nodiscard]] int holds() const { return (held[0] ? 1 : 0) + (held[1] ? 1 : 0); }
     };
-    /// Outlines along one axis, and sections of boxes across it; boxes first, since they cannot be bent.
+    /// Outlines along one axis, and sections of boxes normal to it; boxes come first, since they cannot be deformed.
     struct Drawing {
         Axis axis = Axis::z;
         std::vector<Ring> boxes;
@@ -172,7 +172,7 @@ private:
         }
     }
 
-    /// Centre and radii of a circle become those of an earlier one where they nearly are.
+    /// Replaces centre and radii of a circle by those of an earlier one if they nearly agree.
     void align_circle(std::size_t own)
     {
         Prism& prism = prisms_[own];
@@ -258,7 +258,7 @@ private:
         divide_edges(drawing);
     }
 
-    /// Moves a corner, unless that would turn an edge along an axis, and tells whether it did.
+    /// Moves a corner unless this would rotate an edge that is parallel to an axis; returns whether it moved.
     bool move_corner(const Drawing& drawing, const Corner& corner, const Vec2& target)
     {
         for (std::size_t k = 0; k < 2; ++k) {
@@ -271,7 +271,7 @@ private:
         return true;
     }
 
-    /// To the nearest corner of another ring that is earlier in the drawing's order.
+    /// Moves a corner to the nearest corner of another ring that is earlier in the drawing's order.
     void join_corner(const Drawing& drawing, std::size_t own)
     {
         const Corner& corner = drawing.corners[own];
@@ -289,7 +289,7 @@ private:
         }
     }
 
-    /// The foot of a point on the edge from corner i of a ring, if it is near and well between the edge's ends.
+    /// Projection of a point onto the edge from corner i of a ring, if it is near and well between the edge's ends.
     [[nodiscard]] bool foot_on_edge(const Ring& ring, std::size_t i, const Vec2& point, Vec2& foot) const
     {
         const Vec2 edge = ring[(i + 1) % ring.size()] - ring[i];
@@ -315,7 +315,7 @@ private:
         }
     }
 
-    /// Corners of other rings that are still beside an edge of an outline become corners of it.
+    /// Adds corners of other rings that are still beside an edge of an outline to that outline.
     void divide_edges(Drawing& drawing)
     {
         std::vector<Ring> divided;
@@ -334,7 +334,7 @@ private:
         }
     }
 
-    /// In the order in which they lie along the edge.
+    /// Corners of other rings beside an edge, sorted by their position along it.
     [[nodiscard]] std::vector<Vec2> corners_beside(const Drawing& drawing, std::size_t r, std::size_t i) const
     {
         const Ring& ring = *drawing.rings[r];

@@ -157,7 +157,7 @@ private:
         return plane;
     }
 
-    /// The surface over a curve, seen from a quadrilateral beside it.
+    /// The surface that a curve extrudes to, for the quadrilateral beside it.
     [[nodiscard]] FaceGeometry side(std::uint32_t curve_index, std::uint32_t quad) const
     {
         if (curve_index == none) {

@@ -337,7 +337,7 @@ private:
         mesh_.geometries.push_back(geometry);
     }
 
-    /// Connected faces of one label whose normals turn less than an angle from one to the next.
+    /// Connected faces of one label whose normals differ by less than an angle from face to face.
     [[nodiscard]] std::vector<Members> patches(const Members& members, double cosine) const
     {
         std::vector<char> open(mesh_.faces.size(), 0);
@@ -367,7 +367,7 @@ private:
         return result;
     }
 
-    /// Whether some node is surrounded by faces of the patch only: a strip of a coarse cylinder has none.
+    /// Whether at least one node has only faces of the patch around it; a strip of a coarse cylinder has no such node.
     [[nodiscard]] bool has_inner_node(const Members& patch) const
     {
         std::map<std::uint32_t, int> uses;

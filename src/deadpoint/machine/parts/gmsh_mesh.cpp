@@ -216,7 +216,7 @@ void require_readable(const std::string& part, const std::string& path)
             fmt::format("part '{}': there is no file '{}'; check the path, which is relative to the file that names it",
                         part, path));
     }
-    // Opening a pipe would wait for someone to write into it.
+    // Opening a pipe would wait for a writer.
     if (!std::filesystem::is_regular_file(path, unknown) || !std::ifstream(path)) {
         throw IoError(fmt::format(
             "part '{}': the file '{}' cannot be read; check that it is a file, and its permissions", part, path));

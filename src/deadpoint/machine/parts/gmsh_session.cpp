@@ -65,7 +65,7 @@ GmshSession::~GmshSession()
 {
     try {
         gmsh::finalize();
-    } catch (...) {  // nothing sensible can be done about a failing end
+    } catch (...) {  // nothing useful can be done if finalizing fails
     }
 }
 

@@ -115,7 +115,7 @@ namespace {
 
 /// Lines of a grid along both axes.
 struct GridLines {
-    std::array<std::vector<double>, 2> ends;  ///< where shapes begin and end
+    std::array<std::vector<double>, 2> ends;  ///< positions where shapes begin and end
     std::vector<double> u, v;                 ///< all lines
 
     [[nodiscard]] std::uint32_t columns() const { return static_cast<std::uint32_t>(u.size()); }

@@ -147,7 +147,7 @@ void divide_curve(int tag, const PlaneCurve& curve, const std::vector<Vec2>& sam
     } else {
         count = steps(norm(curve.to - curve.from), splitting * fine.size);
     }
-    // full quads take every other node of the curve first
+    // full quads first use every second node of the curve
     gmsh::model::mesh::setTransfiniteCurve(tag, (way == Recombination::full_quads ? splitting : 1) * count + 1);
 }
 

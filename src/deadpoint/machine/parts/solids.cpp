@@ -265,10 +265,10 @@ PartMesh mesh_step(const PartDescription& part, const StepSource& source, double
                 cut_at(-part.translation[0], solids);
             }
             occ::synchronize();
-            Observer nobody;  // words do not leave the process, only errors and the mesh do
+            Observer nobody;  // messages do not leave the process; only errors and the mesh do
             mesh = generate(part.name, size, nobody);
         });
-        // Moved afterwards: where a part stands must not change its mesh.
+        // The part is moved after meshing, since its position must not change its mesh.
         return to_machine(Frame{{0, 1, 2}, {1, 1, 1}, part.translation}, std::move(mesh));
     };
     return mesh_foreign_file(file, make, waiting);

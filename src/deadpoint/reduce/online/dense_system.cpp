@@ -17,7 +17,7 @@ namespace {
 
 static_assert(heat::AdjointSystem<DenseSystem>);
 
-constexpr std::size_t most_factors = 16;  // kept at a time; steps change by factors of two
+constexpr std::size_t most_factors = 16;  // number of factors kept; step sizes change by factors of two
 
 bool is_square(const Eigen::MatrixXd& matrix, Eigen::Index size)
 {

@@ -24,7 +24,7 @@ constexpr const char* grey = "#8a8a8a";
 constexpr double panel_height = 460;
 constexpr double widest_panel = 420;
 constexpr double margin = 26;
-constexpr double narrowest_pitch = 140;  // room for the panel's title
+constexpr double narrowest_pitch = 140;  // space for the panel's title
 
 Vec2 turned(const PlanarPose& pose, const Vec2& point)
 {
@@ -156,7 +156,7 @@ private:
         return text;
     }
 
-    // Without points that would land on the previous one.
+    // Leaves out points that would coincide with the previous one.
     [[nodiscard]] std::vector<Vec2> thinned(const std::vector<Vec2>& points) const
     {
         std::vector<Vec2> kept;
@@ -182,7 +182,7 @@ private:
         return svg;
     }
 
-    // The block that runs in a guide; drawn for the body that is not the ground.
+    // Draws the block that slides in a guide, for the body that is not the ground.
     std::string slide_block(const LinkageJoint& joint, int index, std::size_t position, const char* colour) const
     {
         const auto& pose = history_.bodies[static_cast<std::size_t>(index)].pose[position];
@@ -196,7 +196,7 @@ private:
                            outline(box), colour, colour);
     }
 
-    // Two hatched lines beside the block, as long as it travels.
+    // Draws two hatched lines beside the block, as long as its travel.
     std::string guide(std::size_t j, std::size_t position) const
     {
         const auto& joint = linkage_.joints[j];
@@ -258,7 +258,7 @@ private:
                                  q[0], q[1]);
     }
 
-    // Names at the right of the panel, at the height of the middle of each body, spread so that none overlap.
+    // Writes names at the right of the panel, at the height of each body's centre, spread so that none overlap.
     std::string labels(std::size_t position) const
     {
         struct Label {
@@ -297,7 +297,7 @@ private:
         return svg;
     }
 
-    // Of a body and its image the one on the right is named.
+    // Of a body and its mirror image, only the right one is named.
     [[nodiscard]] bool hidden_image(std::size_t b) const
     {
         const auto& name = linkage_.bodies[b];

@@ -67,7 +67,7 @@ void pad(Range& range, bool include_zero)
     }
     if (include_zero) {
         range.add(0);
-        // A curve that dips below zero by less than its line's width needs no room there.
+        // A curve that falls below zero by less than its line width needs no space there.
         if (range.low > -0.005 * range.high) {
             range.low = 0;
         }

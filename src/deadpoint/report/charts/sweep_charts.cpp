@@ -19,7 +19,7 @@ namespace {
 
 constexpr double hour = 3600;
 constexpr std::size_t most_curves = 8;
-constexpr double wide_range = 8;  ///< largest over smallest number from which steps may stand on a logarithmic axis
+constexpr double wide_range = 8;  ///< ratio of largest to smallest number above which an axis may be logarithmic
 
 /// The places along the first axis, in the order in which they are drawn.
 struct Line {
@@ -29,7 +29,7 @@ struct Line {
     std::vector<ChartTick> ticks;  ///< empty: numbers
     std::string x_label;
     bool ordered = false;
-    /// Steps without order stand in fields of their own, not on the chart's edges.
+    /// Steps without order have their own fields instead of lying on the chart's edges.
     [[nodiscard]] double margin() const { return ordered || x.size() < 2 ? 0 : 0.5; }
 };
 
@@ -103,7 +103,7 @@ Line first_axis(const SweepResult& result, std::size_t set)
     }
     Line line;
     place_steps(axes[0], order, line);
-    const std::size_t below = points.size() / order.size();  // places of the other axes
+    const std::size_t below = points.size() / order.size();  // number of combinations of the other axes
     for (const std::size_t step : order) {
         line.points.push_back(points[step * below]);
         line.labels.push_back(axes[0].labels[step]);

@@ -55,10 +55,10 @@ std::string colour(double share)
 /// Both axes of the set, and where each place is drawn.
 struct Grid {
     const study::SweepSet& set;
-    std::vector<std::size_t> columns, rows;  ///< steps of the first and the second axis; rows from the bottom
+    std::vector<std::size_t> columns, rows;  ///< steps of the first and the second axis; rows start at the bottom
     std::vector<std::size_t> points;
     double cell_width = narrowest_cell;
-    double row_labels = 0;  ///< width
+    double row_labels = 0;  ///< width of the row labels
     [[nodiscard]] std::size_t point(std::size_t column, std::size_t row) const
     {
         return points[study::grid_index(set, {columns[column], rows[row]})];

@@ -81,7 +81,7 @@ const char* outcome(Verdict::Outcome o)
 struct Sheet {
     std::vector<std::string> titles;
     std::vector<std::vector<std::string>> rows;
-    std::size_t left = 1;  ///< columns that are aligned to the left
+    std::size_t left = 1;  ///< number of left-aligned columns
 };
 
 std::string full_name(const ComparedValue& v)

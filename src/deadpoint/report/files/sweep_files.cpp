@@ -102,7 +102,7 @@ public:
         });
         texts(table::reason, [&](const Row& row) {
             std::string reason = result_.outcomes[row.point].reason;
-            std::ranges::replace(reason, '\n', ' ');  // many programs read no line break inside a cell
+            std::ranges::replace(reason, '\n', ' ');  // many programs cannot read line breaks inside a cell
             return reason;
         });
         return std::move(columns_);
@@ -134,7 +134,7 @@ private:
             column, [&](const Row& row) { return figures_[row.point] ? of(*figures_[row.point]) : missing; }, name);
     }
 
-    /// A set's axis of that name, and its place in the set.
+    /// The axis of a set with a given name, and its position in the set.
     [[nodiscard]] const study::SweepAxis* axis_of(const Row& row, const std::string& name, std::size_t& place) const
     {
         const auto& axes = result_.study.sets[row.set].axes;
@@ -143,7 +143,7 @@ private:
         return found == axes.end() ? nullptr : &*found;
     }
 
-    /// Axes of one name share their columns, numbers of one unit as well.
+    /// Axes with the same name share columns; numbers with the same unit do as well.
     void axes()
     {
         std::vector<std::string> names;
@@ -243,7 +243,7 @@ private:
     const Figures& figures_;
     const Windows& windows_;
     std::vector<Row> rows_;
-    std::vector<std::vector<AxisNumbers>> numbers_;  ///< by set and axis
+    std::vector<std::vector<AxisNumbers>> numbers_;  ///< per set and axis
     std::vector<CsvColumn> columns_;
 };
 

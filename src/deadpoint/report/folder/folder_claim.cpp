@@ -52,7 +52,7 @@ bool says_unfinished(const fs::path& folder)
     try {
         const auto json = read_json(folder / manifest_name);
         return json && json->is_object() && json->contains(unfinished);
-    } catch (const InputError&) {  // broken, and not by us: it is not ours to remove
+    } catch (const InputError&) {  // damaged by others, so it is not removed
         return false;
     }
 }
@@ -91,8 +91,8 @@ void remove_listed(const fs::path& folder)
             all.push_back(entry.path());
         }
     }
-    std::ranges::sort(all, std::greater<>{});  // what lies below a folder comes before it
-    all.push_back(folder / manifest_name);     // last, so that a kill leaves what is still known
+    std::ranges::sort(all, std::greater<>{});  // the content of a folder comes before the folder
+    all.push_back(folder / manifest_name);     // last, so that after a kill the remaining files are still listed
     all.push_back(folder);
     std::error_code ignored;  // a folder that is not empty stays
     for (const auto& path : all) {

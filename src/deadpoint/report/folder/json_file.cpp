@@ -10,7 +10,7 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr int deepest = 32;  // ours are eight deep; what walks over the values calls itself at each level
+constexpr int deepest = 32;  // our files are eight levels deep; code that walks over values recurses at each level
 
 /// Levels of brackets outside of strings.
 int depth_of(const std::string& text)
@@ -49,7 +49,7 @@ nlohmann::ordered_json parse_json(const std::string& text, const std::filesystem
 
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& document, IfThere if_there)
 {
-    // A name taken from a file need not be valid UTF-8; replace what is not, rather than lose the whole summary.
+    // A name from a file need not be valid UTF-8. Replace invalid bytes instead of losing the whole summary.
     write_file(path, document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n', if_there);
 }
 

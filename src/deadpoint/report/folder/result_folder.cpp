@@ -166,7 +166,7 @@ void ResultFolder::require_replaceable() const
 
 void ResultFolder::commit()
 {
-    keep_ = true;  // from here on results are complete; never lose them
+    keep_ = true;  // from here on the results are complete and must not be lost
     try {
         if (!is_whole(partial_)) {
             write_manifest(partial_);

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_values = 40'000;  ///< of one curve, over all points
+constexpr std::size_t most_values = 40'000;  ///< values of one curve, over all points
 constexpr std::size_t fewest_rows = 40;
 constexpr std::size_t most_rows = 300;
 

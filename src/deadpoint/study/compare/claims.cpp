@@ -111,7 +111,7 @@ private:
         return result;
     }
 
-    /// Every value of the first beyond every value of the second.
+    /// Checks whether every value of the first is larger than every value of the second.
     void order(const Named& first, const Named& second, const char* greater, const std::string& when, const auto& show)
     {
         const auto by_value = [](const auto& v) { return v.second; };
@@ -143,7 +143,7 @@ private:
               fmt::format("{:.3g} % of the rise at the end after", 100 * share()), hours);
     }
 
-    /// Whether a time lies between the claim's limits, and those as text.
+    /// Whether a time lies between the claim's limits, and the limits as text.
     [[nodiscard]] bool within(double time) const
     {
         const double slack = 1e-9 * run_.time.back();

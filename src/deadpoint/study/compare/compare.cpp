@@ -15,7 +15,7 @@ namespace deadpoint::study {
 namespace {
 
 constexpr double same_time = 1.0;   ///< [s]
-constexpr double rounding = 1e-12;  ///< differences below it come from units, relative
+constexpr double rounding = 1e-12;  ///< relative; smaller differences come from unit conversion
 
 /// Computed less reference, without what changing the unit leaves.
 double difference(double computed, double reference)
@@ -147,7 +147,7 @@ std::vector<ComparedCurve> curves_of(const RunRecord& run, const casefile::Refer
 
 void add_baseline(const RunRecord& baseline, const casefile::ReferenceFile& reference, Comparison& result)
 {
-    // Loads come last: where the baseline has none, its other values still stand at the same places.
+    // Loads come last. If the baseline has none, its other values still have the same indices.
     const auto values = values_of(baseline, reference);
     for (std::size_t i = 0; i < std::min(values.size(), result.values.size()); ++i) {
         result.values[i].baseline = values[i].computed;

@@ -10,7 +10,7 @@ namespace deadpoint::study {
 namespace {
 
 constexpr double sampling = 10;         ///< [s]
-constexpr double most_samples = 20000;  ///< beyond that, coarser
+constexpr double most_samples = 20000;  ///< with more samples the sampling becomes coarser
 
 /// The steps and a regular grid, without repetition.
 std::vector<double> sample_times(const std::vector<double>& time)

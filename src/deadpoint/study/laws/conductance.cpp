@@ -30,11 +30,11 @@ struct Place {
     const std::string& joint_name;
     const casefile::Joint& joint;
     const casefile::Interface& interface;
-    std::size_t index;  ///< into Machine::interfaces
-    std::size_t first;  ///< of the joint's interfaces there
+    std::size_t index;  ///< index into Machine::interfaces
+    std::size_t first;  ///< index of the joint's first interface there
 
     [[nodiscard]] const Contact& contact() const { return machine.interfaces[index]; }
-    /// With the values at the initial temperature.
+    /// Uses the values at the initial temperature.
     [[nodiscard]] casefile::Material material(std::uint32_t part) const
     {
         return material(input.parts.at(machine.parts[part].name).material);

@@ -99,7 +99,7 @@ RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const PalmgrenF
                       const std::vector<RubbingJoint>& joints)
 {
     constexpr double step = 2.5;  // [K]
-    constexpr int steps = 24;     // to either side
+    constexpr int steps = 24;     // number of steps to either side
     const auto heat = [&](double difference) {
         const double preload = warm_preload(friction, difference);
         double sum = 0;

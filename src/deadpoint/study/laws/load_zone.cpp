@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t directions = 360;
 constexpr double turn = 2 * std::numbers::pi;
 
-using Spectrum = std::array<double, directions>;  ///< share of the load heat by its direction, in whole degrees
+using Spectrum = std::array<double, directions>;  ///< share of the load heat per direction, in whole degrees
 
 void add(Spectrum& spectrum, const std::vector<Vec2>& force, const tribology::Duty& duty, double sign)
 {

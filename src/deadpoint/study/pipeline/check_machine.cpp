@@ -36,7 +36,7 @@ Bounds bounds_of(const Machine& machine, const Cell& cell)
 
 struct Miss {
     double distance = std::numeric_limits<double>::max();  ///< to the nearest cell's bounds [m]
-    double diameter = 0;                                   ///< of that cell [m]
+    double diameter = 0;                                   ///< diameter of that cell [m]
 };
 
 Miss nearest_cell(const Machine& machine, const MeshPart& part, const Vec3& point)
@@ -140,7 +140,7 @@ void require_probes_on_parts(const casefile::Case& input, const Machine& machine
         const auto part = std::find_if(machine.parts.begin(), machine.parts.end(),
                                        [&wanted = probe.part](const MeshPart& p) { return p.name == wanted; });
         if (part == machine.parts.end())
-            continue;  // named where the heat problem is described
+            continue;  // reported when the heat problem is described
         Vec3 point = probe.position;
         if (machine.half_model)
             point[0] = -std::abs(point[0]);

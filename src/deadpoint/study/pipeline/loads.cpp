@@ -32,8 +32,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int modes_shown = 8;
 constexpr int campbell_points = 13;
-constexpr double balanced_share = 1e-6;  // of the largest joint force, below which a guide counts as unloaded
-constexpr double noticed_share = 0.01;   // of a guide's mean normal force, above which a left-out moment is told
+constexpr double balanced_share = 1e-6;  // share of the largest joint force below which a guide counts as unloaded
+constexpr double noticed_share = 0.01;   // share of its mean normal force above which a neglected moment is reported
 
 class Timer {
 public:

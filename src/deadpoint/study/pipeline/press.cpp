@@ -44,7 +44,7 @@ Press::Press(Press&&) noexcept = default;
 
 Press& Press::operator=(Press&& other) noexcept
 {
-    model_.reset();  // it stands on the meshes
+    model_.reset();  // it refers to the meshes
     input_ = std::move(other.input_);
     size_scale_ = other.size_scale_;
     machine_ = std::move(other.machine_);

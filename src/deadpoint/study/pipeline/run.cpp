@@ -67,16 +67,16 @@ void warn_about(const ThermalHistory& history, const HeatProblem& problem, Obser
 struct ModelParts {
     ModelParts(const Machine& m, const Machine* own) : machine(m), own_deformation(own) {}
 
-    /// What the laws of a case come to; loads and friction go into the result.
-    /// @throws CaseError with all that can be wrong with a case on its meshes: loads, laws, dimension chain, preloads
+    /// Evaluates the laws of a case; stores loads and friction in the result.
+    /// @throws CaseError with all errors of a case on its meshes: loads, laws, dimension chain, preloads
     HeatProblem translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer);
-    /// Unknowns, dimension chain and adjoints, where they are not there yet.
+    /// Creates unknowns, dimension chain and adjoints if they do not exist yet.
     void need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer);
     void need_chain(const casefile::Case& input);
 
     HeatProblem laws(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer) const;
 
-    /// The machine whose mesh the deformation lives on.
+    /// The machine with the mesh of the deformation.
     [[nodiscard]] const Machine& deformed() const { return own_deformation ? *own_deformation : machine; }
     [[nodiscard]] const ChainModel* chain_or_none() const { return chain ? &*chain : nullptr; }
     [[nodiscard]] const FrameState* frame_or_none() const { return frame ? &*frame : nullptr; }
@@ -88,8 +88,8 @@ struct ModelParts {
     std::optional<GapModel> gaps;
     std::optional<FrameState> frame;
     std::vector<fem::Adjoint> adjoints;    ///< of the chain's dimensions and plays, of the gaps, of the frame
-    std::size_t frame_adjoints = 0;        ///< where those of the frame begin
-    std::optional<HeatProblem> assembled;  ///< that the prepared matrices are of
+    std::size_t frame_adjoints = 0;        ///< index of the first adjoint of the frame
+    std::optional<HeatProblem> assembled;  ///< the problem of the prepared matrices
 };
 
 HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer)
@@ -261,7 +261,7 @@ private:
             exact_.emplace(time, field);
     }
 
-    /// The dimension chain over time, and what has moved it.
+    /// Computes the dimension chain over time and its contributions.
     void follow_gap()
     {
         if (!parts_.chain)
@@ -290,12 +290,12 @@ private:
         if (parts_.chain)
             close = [&, shares = shares_at(result_.thermal.time.size() - 1)](const fem::Displacement& u) {
                 return close_joints(parts_.machine, *parts_.model, *parts_.chain, u, shares).motions;
-            };  // the shares at the end serve all times, since the view is linear in the temperature
+            };  // the shares at the end hold at all times, since the view is linear in the temperature
         result_.view = view_.finish(parts_.machine, *parts_.model, reference(), close);
         watch_.stop();
     }
 
-    /// Corners, clearances and the force at a fixed die height.
+    /// Computes corners, clearances and the force at a fixed die height.
     void follow_clearances()
     {
         if (!parts_.chain)
@@ -401,7 +401,7 @@ std::string shared_part(const casefile::Case& input)
     shared.crankshaft.reset();
     shared.process_force.reset();
     shared.output = {};
-    shared.output.stress = input.output.stress;  // by it the model watches the frame
+    shared.output.stress = input.output.stress;  // with it the model also follows the frame
     shared.reference.reset();
     const auto order = shared.numerics.order;
     const auto size = shared.numerics.size;

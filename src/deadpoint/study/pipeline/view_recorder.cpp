@@ -114,7 +114,7 @@ ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double re
         view.temperature.modes.push_back(model.at_corners(view.surface.vertices, mode));
     if (!close)
         return view;
-    // Cases start from one temperature all over; the fields were kept as floats.
+    // Cases start from a uniform temperature; the fields were stored as floats.
     const bool starts_undeformed =
         std::ranges::all_of(view.temperature.base, [&](double t) { return std::abs(t - reference) < 1e-4; });
     view.displacement.base.resize(view.surface.vertices.size());

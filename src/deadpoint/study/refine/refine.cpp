@@ -22,11 +22,11 @@ namespace {
 
 using casefile::Accuracy;
 
-constexpr double least_factor = 0.5;     // of a part's size in one round
-constexpr double aim = 0.5;              // at this share of the tolerance, so that the change falls below it too
-constexpr double confirming_step = 0.6;  // the estimate in the round that is to confirm
-constexpr double blind_step = 0.8;       // of all sizes, where the estimate shows nothing to refine
-constexpr double share_of_time = 0.25;   // of the tolerance: what halving the time steps may change
+constexpr double least_factor = 0.5;     // smallest factor on a part's size in one round
+constexpr double aim = 0.5;              // target as a share of the tolerance, so that the change also falls below it
+constexpr double confirming_step = 0.6;  // factor of the estimate in the confirming round
+constexpr double blind_step = 0.8;       // factor of all sizes if the estimate shows nothing to refine
+constexpr double share_of_time = 0.25;   // share of the tolerance by which halving the time steps may change the result
 constexpr int time_rounds = 4;
 constexpr int compared_times = 400;
 
@@ -139,8 +139,8 @@ private:
         return static_cast<std::size_t>(std::ranges::max_element(estimate_.by_part) - estimate_.by_part.begin());
     }
 
-    // Halves the steps until that changes little. The error of the steps hardly depends on the mesh, so the first one
-    // serves.
+    // Halves the steps until the result changes little. The error of the steps hardly depends on the mesh, so the first
+    // mesh is used.
     void settle_time_steps()
     {
         const auto start = Clock::now();
@@ -166,7 +166,7 @@ private:
 
     [[nodiscard]] double estimated() const { return report_.rounds.back().estimate + report_.time_change; }
 
-    // Whether there is nothing more to do, and why.
+    // Returns whether there is nothing more to do, and the reason.
     bool finished()
     {
         const auto& round = report_.rounds.back();
@@ -189,7 +189,7 @@ private:
         return !report_.why_not.empty();
     }
 
-    // New sizes, and how many parts they make finer.
+    // Computes new sizes, and the number of parts that become finer.
     void plan_sizes()
     {
         std::vector<PartError> parts;
@@ -203,7 +203,7 @@ private:
         }
         const double allowed = wanted_.tolerance - report_.time_change;
         const double target = estimate_.total > allowed ? aim * allowed : confirming_step * estimate_.total;
-        // the parts' largest errors need not fall on one time
+        // the largest errors of the parts can occur at different times
         const double scale = estimate_.total > 0 ? sum / estimate_.total : 1;
         factors_ = size_factors(parts, scale * target, least_factor, input_.numerics.accuracy_cells);
         count_refined();
@@ -229,7 +229,7 @@ private:
         solve(true);
     }
 
-    // Where the last mesh has come to.
+    // Describes what the last mesh has reached.
     [[nodiscard]] std::string standing() const
     {
         const bool gap = wanted_.of == Accuracy::Of::gap;

@@ -14,12 +14,12 @@ using Steps = std::vector<std::size_t>;
 using Mask = std::vector<char>;
 
 constexpr double most_choices = 1e6;
-constexpr double same_share = 1e-12;  ///< shares that differ less differ by rounding only
+constexpr double same_share = 1e-12;  ///< smaller differences of shares are rounding
 
 /// An axis as the search goes through it.
 struct SearchAxis {
-    std::size_t index = 0;  ///< in the grid as given
-    Steps order;            ///< its steps by their numbers
+    std::size_t index = 0;  ///< index in the original grid
+    Steps order;            ///< its steps, sorted by number
     bool ordered = false;
     std::vector<double> numbers;
 
@@ -28,7 +28,7 @@ struct SearchAxis {
         const auto n = static_cast<double>(order.size());
         return ordered ? n * (n + 1) / 2 : std::pow(2.0, n) - 1;
     }
-    /// Share of the axis that some of its steps cover, given by their places in `order`.
+    /// Share of the axis that the given steps cover; steps are positions in `order`.
     [[nodiscard]] double share(const Steps& chosen) const
     {
         if (numbers.empty()) {
@@ -137,7 +137,7 @@ private:
         descend(depth + 1, rest, points * chosen_[depth].size(), share + axes_[depth].share(chosen_[depth]));
     }
 
-    /// The part of the grid that belongs to one step of an axis, narrowed by what is left of others.
+    /// The part of the grid that belongs to one step of an axis, intersected with `narrowed`.
     [[nodiscard]] Mask slice(std::size_t depth, const Mask& mask, std::size_t place, const Mask& narrowed) const
     {
         const std::size_t size = mask.size() / axes_[depth].order.size();
@@ -181,7 +181,7 @@ private:
         }
     }
 
-    /// The innermost axis: all that is left without order, else every stretch without a gap.
+    /// Innermost axis: without order all remaining steps, else every contiguous range of them.
     void last(std::size_t depth, const Mask& mask, std::size_t points, double share)
     {
         auto& chosen = chosen_[depth];
@@ -213,7 +213,7 @@ private:
     }
 
     std::vector<SearchAxis> axes_;
-    std::vector<Steps> chosen_;  ///< per axis of the search, places in its order
+    std::vector<Steps> chosen_;  ///< per axis of the search: positions in its order
     DriftWindow best_;
 };
 

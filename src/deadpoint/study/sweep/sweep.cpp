@@ -30,14 +30,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int left_unfinished = 130;             // exit code of a process whose point was stopped
-constexpr double private_share_of_memory = 0.5;  // of the prepared memory, what a process makes for itself: about
+constexpr double private_share_of_memory = 0.5;  // share of the prepared memory that a process adds for itself, about
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// A point that runs in a process of its own.
 struct Worker {
     pid_t process = 0;
-    int reason = -1;  ///< the end of a pipe through which it says why it failed
+    int reason = -1;  ///< end of the pipe through which it reports why it failed
     std::size_t point = 0;
     Clock::time_point start;
 };
@@ -83,7 +83,7 @@ std::string read_all(int pipe)
 
 void write_all(int pipe, const std::string& text)
 {
-    // A pipe takes 4096 bytes at once; longer reasons are cut.
+    // A pipe takes 4096 bytes at once; longer texts are cut.
     [[maybe_unused]] const auto written = write(pipe, text.data(), std::min<std::size_t>(text.size(), 4096));
 }
 
@@ -111,7 +111,8 @@ public:
     }
 
 private:
-    // Meshes the machine and prepares the model by the first point that can be prepared; those that cannot have failed.
+    // Meshes the machine and prepares the model with the first point that can be prepared; points before it have
+    // failed.
     bool prepare(std::vector<std::size_t>& queue)
     {
         while (!queue.empty() && !observer_.cancelled()) {
@@ -128,7 +129,7 @@ private:
         return false;
     }
 
-    // Meshes that a point before has made serve the next one too; its half-made model does not.
+    // The next point reuses the meshes of a point before, but not its incomplete model.
     void start_press(const casefile::Case& input)
     {
         if (!press_) {
@@ -193,7 +194,7 @@ private:
                                       points_[point].name, std::strerror(errno)));
         if (process == 0) {
             prctl(PR_SET_PDEATHSIG, SIGKILL);
-            setpgid(0, 0);  // Ctrl-C is for the parent, which passes it on
+            setpgid(0, 0);  // Ctrl-C goes to the parent, which passes it on
             close(ends[0]);
             _exit(work(point, ends[1]));
         }
@@ -201,7 +202,7 @@ private:
         return {process, ends[0], point, Clock::now()};
     }
 
-    // In the child. It must not return into the program, whose objects belong to the parent.
+    // Runs in the child. It must not return into the program, whose objects belong to the parent.
     int work(std::size_t point, int reason) noexcept
     {
         try {

@@ -112,8 +112,8 @@ public:
     [[nodiscard]] std::vector<SweepPoint> take() { return std::move(points_); }
 
 private:
-    /// The name, with a mark of what is set where another run has the name already or it is too long. The mark does
-    /// not depend on the order, so that a study that grows finds its finished points again.
+    /// The name. If another run already has it or it is too long, a mark made from the settings is added. The mark does
+    /// not depend on the order, so an extended study finds its finished points again.
     std::string unused(std::string name, const Settings& changed)
     {
         std::string all;
@@ -125,7 +125,7 @@ private:
             name.resize(longest_name);
             name += mark;
         }
-        // Some file systems do not tell upper case from lower case.
+        // Some file systems do not distinguish upper and lower case.
         if (!names_.insert(lower(name)).second) {
             name += mark;
             if (!names_.insert(lower(name)).second) {
@@ -254,7 +254,7 @@ std::function<bool(const std::string&, const std::string&)> base_values(const Sw
         try {
             same = hash_with(setting) == base_hash;
         } catch (const InputError&) {
-            // Refused alone, it may still be right together with other keys of its axis.
+            // A key that is refused alone can be valid together with other keys of its axis.
         }
         return known->emplace(setting, same).first->second;
     };

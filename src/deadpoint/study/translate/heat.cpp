@@ -107,8 +107,8 @@ public:
         mistakes.raise();
     }
 
-    /// Interface laws at the operating point of a segment, before the oil warms. While the press stands its joints
-    /// conduct as they did when it last ran.
+    /// Interface laws at the operating point of a segment, before the oil warms. While the press stands still, its
+    /// joints conduct as in the last segment in which it ran.
     std::vector<InterfaceLaw> interfaces(std::size_t s)
     {
         const auto* running = running_segment(s);
@@ -153,7 +153,7 @@ private:
             refuse_zones(row, fmt::format("friction.{} has no load part of its own by its law", row));
     }
 
-    /// The segment itself if the press runs in it, else the one before in which it ran, else the first that runs.
+    /// The segment itself if the press runs in it, else the last running one before, else the first running one.
     [[nodiscard]] const casefile::Segment* running_segment(std::size_t s) const
     {
         for (std::size_t i = s + 1; i-- > 0;)

@@ -92,7 +92,7 @@ double domain_extension(double dimension)
 {
     check_dimension(dimension);
     const double D = dimension;
-    // At D -> 2 both sides vanish; divided by 2 - D the equation keeps its slope.
+    // For D -> 2 both sides vanish; after division by 2 - D the equation keeps its slope.
     const double e = 2 - D;
     const auto equation = [D, e](double psi) {
         const double grown = std::expm1(e / 2 * std::log(psi)) / e;
@@ -115,7 +115,7 @@ ContactArea fractal_area(const FractalContact& contact, double pressure)
     area.plastic = log_spot <= area.log_critical;
     if (!area.plastic) {
         const auto mismatch = [&sums, target = std::log(pressure)](double t) { return sums.log_pressure(t) - target; };
-        double high = 1;  // ln P grows at least as (D/2) t, so this ends
+        double high = 1;  // ln P grows at least like (D/2) t, so the loop ends
         while (mismatch(high) < 0)
             high *= 2;
         const double t = increasing_root(mismatch, 0.0, high);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double square_millimetre = 1e-6;
 constexpr double rpm = 2 * std::numbers::pi / 60;
-constexpr double low_branch_factor = 160;  // Palmgren, in place of (nu n)^(2/3)
+constexpr double low_branch_factor = 160;  // Palmgren, instead of (nu n)^(2/3)
 constexpr double palmgren_exponent = 2.0 / 3.0;
 
 double load_exponent(FrictionKind kind) { return kind == FrictionKind::rolling ? rolling_load_exponent : 1.0; }

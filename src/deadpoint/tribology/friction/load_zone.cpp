@@ -19,7 +19,7 @@ constexpr int quadrature_points = 32;
 
 struct Quadrature {
     std::array<double, quadrature_points> node{};    // in 0 .. 1
-    std::array<double, quadrature_points> weight{};  // adds up to 1
+    std::array<double, quadrature_points> weight{};  // sums to 1
 };
 
 /// Gauss-Legendre points by Newton's method on the Legendre polynomial.
@@ -75,7 +75,7 @@ double mean_approach(const RowApproach& approach, double exponent, int harmonic)
     const auto [base, radial] = approach;
     if (base + radial <= 0)
         return 0;
-    const double end = base >= radial ? pi : std::acos(-base / radial);  // of the load zone
+    const double end = base >= radial ? pi : std::acos(-base / radial);  // end of the load zone
     double sum = 0;
     for (std::size_t i = 0; i < rule.node.size(); ++i) {
         const double t = rule.node[i] * pi / 2;  // psi = end sin t: smooth at the end of the zone
@@ -177,7 +177,7 @@ std::vector<RowApproach> spread_pair(const RollingRow& row, double radial, doubl
     if (row.contact_angle == 0)
         throw InputError("pair of rolling rows: an axial force needs a contact angle\n  help: state the angle");
 
-    // At an axial shift the common radial approach follows from the radial force; the shift, from the axial force.
+    // At a given axial shift, the radial force gives the common radial approach; the axial force gives the shift.
     const auto rows_at = [&](double shift) {
         RowApproach first{base + shift, 0};
         RowApproach second{base - shift, 0};

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double square_millimetre = 1e-6;
 constexpr double walther_shift = 0.7;          // [mm2/s]
-constexpr double walther_least = 2;            // [mm2/s]: below it D341 adds terms
-constexpr double range_rounding = 0.05;        // [K]: a press that starts at the first point is not outside
+constexpr double walther_least = 2;            // [mm2/s]; below it D341 adds terms
+constexpr double range_rounding = 0.05;        // [K]; a press that starts at the first point is not outside the range
 constexpr double tested_density_change = 0.1;  // share of the density
 
 // What a law gives, unless it leads beyond what flows.

@@ -20,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 constexpr double square_millimetre = 1e-6;
 constexpr double rpm = 2 * pi / 60;
-constexpr double millimetre_cubed_torque = 1e6;  // N m per m^3 in place of N mm per mm^3
+constexpr double millimetre_cubed_torque = 1e6;  // N m per m^3 instead of N mm per mm^3
 constexpr double high_branch_factor = 1e-7;
 constexpr double low_branch_factor = 160e-7;
 

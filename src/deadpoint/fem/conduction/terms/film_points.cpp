@@ -102,7 +102,7 @@ heat::FilmHeat FilmPoints::add_heat(const std::vector<heat::FilmAt>& films, Vec 
     const double* values = gathered_->gather(temperature);
     const auto received = irradiation(values);
     const std::size_t count = problem_->surfaces.size();
-    std::vector<double> sums(3 * count, 0.0);  // the heat lost, what went to other surfaces, untested area
+    std::vector<double> sums(3 * count, 0.0);  // lost heat, heat to other surfaces, untested area
     for (const auto& film : films) {
         const bool in_room = received[film.surface] > 0;
         for (const auto& point : points_[film.surface]) {

@@ -52,8 +52,8 @@ public:
         return static_cast<std::size_t>(
             std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(count()) - 1));
     }
-    // From the centroid of what is in contact in the strip, so that the modes 1 and z are orthogonal there even where
-    // the other side covers a strip in part.
+    // z is relative to the centroid of the contact in the strip. So the modes 1 and z are orthogonal there, even where
+    // the other side covers the strip only in part.
     [[nodiscard]] double from_middle(std::size_t strip, const ContactPoint& point) const
     {
         return axial(geometry_, point.position_a) - middle_[strip];

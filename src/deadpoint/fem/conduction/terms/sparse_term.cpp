@@ -7,7 +7,7 @@
 namespace deadpoint::fem {
 namespace {
 
-constexpr std::size_t most_loose = 1'000'000;  // entries between two merges, so that memory stays that of the result
+constexpr std::size_t most_loose = 1'000'000;  // entries between two merges; limits memory to that of the result
 
 }  // namespace
 
