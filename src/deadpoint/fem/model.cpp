@@ -25,7 +25,7 @@ namespace deadpoint::fem {
 
 namespace {
 
-// A mesh of the deformation's own, and the ways to it and back.
+// A separate mesh of the deformation, and the transfers to it and back.
 struct OwnMesh {
     OwnMesh(const Machine& machine, std::vector<int> orders, const Discretisation& heat)
         : space(machine, std::move(orders)), values(heat, space), back(space, heat), to(heat, space, values, back)
@@ -88,7 +88,7 @@ struct Model::Implementation {
 
 namespace {
 
-// Ranks mesh the machine each for themselves; a difference must not pass as a result.
+// Each rank meshes the machine itself; a difference between ranks must be an error.
 void require_same_mesh(const Machine& machine)
 {
     double sum = static_cast<double>(machine.cells.size());
@@ -125,7 +125,7 @@ void require_sound(const Machine& machine, const std::vector<Material>& material
     }
 }
 
-// What stress is recovered from, on every rank.
+// Data for the stress recovery, on every rank.
 class GatheredState {
 public:
     GatheredState(const Discretisation& space, const Displacement& displacement, const Field& rise)
@@ -171,7 +171,7 @@ ThermalState start_of(const HeatProblem& problem, Field temperature)
     return start;
 }
 
-// Entries of a divided vector of `block` values per unknown at nodes of the mesh, on all ranks.
+// Entries of a distributed vector of `block` values per unknown at nodes of the mesh, on all ranks.
 std::vector<double> gathered(const Discretisation& space, const std::vector<CellCorner>& corners,
                              const std::vector<double>& owned, std::size_t block)
 {
@@ -454,7 +454,7 @@ std::vector<Vec3> Model::at_corners(const std::vector<CellCorner>& corners, cons
 
 namespace {
 
-/// What a field file shows: values at all unknowns, and what to say of each part.
+/// Content of a field file: values at all unknowns, and data of each part.
 struct ShownFields {
     std::vector<double> temperature;   ///< [K]
     std::vector<double> displacement;  ///< three per unknown [m]; empty if there is none

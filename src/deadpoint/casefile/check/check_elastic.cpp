@@ -20,7 +20,7 @@ bool is_held_sideways(const Foundation& foundation)
            (foundation.kind == Foundation::Kind::elastic && foundation.horizontal_stiffness.value_or(0) > 0);
 }
 
-// Feet that are a plane say which way they look; others are taken to look along y.
+// Plane feet have a known direction; other feet are assumed to face along y.
 bool pulls_along_feet(const Case& c)
 {
     const auto& name = c.foundation->surface.empty() && c.chain ? c.chain->ground_surface : c.foundation->surface;

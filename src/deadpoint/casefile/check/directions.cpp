@@ -59,7 +59,7 @@ std::variant<Vec2, Finding> stated_direction(const Case& c)
                    "state it along the guide, from the table towards the slide, or remove it");
 }
 
-// Whether the geometry tells the height of a wall.
+// Whether the height of a wall follows from the geometry.
 bool takes_height(const FilmLaw& law)
 {
     const auto* plate = std::get_if<PlateFilm>(&law);

@@ -25,7 +25,7 @@ bool has_places(const std::vector<deadpoint::Diagnostic>& found)
     return std::ranges::any_of(found, [](const deadpoint::Diagnostic& d) { return !d.place.file.empty(); });
 }
 
-/// @return nothing where the texts cannot be read as they were
+/// @return nothing if the texts can no longer be read as before
 std::optional<Diagnostics> found_in(const CaseSource& source, const std::vector<deadpoint::Diagnostic>& found)
 {
     Diagnostics result;

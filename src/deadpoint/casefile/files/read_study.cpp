@@ -30,7 +30,7 @@ bool is_index(std::string_view word)
     return !word.empty() && std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// The end of a key, from its last word that is no place in a list: "speed", "centre.0".
+/// End of a key, from its last word that is not a list index: "speed", "centre.0".
 std::string last_word(const std::string& key)
 {
     std::size_t end = key.size();

@@ -14,7 +14,7 @@
 namespace deadpoint::casefile {
 namespace {
 
-/// As format_quantity(), without the last digits, which a conversion from SI units may leave behind.
+/// Like format_quantity(), without the last digits, which can be rounding of a conversion from SI units.
 std::string plain_quantity(double value, Dimension dimension)
 {
     const auto text = format_quantity(value, dimension);

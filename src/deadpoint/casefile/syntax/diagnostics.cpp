@@ -19,7 +19,7 @@ bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) !
 
 int length_of(const std::string& text) { return static_cast<int>(character_count(text)); }
 
-/// Blanks as wide as the first `count` characters of the line; tabs stay tabs so that the caret stands right.
+/// Blanks as wide as the first `count` characters of the line; tabs stay tabs so that the caret is in the right column.
 std::string blanks(const std::string& line, int count)
 {
     std::string result;
@@ -38,7 +38,7 @@ std::string blanks(const std::string& line, int count)
     return result;
 }
 
-/// A stretch of a long line about a place, and the number of characters before it.
+/// Part of a long line around a place, and the number of characters before it.
 std::pair<std::string, int> around(const std::string& line, int place)
 {
     if (length_of(line) <= longest_line) {

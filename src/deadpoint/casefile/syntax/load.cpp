@@ -176,7 +176,7 @@ std::vector<std::string> split_path(const std::string& path)
     return steps;
 }
 
-/// Lists and numbers of an override are TOML, all else is text; this keeps "400 rpm" free of quotes on a command line.
+/// Lists and numbers of an override are TOML, everything else is text. So "400 rpm" needs no quotes on a command line.
 Node override_value(const std::string& text, int file)
 {
     Diagnostics ignored;
@@ -321,7 +321,7 @@ private:
     Diagnostics& diagnostics_;
 };
 
-/// By its number, or by its key "name" where the items are tables.
+/// Finds an item by its number, or by its key "name" if the items are tables.
 const Node* item_of(const Node& list, const std::string& step)
 {
     std::size_t index = 0;

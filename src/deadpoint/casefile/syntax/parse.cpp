@@ -23,7 +23,7 @@ namespace deadpoint::casefile {
 namespace {
 
 constexpr std::size_t most_nested = 40;
-// A value takes some hundred times its text in memory.
+// A value takes about a hundred times its text in memory.
 constexpr std::size_t most_values = 1'000'000;
 
 struct Complaint {
@@ -33,7 +33,7 @@ struct Complaint {
     std::string help;
 };
 
-/// Walks over a TOML text outside of strings and comments and finds what toml++ 3.3 cannot be trusted with.
+/// Scans a TOML text outside of strings and comments for constructs that toml++ 3.3 does not handle safely.
 class Scanner {
 public:
     explicit Scanner(const std::string& text) : text_(text) {}

@@ -87,7 +87,7 @@ void Reader::push(const Node& node, std::string path)
     frames_.push_back({&node, std::move(path), {}, diagnostics_.size(), false, {}});
 }
 
-/// Leaves a table: what it holds and nobody asked for is a mistake.
+/// Leaves a table and reports its unread keys as errors.
 void Reader::pop()
 {
     const Frame frame = std::move(frames_.back());

@@ -7,13 +7,13 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr int estimate_iterations = 10;
-// Above the estimate, which comes from below: a bound that is too low turns the preconditioner indefinite where films
-// are far stiffer than the metal.
+// Factor above the estimate, which is a lower bound. If films are far stiffer than the metal, too low a bound makes
+// the preconditioner indefinite.
 constexpr double room = 1.2;
-// Of the bound: what lies lower is left to coarser levels.
+// Share of the bound; coarser levels handle lower eigenvalues.
 constexpr double smoothed_from = 0.05;
 
-// From the coarsest on.
+// Ordered from the coarsest.
 std::vector<KSP> solvers_of_levels(PC multigrid)
 {
     PetscInt count = 0;
@@ -32,7 +32,7 @@ Mat matrix_of(KSP level)
     return matrix;
 }
 
-// Of D^-1 A, from below, by conjugate gradients.
+// Estimate of the largest eigenvalue of D^-1 A from below, by conjugate gradients.
 double largest_eigenvalue(Mat matrix)
 {
     OwnedKsp solver;

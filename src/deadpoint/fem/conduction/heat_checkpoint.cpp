@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::string_view kind = "deadpoint-checkpoint-2\n";
 constexpr const char* remedy = "start the run anew without --resume, with --force to replace this file";
-// The time between two checkpoints is at least this many times what the last one took.
+// The time between two checkpoints is at least this many times the duration of the last one.
 constexpr double least_pause = 50;
 
 // The temperatures of a state, in the order of files.
@@ -99,7 +99,7 @@ void HeatCheckpoint::offer(bool now)
     cost_ = std::chrono::duration<double>(last_ - begin).count();
 }
 
-// What a step starts from, and what the preconditioner was made of.
+// The start of a step, and the data from which the preconditioner was built.
 std::vector<Vec> HeatCheckpoint::vectors() const
 {
     std::vector<Vec> result;
@@ -175,7 +175,7 @@ void HeatCheckpoint::restore(const FieldCallback& on_field)
     hand_on_again(reader, state.place.next_field, on_field);
 }
 
-// The multigrid hierarchy is built as it was: one of the present matrix would solve as well, but not to the same bits.
+// Rebuilds the former multigrid hierarchy. One of the present matrix would also solve, but not to the same bits.
 void HeatCheckpoint::make_preconditioner(const heat::PreconditionerOrigin& origin)
 {
     if (origin.factor <= 0)

@@ -212,7 +212,7 @@ void HeatFunctionals::set_zones(const std::vector<InterfaceLaw>& laws)
         prepare_zone(i, laws[i]);
 }
 
-// One watt with the density of the load zone less one watt spread evenly, over the interface or the part's volume.
+// One watt with the density of the load zone minus one watt spread evenly, over the interface or the part's volume.
 void HeatFunctionals::prepare_zone(std::size_t i, const InterfaceLaw& law)
 {
     for (const bool side_b : {false, true})

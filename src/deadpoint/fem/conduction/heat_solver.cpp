@@ -30,7 +30,7 @@ Field field_of(const OwnedVec& vector)
 
 void set(OwnedVec& vector, const std::vector<double>& values) { std::ranges::copy(values, Entries(vector).data()); }
 
-// The segment that runs at a time.
+// The active segment at a time.
 const HeatSegment& segment_at(const HeatProblem& problem, double time)
 {
     double end = 0;

@@ -235,7 +235,7 @@ void HeatSystem::widen(const OwnedVec& temperature, std::vector<double>& lowest,
     MPI_Allreduce(MPI_IN_PLACE, highest.data(), count, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
 }
 
-// The heat is as booked and no longer follows the temperature, nor do enclosed air and radiation inside.
+// Uses the recorded heat, which no longer follows the temperature; the same holds for enclosed air and inner radiation.
 void HeatSystem::begin_adjoint()
 {
     parts_->films.forget_rooms();

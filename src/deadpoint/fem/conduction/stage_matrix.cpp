@@ -17,10 +17,10 @@ namespace {
 
 // Of a multigrid hierarchy, in the ratio of step sizes. Beyond, the bounds of its smoother may not hold any more.
 constexpr double largest_reuse = 2.5;
-// Below that of the shortest step: mass alone rules the matrix [s].
+// Below the value of the shortest step: the mass dominates the matrix [s].
 constexpr double shortest_factor = 1e-7;
 
-// Options that the user gave to PETSC win.
+// Options that the user gave to PETSc take precedence.
 void default_option(const char* name, const char* value)
 {
     PetscBool given = PETSC_FALSE;
@@ -167,14 +167,14 @@ void StageMatrix::fill(double factor, Mat films, Vec temperature)
             MatZeroRowsColumns(system_, static_cast<PetscInt>(held.size()), held.data(), 1, nullptr, nullptr));
 }
 
-// Some of a multigrid is set up by its first use.
+// The first use of a multigrid completes its set-up.
 void StageMatrix::set_up(Vec any, Vec work)
 {
     DEADPOINT_PETSC(KSPSetUp(solver_));
     DEADPOINT_PETSC(PCApply(preconditioner_of(solver_), any, work));
 }
 
-// Heat that falls with temperature adds to the matrix, as a few rank-one terms that the preconditioner need not know.
+// Heat that falls with temperature adds a few rank-one terms to the matrix; the preconditioner may ignore them.
 void StageMatrix::multiply(Vec in, Vec out) const
 {
     DEADPOINT_PETSC(MatMult(system_, in, out));

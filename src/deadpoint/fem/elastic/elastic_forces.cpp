@@ -11,7 +11,7 @@
 namespace deadpoint::fem {
 namespace {
 
-// The longest stretch along the axis without a bond, less a quarter at either end.
+// The longest range along the axis without a bond, minus a quarter at either end.
 std::pair<double, double> free_length(const Machine& machine, int part, std::size_t axis)
 {
     std::vector<double> places;
@@ -63,7 +63,7 @@ ElasticSolver::Gauge ElasticSolver::describe_rod(const ForceGauge& gauge) const
     return result;
 }
 
-// A finer part's node that follows a node of `shape` brings its forces along. Followers stand behind what they follow.
+// A finer part's node that follows a node of `shape` brings its forces along. Followers come after their masters.
 void ElasticSolver::pass_on(std::vector<double>& shape) const
 {
     for (const auto& tie : ties_.ties())

@@ -55,7 +55,7 @@ double ElasticSolver::thermal_modulus(int part) const
     return m.youngs_modulus * expansion_scale(m) / (1 - 2 * m.poissons_ratio);
 }
 
-// Pads: integral of k N_i N_j over the feet, for each direction by itself (Winkler).
+// Pads: integral of k N_i N_j over the feet, separately for each direction (Winkler).
 void ElasticSolver::add_pads(Mat all) const
 {
     if (foundation_.surface < 0 || foundation_.kind != Foundation::Kind::elastic)

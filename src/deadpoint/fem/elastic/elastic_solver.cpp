@@ -90,7 +90,7 @@ void ElasticSolver::choose_solver(PetscInt size)
     DEADPOINT_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
 }
 
-// Solves for rhs_; the result stands in solution_. A previous solution in free_solution_ is the first guess.
+// Solves for rhs_ and stores the result in solution_. A previous solution in free_solution_ is the first guess.
 void ElasticSolver::solve_free(const char* what)
 {
     DEADPOINT_PETSC(MatMultTranspose(expansion_, rhs_, free_rhs_));
@@ -129,7 +129,7 @@ FootNormals foot_normals(const Machine& machine, const MeshSurface& feet)
     return area > 0 ? FootNormals{(1 / area) * sum.mean, (1 / area) * sum.squares} : sum;
 }
 
-// The axis along which feet look; -y where they look in several directions.
+// The axis along which the feet face; -y if they face in several directions.
 Vec3 foot_normal(const Machine& machine, const Foundation& foundation)
 {
     constexpr double even = 0.999, along_axis = 1 - 1e-9;
@@ -248,7 +248,7 @@ void ElasticSolver::load(const Functional& functional, Vec target) const
     DEADPOINT_PETSC(VecRestoreArray(target, &values));
 }
 
-// Into solution_.
+// Solves the adjoint problem and stores the result in solution_.
 void ElasticSolver::solve_dual(const Functional& functional)
 {
     load(functional, rhs_);

@@ -18,7 +18,7 @@ using Column = Eigen::Matrix<double, 6, 1>;
 
 Eigen::Map<const Column> column(const std::array<double, 6>& mode) { return Eigen::Map<const Column>(mode.data()); }
 
-/// Motions that nothing holds, orthonormal by inertia.
+/// Rigid motions that no support constrains, orthonormal by inertia.
 std::vector<Column> free_modes(const Gram& held, const Gram& inertia)
 {
     const Eigen::SelfAdjointEigenSolver<Gram> solver(held);
@@ -125,7 +125,7 @@ void RigidPieces::find_free_motions(const std::vector<PetscInt>& supported)
         }
 }
 
-// Greedy choice: hold the unknown that the motions still free move most, then take that motion out.
+// Greedy choice: fix the unknown that the remaining free motions move most, then eliminate that motion.
 void RigidPieces::choose_holds(const Ties& ties)
 {
     struct Best {

@@ -15,7 +15,7 @@
 namespace deadpoint::fem {
 namespace {
 
-// Cells in a direction are told apart where their middles spread by more than this share of the cells' own extent. Two
+// Cells in a direction count as distinct if their centres spread by more than this share of the cells' extent. Two
 // layers have 3, one layer 0.
 constexpr double least_spread = 0.5;
 // The same for points within the cells, which add 1 to it.
@@ -127,7 +127,7 @@ void StressRecovery::sample(const Material& material, const StrainedState& state
     }
 }
 
-// Least squares over points within the cell; its extent along the way.
+// Least squares over points within the cell; also computes the cell's extent.
 void StressRecovery::find_slope(CellData& cell, std::span<const Sample> points) const
 {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -209,7 +209,7 @@ StressRecovery::Six StressRecovery::fit_linear(const std::vector<std::uint32_t>&
     return spread.mean + slope * (where - spread.centre);
 }
 
-// With the squares of those directions only in which several cells tell them.
+// Uses squares only in directions in which several cells determine them.
 bool StressRecovery::fit_quadratic(const std::vector<std::uint32_t>& patch, const Spread& spread,
                                    const Eigen::Vector3d& where, Six& value) const
 {

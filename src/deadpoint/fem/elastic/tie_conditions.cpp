@@ -20,7 +20,7 @@ constexpr double negligible = 1e-12;
 
 using Weights = std::map<PetscInt, double>;
 
-/// A face of the finer part with what bonds cover of it.
+/// A face of the finer part and the area that bonds cover.
 struct BondedFace {
     const std::vector<BondedPoint>* points = nullptr;
     std::uint32_t geometry = 0;
@@ -30,7 +30,7 @@ struct BondedFace {
     Eigen::MatrixXd dual;     ///< values of the dual functions at the points
 };
 
-/// A node on bonds: what it would follow point by point, and the surface that its dual function lives on.
+/// A node on bonds: its masters point by point, and the surface of its dual function.
 struct Candidate {
     std::optional<Tie> at_its_place;
     std::uint32_t geometry = 0;

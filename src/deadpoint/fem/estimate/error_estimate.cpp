@@ -39,11 +39,11 @@ Basis monomials(const Gradient& x)
     return {1, x[0], x[1], x[2], x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1], x[1] * x[2], x[2] * x[0]};
 }
 
-// Slopes that the samples leave open, as across a single layer of cells, become zero.
+// Slopes that the samples do not determine, as across a single layer of cells, become zero.
 constexpr double linear_ridge = 1e-8;
 constexpr double quadratic_ridge = 1e-5;
 
-// A rule for each kind of element: as many points a direction as its degree and `more`.
+// A quadrature rule for each kind of element, with degree + `more` points per direction.
 dealii::hp::QCollection<3> rules_of(const dealii::hp::FECollection<3>& elements, unsigned more)
 {
     dealii::hp::QCollection<3> rules;

@@ -50,7 +50,7 @@ void partition(dealii::parallel::shared::Triangulation<3>& triangulation, const 
     }
 }
 
-// The point itself where it lies in the reference cell, else one near it that does.
+// The point itself if it lies in the reference cell, else a point of the cell near it.
 template <class CellAccessor>
 dealii::Point<3> inside_reference_cell(const CellAccessor& cell, dealii::Point<3> unit)
 {
@@ -62,7 +62,7 @@ dealii::Point<3> inside_reference_cell(const CellAccessor& cell, dealii::Point<3
     return sum > 1 ? dealii::Point<3>(unit / sum) : unit;
 }
 
-// Where an element stands in the collections.
+// Index of an element in the collections.
 unsigned element_index(bool hexahedron, int order)
 {
     return 2 * static_cast<unsigned>(order - 1) + (hexahedron ? 0 : 1);
@@ -185,8 +185,8 @@ Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_
 }
 
 // Reverse Cuthill and McKee over each rank's unknowns, with all that couples them: parts that touch are neighbours too.
-// Products with the matrices then read what is at hand. PETSc's begins at the end of the longest way through the graph,
-// deal.II's does not, and leaves wider bands.
+// Products with the matrices then read nearby memory. PETSc's version begins at the end of the longest path through
+// the graph; deal.II's does not and gives wider bands.
 void Discretisation::number_neighbours_alike()
 {
     auto pattern = cell_pattern();

@@ -11,7 +11,7 @@
 namespace deadpoint::fem {
 namespace {
 
-// A number that other meshes hardly share, the same on any number of ranks.
+// A number that is almost unique to the mesh and the same on any number of ranks.
 std::uint64_t mesh_mark(const Machine& machine)
 {
     std::uint64_t mark = 1469598103934665603ULL;

@@ -18,14 +18,14 @@ constexpr std::size_t large_page = std::size_t{1} << 21;
 constexpr std::size_t worth_while = 16 * large_page;  // smallest size that uses large pages: matrices
 constexpr std::size_t vector_alignment = 64;
 
-// Mapped by themselves: malloc would take them from its pool, of small pages used before.
+// Mapped directly: malloc would take them from its pool of small pages that were used before.
 std::unordered_map<void*, std::size_t>& mapped()
 {
     static std::unordered_map<void*, std::size_t> sizes;
     return sizes;
 }
 
-// From the start of a large page on, so that it can be one.
+// Starts at the boundary of a large page, so that the kernel can use one.
 void* map_large(std::size_t size)
 {
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));

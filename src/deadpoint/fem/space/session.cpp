@@ -19,7 +19,7 @@ namespace {
 /// Of addresses, beyond the program itself, for MPI, the workspace of products and a small case [byte].
 constexpr std::size_t least_room = std::size_t{512} << 20;
 
-/// @throws InputError where a limit (ulimit -v) leaves less, with which MPI fails in words of its own
+/// @throws InputError if a limit (ulimit -v) leaves less; MPI would fail with its own message
 void require_room()
 {
     void* room = mmap(nullptr, least_room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -35,8 +35,8 @@ void require_room()
     munmap(room, least_room);
 }
 
-/// OpenBLAS asks for its workspace (some 128 MiB of addresses) at the first large product, and where there is none it
-/// asks again for ever, deaf to a polite end. So it gets the workspace now, and keeps it.
+/// OpenBLAS requests its workspace (some 128 MiB of addresses) at the first large product. If it gets none, it repeats
+/// the request for ever and ignores interrupts. So it gets the workspace now, and keeps it.
 void take_workspace_of_products()
 {
     constexpr PetscBLASInt size = 256;  // too large for the kernels that work without a buffer
@@ -55,10 +55,10 @@ bool mpi_runs()
     return started && !finished;
 }
 
-/// PETSc's own communicator, or where PETSc does not run yet, all ranks.
+/// PETSc's communicator, or all ranks if PETSc does not run yet.
 MPI_Comm communicator() { return is_open() ? PETSC_COMM_WORLD : MPI_COMM_WORLD; }
 
-/// @throws InputError where the handle is none
+/// @throws InputError if the handle is not a communicator
 MPI_Comm communicator_of(FortranCommunicator handle)
 {
     if (!mpi_runs())

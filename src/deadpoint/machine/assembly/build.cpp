@@ -31,7 +31,7 @@ namespace deadpoint::machine {
 
 namespace {
 
-/// Good enough not to try another axis.
+/// Quality from which no other axis is tried.
 constexpr double good_quality = 0.3;
 
 constexpr const char* bad_geometry = "geometry";
@@ -375,7 +375,7 @@ void select_surfaces(const MachineDescription& description, Assembly& assembly, 
     }
 }
 
-// Overlaps and floating parts are in the result, for whoever shows the plan.
+// The result contains overlaps and floating parts, for the printed plan.
 void warn_about(const Machine& machine, Observer& observer)
 {
     for (const Contact& contact : machine.interfaces) {

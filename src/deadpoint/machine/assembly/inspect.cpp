@@ -20,7 +20,7 @@ namespace deadpoint::machine {
 
 namespace {
 
-/// Of a face's width: free faces nearer than this lie on each other.
+/// Share of a face's width; free faces that are nearer lie on each other.
 constexpr double near_share = 0.01;
 /// Flat cells are thinner than this share of their longest edge, and than this many seam tolerances.
 constexpr double flat_share = 0.01;
@@ -33,7 +33,7 @@ std::string place(const Vec3& p)
 
 std::string micrometres(double length) { return fmt::format("{:.3g} um", micrometre * length); }
 
-/// Sets that grow together.
+/// Disjoint sets that can be merged (union-find).
 class Sets {
 public:
     explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -88,7 +88,7 @@ std::vector<Sight> sights_of(const Machine& machine, const MeshPart& part)
     return sights;
 }
 
-/// What has been found in one part.
+/// Findings in one part.
 struct Findings {
     std::vector<std::string> errors;
     std::vector<std::string> warnings;

@@ -57,7 +57,7 @@ void check_parts(const Machine& machine, const Contact& contact, const Side& a, 
     }
 }
 
-/// How far the surface of side b is from that of side a; infinite where they can never touch.
+/// Distance of the surface of side b from that of side a; infinite if they can never touch.
 double separation(const FaceGeometry& a, const FaceGeometry& b)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -125,7 +125,7 @@ void check_coverage(const Assembly& assembly, const Contact& contact, const Inte
         nearest_partners(assembly, a, selected_parts(assembly, description.b, owner))));
 }
 
-/// The travel of side a against side b; none where another body than the two that slide takes part.
+/// Travel of side a against side b; none if a body other than the two sliding ones takes part.
 std::vector<TravelStop> travel_of_a(const Machine& machine, const Travel& travel, const Side& a, const Side& b)
 {
     const auto body = [&](const Side& side) -> const std::string& {

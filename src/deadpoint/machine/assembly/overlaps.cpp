@@ -35,7 +35,7 @@ bool contains(const BoxShape& box, const Vec3& point)
     return true;
 }
 
-/// How far inside of a surface, as if it had no end, a point lies.
+/// Depth of a point inside a surface, as if the surface were unbounded.
 double depth_below(const FaceGeometry& geometry, const Vec3& point)
 {
     if (const auto* plane = std::get_if<PlaneGeometry>(&geometry)) {
@@ -49,7 +49,7 @@ double depth_below(const FaceGeometry& geometry, const Vec3& point)
     return infinity;
 }
 
-/// Tells how deep points lie inside a part that is known by its cells only.
+/// Computes how deep points lie inside a part that is known only by its cells.
 class CellDepth {
 public:
     CellDepth(const Assembly& assembly, std::uint32_t part)

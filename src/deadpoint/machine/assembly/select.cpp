@@ -31,14 +31,14 @@ double millimetres(double length) { return std::round(length * 1e7) / 1e4; }
 
 bool along(const Vec3& direction, Axis axis) { return std::abs(std::abs(direction[index_of(axis)]) - 1) < 1e-9; }
 
-/// Whether a plane has the direction that is asked for; a normal of the user's has four digits or so.
+/// Whether a plane has the requested direction; a user states a normal with about four digits.
 bool along(const PlaneGeometry& plane, const SurfaceSelector& selector)
 {
     return selector.normal ? norm(cross(plane.normal, *selector.normal)) < normal_tolerance
                            : along(plane.normal, selector.axis);
 }
 
-/// Distance between what is asked for and what is there [m]; infinite for another kind or direction.
+/// Distance between the requested and the existing surface [m]; infinite for another kind or direction.
 double distance(const FaceGeometry& geometry, const SurfaceSelector& selector)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -51,7 +51,7 @@ CellKind cell_kind_in_file(const PartDescription& part, const MeshSource& source
     return types.front() == hexahedron_type ? CellKind::hexahedron : CellKind::tetrahedron;
 }
 
-/// Drops what lies beyond the symmetry plane; the mesh must have faces on that plane.
+/// Removes cells beyond the symmetry plane; the mesh must have faces on that plane.
 void keep_half(const PartDescription& part, PartMesh& mesh)
 {
     constexpr double tolerance = 1e-7;
@@ -91,7 +91,7 @@ struct MeshFormat {
     int binary = -1;
 };
 
-/// Gmsh takes what does not begin as a mesh for a script, which may run commands.
+/// Gmsh reads a file that does not begin as a mesh as a script, which may run commands.
 MeshFormat require_mesh_format(const ForeignFile& file, std::istream& stream)
 {
     std::string line;
@@ -111,8 +111,8 @@ MeshFormat require_mesh_format(const ForeignFile& file, std::istream& stream)
     return format;
 }
 
-/// A file of Gmsh's own format consists of sections, each with its end; Gmsh reads one that is cut short without a
-/// word.
+/// A file of Gmsh's own format consists of sections, each with an end mark; Gmsh reads a truncated file without an
+/// error.
 void require_whole(const ForeignFile& file, std::istream& stream)
 {
     constexpr std::streamoff tail = 64;

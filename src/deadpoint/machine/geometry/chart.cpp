@@ -108,7 +108,7 @@ Vec3 Chart::position(const Vec2& point) const
     return origin_ + (radius_ * std::cos(angle)) * first_ + (radius_ * std::sin(angle)) * second_ + point[1] * third_;
 }
 
-// What of polygons lies less than half a width from an angle of the cylinder.
+// Part of the polygons that lies less than half a width from an angle of the cylinder.
 std::vector<Polygon> Chart::on_arc(const std::vector<Polygon>& polygons, double middle, double half_width) const
 {
     std::vector<Polygon> pieces;

@@ -23,7 +23,7 @@ constexpr double slack = 1 + 1e-6;
 
 using Ring = std::vector<Vec2>;
 
-/// Remembers the longest way that anything was moved.
+/// Records the longest distance by which anything was moved.
 class Moves {
 public:
     explicit Moves(Healed& healed) : healed_(healed) {}

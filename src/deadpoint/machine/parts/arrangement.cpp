@@ -40,7 +40,7 @@ int add_disk(const Vec2& centre, double radius)
     return occ::addDisk(to_gmsh(centre[0]), to_gmsh(centre[1]), 0, to_gmsh(radius), to_gmsh(radius));
 }
 
-/// Every outline once, as a face, in an order that no order of the shapes changes.
+/// Every outline once, as a face, in an order that does not depend on the order of the shapes.
 Tags draw_outlines(const LayeredPart& part)
 {
     std::vector<Circle> circles;
@@ -319,7 +319,7 @@ Tags merged(const Tags& faces)
     return result;
 }
 
-/// Joins neighbouring faces that belong to the same, so that only outlines that matter are left.
+/// Joins neighbouring faces with the same owners, so that only relevant outlines remain.
 Groups simplified(const Groups& groups)
 {
     Groups result;

@@ -85,7 +85,7 @@ std::vector<double> numbers_of(const Prism& prism)
     return numbers;
 }
 
-/// All that tells one view of a part from another: its shapes in any order, then the way to the machine's middle.
+/// Data that distinguish views of a part: its shapes in any order, then the direction to the machine's centre.
 std::vector<std::vector<double>> view(const Frame& frame, const std::vector<Prism>& prisms, const Vec3& towards)
 {
     std::vector<std::vector<double>> numbers;

@@ -30,7 +30,7 @@ constexpr double fair_corner = 0.1;
 enum class Recombination { full_quads, blossom_split, simple_split };
 constexpr std::array<Recombination, 3> recombinations{Recombination::full_quads, Recombination::blossom_split,
                                                       Recombination::simple_split};
-/// A slightly other division often avoids a bad corner.
+/// A slightly different division often avoids a bad corner.
 constexpr std::array<double, 3> size_factors{1.0, 0.93, 0.86};
 /// Gmsh's numbers of its algorithms for the triangles: frontal, Delaunay, mesh adaptation. The first one gives the best
 /// quadrilaterals; around some bores it makes triangles that lie in each other, where the second one does not.

@@ -26,7 +26,7 @@ double worst_around(const PlaneMesh& mesh, const std::vector<std::uint32_t>& qua
     return worst;
 }
 
-/// Where the neighbours would like a node: the mean of the other ends of its edges.
+/// Target of a node: the mean of the other ends of its edges.
 Vec2 mean_of_neighbours(const PlaneMesh& mesh, const std::vector<std::uint32_t>& quads, std::uint32_t node)
 {
     Vec2 sum{};
@@ -38,7 +38,7 @@ Vec2 mean_of_neighbours(const PlaneMesh& mesh, const std::vector<std::uint32_t>&
     return (0.5 / static_cast<double>(quads.size())) * sum;
 }
 
-/// Tries the way to the neighbours' mean, and half of it, and keeps what makes the worst corner around better.
+/// Tries the full and half the way to the neighbours' mean; keeps a move that improves the worst corner around.
 bool improve(PlaneMesh& mesh, const std::vector<std::uint32_t>& quads, std::uint32_t node)
 {
     const Vec2 old = mesh.nodes[node];

@@ -173,9 +173,9 @@ double volume_of(const Tags& solids)
     return sum * gmsh_unit * gmsh_unit * gmsh_unit;
 }
 
-/// Good enough not to try another size.
+/// Quality from which no other size is tried.
 constexpr double fair_quality = 0.1;
-/// A slightly other size often avoids a sliver.
+/// A slightly different size often avoids a sliver.
 constexpr std::array<double, 4> size_factors{1.0, 0.93, 0.86, 0.8};
 
 PartMesh generate_at(double size)

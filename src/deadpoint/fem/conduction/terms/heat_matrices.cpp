@@ -131,7 +131,7 @@ void HeatMatrices::create_matrices(bool some_films_follow)
         alike(conduction_);
 }
 
-// Adds K_solid to zeros, and mass and K_v where they are wanted.
+// Adds K_solid to zeros, and mass and K_v if they are requested.
 void HeatMatrices::integrate_solid(Mat stiffness, Mat mass, Mat variable)
 {
     ++integrations_;

@@ -35,7 +35,7 @@ void MaterialMaps::map(Map of, Vec from, Vec to) const
         out[i] = of(materials_[parts_[i]], in[i]);
 }
 
-// What the mass matrix acts on: the temperature, or the one of equal heat.
+// Argument of the mass matrix: the temperature, or the temperature of equal heat content.
 Vec MaterialMaps::heat_of(Vec temperature) const
 {
     if (!capacity_varies_)

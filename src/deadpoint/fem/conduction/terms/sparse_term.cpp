@@ -35,7 +35,7 @@ void SparseTerm::add(PetscInt row, PetscInt column, double value)
         merge();
 }
 
-// A stable sort: equal sums in equal order on every run.
+// A stable sort gives equal sums in equal order on every run.
 void SparseTerm::merge()
 {
     const auto place = [](const Entry& e) { return std::tuple(e.row, e.column); };
