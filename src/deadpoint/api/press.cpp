@@ -34,7 +34,7 @@ void require_scale(double scale)
                          "case");
 }
 
-/// @throws InputError where the operation has no such segment
+/// @throws InputError if the operation has no such segment
 int segment_of(const casefile::Case& input, int wanted, bool needs_speed)
 {
     const auto count = static_cast<int>(input.operation.size());

@@ -24,7 +24,7 @@ std::string joined(const std::vector<std::string>& names)
     return text;
 }
 
-/// The name or quantity that was perhaps meant, or all there are.
+/// The most similar name or quantity, or a list of all.
 std::string remedy(std::string_view asked, const std::vector<std::string>& names)
 {
     if (names.empty())
@@ -33,7 +33,7 @@ std::string remedy(std::string_view asked, const std::vector<std::string>& names
     return "\n  help: " + (meant.empty() ? "there are " + joined(names) : "did you mean '" + meant + "'?");
 }
 
-/// Straight lines between the times; at a time that stands twice, the later value.
+/// Linear interpolation between the times; at a time that occurs twice, the later value.
 double between(const std::vector<double>& times, const std::vector<double>& values, double at)
 {
     const auto next = std::ranges::upper_bound(times, at);

@@ -23,7 +23,7 @@ namespace {
                      "; write it in x, y, z (metres) and t (seconds), like \"293.15 + 10*sin(pi*t/60)\"");
 }
 
-/// An '=' that is no part of "==", "!=", "<=" or ">=".
+/// An '=' that is not part of "==", "!=", "<=" or ">=".
 bool has_assignment(const std::string& text)
 {
     for (std::size_t i = 0; i < text.size(); ++i) {

@@ -4,7 +4,7 @@
 
 namespace deadpoint {
 
-// Only the last star is ever tried anew, so many stars cost no more than one.
+// Only the last star is ever tried again, so many stars cost no more than one.
 bool matches(std::string_view pattern, std::string_view name)
 {
     std::size_t p = 0;

@@ -98,7 +98,7 @@ const NamedScale* named_scale(std::string_view unit)
     return nullptr;
 }
 
-/// The number at the start of the text, independent of the locale; infinite where it is too large.
+/// The number at the start of the text, independent of the locale; infinite if it is too large.
 double number_in(std::string_view text)
 {
     if (text.starts_with('+')) {
@@ -202,7 +202,7 @@ std::string_view trim(std::string_view text)
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// Whether what follows a number goes on with a comma and a digit: "293,15 K", "1,000 mm".
+/// Whether the text after a number continues with a comma and a digit: "293,15 K", "1,000 mm".
 bool has_decimal_comma(std::string_view rest)
 {
     return rest.size() > 1 && rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9';

@@ -64,7 +64,7 @@ struct ModalMode {
     Eigen::VectorXcd p;
 };
 
-/// Those that oscillate, ascending, of the shaft held to the lowest `kept` modes of the resting one.
+/// Oscillating modes, ascending, of the shaft reduced to the lowest `kept` modes of the resting shaft.
 std::vector<ModalMode> modal_modes(const RestingModes& basis, const ModalMatrices& matrices, double speed, int count,
                                    Eigen::Index kept)
 {

@@ -26,7 +26,7 @@ std::vector<double> section_ends(const Shaft& shaft)
     return ends;
 }
 
-/// Ends of sections first, so that what lies on one to rounding takes its place.
+/// Ends of sections come first; a place that equals one of them within rounding is moved onto it.
 std::vector<double> node_positions(const Shaft& shaft, std::span<const double> more)
 {
     std::vector<double> nodes = section_ends(shaft);

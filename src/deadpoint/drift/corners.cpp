@@ -38,7 +38,7 @@ struct Across {
     [[nodiscard]] Vec2 of(const Vec3& x) const { return {dot(right, x), x[2]}; }
 };
 
-// The place that reaches farthest towards a corner of the rectangle around all places.
+// The place that lies farthest towards a corner of the rectangle around all places.
 FacePlace farthest(const std::vector<FacePlace>& places, const Across& across, const Vec2& to)
 {
     Vec2 size{};

@@ -58,7 +58,7 @@ std::vector<FilmAt> FilmBalance::following(double time, const std::vector<double
     return result;
 }
 
-// What the heat of a surface's film goes to.
+// The sum that receives the heat of a surface's convection: the air of the room or of an enclosure.
 double& FilmBalance::taker(HeatBalance& balance, std::size_t surface) const
 {
     const int enclosure = problem_->surfaces[surface].enclosure;

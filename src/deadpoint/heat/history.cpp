@@ -16,7 +16,7 @@ std::array<std::vector<Series>*, 5> groups(ThermalHistory& history)
     return {&history.probes, &history.interface_a, &history.interface_b, &history.part_means, &history.functionals};
 }
 
-// Takes up the value of a scalar at the end of a step of length `dt`; without one its slope is left open.
+// Adds the value of a scalar at the end of a step of length `dt`; without a step its slope is not set.
 void append(Series& series, double middle, double end, double dt)
 {
     series.rate.push_back(dt > 0 ? end_slope(series.value.back(), middle, end, dt) : 0);

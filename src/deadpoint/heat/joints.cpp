@@ -61,7 +61,7 @@ void JointBalance::enter(const HeatSegment& segment)
     set_oil(oil);
 }
 
-// What falls into a film leaves it by both sides and the oil; what falls into a part's volume stays there.
+// Heat into a film leaves it through both sides and the oil; heat into a part's volume stays there.
 void JointBalance::enter_interface(std::size_t i, double weighted_area)
 {
     const auto& law = (*laws_)[i];
@@ -185,7 +185,7 @@ void JointBalance::add_zone(std::size_t i, std::vector<double>& watts) const
         watts[geometry_->layout.zone(i, side_b)] += heat * side_share(i, side_b);
 }
 
-// By the solids' part of the film temperature, which is without the source's own heat.
+// Derivative by the solids' part of the film temperature, which excludes the source's own heat.
 std::vector<double> JointBalance::tangent_less_law(const HeatBalance& before, const HeatBalance& after) const
 {
     std::vector<double> result;

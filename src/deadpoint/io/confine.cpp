@@ -28,7 +28,7 @@ namespace {
 // How often the file can be opened: for its format, for its contents, and again.
 constexpr std::size_t openings = 16;
 
-// What the signal handler needs, of this process alone.
+// Data for the signal handler, only of this process.
 std::array<int, openings> waiting_files{};
 std::size_t files_left = 0;
 std::array<char, 64> name_of_file{};
@@ -116,7 +116,7 @@ extern "C" void on_refused_call(int, siginfo_t* info, void* context)
                               std::strerror(error)));
 }
 
-/// The rules of the kernel's filter; what no rule names fails with EPERM.
+/// The rules of the kernel's filter; a call without a rule fails with EPERM.
 class Filter {
 public:
     Filter() : filter_(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release)

@@ -27,7 +27,7 @@ std::string this_process()
                        fmt::gmtime(std::time(nullptr)));
 }
 
-/// What a file begins with.
+/// The beginning of a file.
 std::string beginning(int descriptor)
 {
     std::array<char, 512> text{};
@@ -56,7 +56,7 @@ int open_lock(const std::filesystem::path& file)
                     file.string()));
 }
 
-/// Overwrites the file with who holds the lock. Nothing depends on it but a message.
+/// Writes the holder of the lock to the file. Only a message uses it.
 void say_who(int descriptor)
 {
     const auto text = fmt::format("{}{}\n", kind, this_process());
@@ -98,7 +98,7 @@ bool FileLock::is_still_there() const
            named.st_dev == open.st_dev;
 }
 
-// False if the file went with the lock of another process in between.
+// False if another process removed the file with its lock in between.
 bool FileLock::take(const std::string& what)
 {
     descriptor_ = open_lock(file_);

@@ -64,7 +64,7 @@ void check_request(const Linkage& linkage, const CycleRequest& request)
         throw InputError("a break of the driver's speed is not finite");
 }
 
-/// A body that speeds up or slows down in its rotation cannot be a point mass.
+/// Refuses a point mass for a body whose rotation accelerates.
 void check_inertias(const Linkage& linkage, const std::vector<BodyMass>& masses, const CycleHistory& history)
 {
     const double speed = *std::max_element(history.speed.begin(), history.speed.end());

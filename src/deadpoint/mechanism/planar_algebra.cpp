@@ -10,7 +10,7 @@
 namespace deadpoint::mechanism {
 namespace {
 
-// Reciprocal condition below which reactions mean nothing; presses in use keep above 1e-3.
+// Reciprocal condition number below which reactions are meaningless; real presses stay above 1e-3.
 constexpr double smallest_condition = 1e-8;
 
 }  // namespace

@@ -101,7 +101,7 @@ PlanarPosition PlanarWalk::furthest(PlanarPosition from, double to) const
     return from;
 }
 
-/// The joint to open so that all others can close: one that carries the force with which the linkage jams.
+/// The joint to open so that all others can close: a joint that carries the force that jams the linkage.
 int PlanarWalk::jammed_joint(const PlanarPosition& last) const
 {
     const PlanarAlgebra algebra{layout, last.poses, shifts};

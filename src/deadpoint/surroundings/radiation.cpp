@@ -50,7 +50,7 @@ Eigen::ArrayXd view_shares(const Eigen::ArrayXd& areas)
     return shares;
 }
 
-// A_i F_ij, without what a surface sees of itself.
+// A_i F_ij, without the radiation of a surface to itself.
 Eigen::MatrixXd view_areas(const Eigen::ArrayXd& areas)
 {
     Eigen::Index largest = 0;

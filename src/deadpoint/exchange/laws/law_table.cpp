@@ -29,7 +29,7 @@ LawValue cubic(const Point& a, const Point& b, double at)
     return {value, slope, true};
 }
 
-// What the law gives, or nothing finite where it cannot say.
+// Value of the law, or a non-finite value where the law is not defined.
 LawValue value_at(const std::function<LawValue(double)>& law, double at)
 {
     try {

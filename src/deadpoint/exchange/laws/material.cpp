@@ -6,7 +6,7 @@
 namespace deadpoint {
 namespace {
 
-// The temperature that counts as much as the table with a constant value.
+// The temperature up to which a constant value has the same integral as the table up to `temperature`.
 double equivalent(const LinearCurve& table, double constant, double temperature)
 {
     return table.empty() ? temperature : table.x().front() + table.integral(temperature) / constant;

@@ -36,7 +36,7 @@ struct Range {
     [[nodiscard]] bool empty() const { return !(low <= high); }
 };
 
-/// Where data lands on the page.
+/// Maps data to places on the page.
 struct Frame {
     double left = 0, right = 0, top = 0, bottom = 0;
     Range x, y;
@@ -48,7 +48,7 @@ struct Frame {
     }
 };
 
-/// A tick's number with just the decimals that its step needs, and a true minus sign.
+/// A tick's number with as many decimals as its step needs, and a true minus sign.
 std::string tick_text(double value, double step)
 {
     if (std::abs(value) < 1e-9 * step) {
@@ -123,7 +123,7 @@ std::vector<double> steps_of(double low, double high, double step)
     return ticks;
 }
 
-/// Those given, or round numbers.
+/// The given ticks, or round numbers.
 std::vector<ChartTick> ticks_of_x(const Chart& chart, const Frame& frame)
 {
     if (!chart.x_ticks.empty()) {
@@ -172,7 +172,7 @@ std::string axes(const Chart& chart, const Frame& frame)
     return svg;
 }
 
-/// The path of a line; points that would land on the previous one are left out, gaps lift the pen.
+/// The path of a line. Points that coincide with the previous one are left out; gaps interrupt the path.
 std::string path_of(const ChartSeries& series, const Frame& frame)
 {
     std::string path;

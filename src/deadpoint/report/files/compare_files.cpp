@@ -26,7 +26,7 @@ using study::ErrorFigures;
 using study::Verdict;
 using Json = nlohmann::ordered_json;
 
-/// How values are shown; temperatures in kelvin, so that their errors are.
+/// Units in which values are shown; temperatures in kelvin, so that their errors are in kelvin too.
 struct Shown {
     const char* unit;
     double factor;

@@ -22,7 +22,7 @@ struct Extreme {
     double time = 0;
 };
 
-// Between the steps the cubic hardly leaves their range; the step nearest the extreme is what is stated.
+// Between the steps the cubic hardly leaves their range, so the value of the step nearest the extreme is stated.
 Extreme largest(const std::vector<double>& time, const Series& series)
 {
     const auto at = std::ranges::max_element(series.value, {}, [](double v) { return std::abs(v); });

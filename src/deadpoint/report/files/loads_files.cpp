@@ -175,7 +175,7 @@ Json slide_json(const LoadsResult& loads)
             {"largest_acceleration_m_per_s2", s.largest_acceleration}};
 }
 
-// Mechanical advantage where presses state it: at a few crank angles before bottom dead point.
+// Mechanical advantage at a few crank angles before bottom dead point, as presses state it.
 Json advantage_json(const LoadsResult& loads)
 {
     Json list = Json::array();

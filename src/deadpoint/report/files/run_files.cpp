@@ -65,7 +65,7 @@ std::vector<double> sampled(const std::vector<double>& steps, const Series& seri
     return values;
 }
 
-// Quantities known at the steps only: linear between them.
+// Quantities that are known only at the steps; interpolated linearly between them.
 std::vector<double> sampled_linear(const std::vector<double>& steps, const std::vector<double>& values,
                                    const std::vector<double>& times, double factor, double offset)
 {
@@ -324,7 +324,7 @@ nlohmann::ordered_json reference_json(const casefile::Reference& reference, cons
     return json;
 }
 
-/// How the run was computed, and what it took.
+/// How the run was computed, and its time and memory.
 void add_solution(const casefile::Case& input, const Machine& machine, const RunResult& result,
                   nlohmann::ordered_json& json)
 {

@@ -57,7 +57,7 @@ bool says_unfinished(const fs::path& folder)
     }
 }
 
-/// Whether nothing is in a folder but what a kill leaves of its first file.
+/// Whether a folder holds nothing except the unfinished first file of a killed run.
 bool is_hardly_begun(const fs::path& folder)
 {
     const auto prefix = part_prefix(manifest_name);
@@ -66,7 +66,7 @@ bool is_hardly_begun(const fs::path& folder)
     });
 }
 
-/// What stands beside a name and begins so.
+/// Names beside a path that begin with a prefix.
 std::vector<fs::path> found(const std::string& prefix)
 {
     std::vector<fs::path> result;
@@ -81,7 +81,7 @@ std::vector<fs::path> found(const std::string& prefix)
     return result;
 }
 
-/// @throws as ResultFiles, and where a folder cannot be read
+/// @throws as ResultFiles, and if a folder cannot be read
 void remove_listed(const fs::path& folder)
 {
     const auto foreign = foreign_files(folder);

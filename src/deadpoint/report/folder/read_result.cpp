@@ -29,7 +29,7 @@ Content needed(std::optional<Content> content, const fs::path& path)
     return *std::move(content);
 }
 
-/// Rows go forward in time. The checksum says that they are as written; this, that they can be interpolated.
+/// Checks that time increases from row to row. The checksum shows only that rows are as written.
 void require_course(const CsvTable& table, const std::vector<double>& time)
 {
     if (time.empty()) {

@@ -48,7 +48,7 @@ void sync(const fs::path& path)
     }
 }
 
-/// Puts all files of a folder on the disk: results must not be gone after a loss of power once they have their name.
+/// Writes all files of a folder to the disk: results that have their name must survive a power failure.
 /// @throws IoError
 void sync_folder(const fs::path& folder)
 {
@@ -233,7 +233,7 @@ void ResultFolder::replace_in_two_steps()
     drop(old);
 }
 
-// Something may have been put there since it was looked at.
+// Something may have been added since the check.
 void ResultFolder::drop(const fs::path& old)
 {
     std::error_code error;

@@ -33,7 +33,7 @@ std::vector<std::string> kinds_in(const std::string& text)
     return kinds;
 }
 
-/// A heading as it was before a mark was put in front that keeps spreadsheets from computing it.
+/// A heading without the leading mark that keeps spreadsheets from computing it.
 std::string unmarked(const std::string& heading)
 {
     const bool marked =

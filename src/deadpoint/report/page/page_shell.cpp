@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view policy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
-// JSON that may stand in a script element whatever its strings say.
+// JSON that is safe in a script element, whatever its strings contain.
 std::string embedded(const Json& json)
 {
     const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -59,7 +59,7 @@ Json course_json(const ResultTable& table, const Json& summary, std::size_t rows
     return json;
 }
 
-// A name leads nowhere else than into the study.
+// Folder of a point; uses only the last part of a name, so that it stays within the study.
 fs::path point_folder(const fs::path& study, const std::string& name)
 {
     return study / "points" / fs::path(name).filename();
@@ -86,7 +86,7 @@ Json point_json(const ResultFiles& files, const Json& summary, std::size_t rows)
     return json;
 }
 
-// What is the same of all points, from the first that has results.
+// Data common to all points, from the first point with results.
 void add_common(Json& data, const Json& summary)
 {
     if (data.contains("machine"))
@@ -95,7 +95,7 @@ void add_common(Json& data, const Json& summary)
     data["left_out"] = summary.value("left_out", Json::array());
 }
 
-// Course and gaps of a point; nothing of one that has no results.
+// Course and gaps of a point; nothing if it has no results.
 Json read_point(const Json& point, const fs::path& folder, std::size_t rows, Json& data)
 {
     if (!point.contains("case_hash"))

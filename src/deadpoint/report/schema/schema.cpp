@@ -22,7 +22,7 @@ File document(std::string name, std::string by, std::string meaning, Keys keys)
     return {std::move(name), std::move(by), std::move(meaning), {}, std::move(keys)};
 }
 
-/// What others define: case files, charts, fields, pages.
+/// Files that are defined elsewhere: case files, charts, fields, pages.
 File other(std::string name, std::string by, std::string meaning)
 {
     return {std::move(name), std::move(by), std::move(meaning), {}, {}};

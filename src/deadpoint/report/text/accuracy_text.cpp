@@ -35,7 +35,7 @@ std::string figure_of(const AccuracyReport& accuracy)
     return accuracy.wanted.of == casefile::Accuracy::Of::gap ? "E_SW" : "largest rise";
 }
 
-// The parts of the largest shares, the largest first.
+// The parts with the largest shares, largest first.
 std::vector<const study::AccuracyPart*> worst_parts(const AccuracyReport& accuracy)
 {
     std::vector<const study::AccuracyPart*> parts;

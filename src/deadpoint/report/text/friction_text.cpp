@@ -27,7 +27,7 @@ std::string bearings_line(const study::FrictionSummary& summary)
     return text + "\n";
 }
 
-// Watts over the turn; what rounding leaves of none is none.
+// Watts over the turn; rounding noise counts as zero.
 std::string watts(double value) { return fmt::format("{:.1f} W", std::abs(value) < 0.05 ? 0.0 : value); }
 
 std::string power_lines(const study::PowerBalance& balance)

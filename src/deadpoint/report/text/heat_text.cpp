@@ -16,7 +16,7 @@ using study::HeatTables;
 
 constexpr double rpm = 30 / std::numbers::pi;
 
-/// A mark behind values outside the tested range of their law.
+/// A mark after values outside the tested range of their law.
 std::string marked(const std::string& text, bool in_range) { return in_range ? text : fmt::format("{}*", text); }
 
 std::string joint_heat_table(const HeatTables& tables)

@@ -29,7 +29,7 @@ bool straddles_plane(const Case& description, const Machine& machine, const std:
 
 std::string percent(double share, int decimals = 1) { return fmt::format("{:.{}f} %", 100 * share, decimals); }
 
-/// Thousands apart by blanks: 101 234.
+/// Separates thousands by blanks: 101 234.
 std::string grouped(long long number)
 {
     std::string digits = std::to_string(number);

@@ -21,7 +21,7 @@ namespace {
 
 using tribology::ContactConductance;
 
-/// One interface with all that its law may ask for.
+/// One interface with all data that its law may need.
 struct Place {
     const casefile::Case& input;
     const Machine& machine;

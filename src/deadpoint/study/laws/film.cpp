@@ -29,7 +29,7 @@ const MeshSurface& find_surface(const Machine& machine, const std::string& name)
 
 std::string film_path(const MeshSurface& surface) { return fmt::format("surfaces.{}.film", surface.name); }
 
-/// A surface and its film, with all that the law may ask for.
+/// A surface and its convection, with all data that the law may need.
 struct Place {
     const casefile::Film& film;
     const Machine& machine;

@@ -94,7 +94,7 @@ double warm_preload(const PalmgrenFriction& friction, double difference)
     return tribology::preload_forces(bearing, approach).axial;
 }
 
-// What the rings' temperature difference adds, tabulated because each value is a mean over the turn.
+// Additional heat from the rings' temperature difference, tabulated because each value is a mean over the turn.
 RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const PalmgrenFriction& friction, double scale,
                       const std::vector<RubbingJoint>& joints)
 {

@@ -16,7 +16,7 @@ namespace {
 
 const Face& face_of(const Machine& machine, const SurfaceFace& entry) { return machine.faces[entry.face]; }
 
-// What is measured along edges of the mesh goes by whole faces.
+// Lengths along edges of the mesh use whole faces.
 std::vector<SurfaceFace> whole_faces(const MeshSurface& surface)
 {
     std::vector<SurfaceFace> result;

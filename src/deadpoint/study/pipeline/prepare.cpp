@@ -74,7 +74,7 @@ private:
     std::map<std::uint32_t, Claim> claims_;
 };
 
-// Leaves to an exposed surface what nothing else claims.
+// Gives an exposed surface the shares of faces that no other surface claims.
 void leave_unclaimed(const Machine& machine, const Claims& claims, MeshSurface& surface)
 {
     constexpr double rounding = 1e-9;
@@ -133,7 +133,7 @@ void require_middles(const casefile::Case& input, const Machine& machine, Mistak
     }
 }
 
-// Stages and progress of another observer, without what it has been told already.
+// Passes progress to another observer, without repeating its stages and warnings.
 class Repeated : public Observer {
 public:
     explicit Repeated(Observer& to) : to_(to) {}

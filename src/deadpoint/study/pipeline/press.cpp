@@ -22,7 +22,7 @@ void pass_on(const std::vector<std::string>& warnings, Observer& observer)
         observer.warn(warning);
 }
 
-/// Adds the wall time of its life to a sum.
+/// Adds the wall time of its lifetime to a sum.
 class Timer {
 public:
     explicit Timer(double& sum) : sum_(sum) {}

@@ -63,7 +63,7 @@ void warn_about(const ThermalHistory& history, const HeatProblem& problem, Obser
                                   history.energy.mismatch()));
 }
 
-/// What is made once for runs of like cases.
+/// Data that runs of similar cases share.
 struct ModelParts {
     ModelParts(const Machine& m, const Machine* own) : machine(m), own_deformation(own) {}
 
@@ -154,7 +154,7 @@ void ModelParts::need_chain(const casefile::Case& input)
     adjoints = model->adjoints(functionals);
 }
 
-/// One run on a shared model: what it computes after the other, and what is at hand in between.
+/// One run on a shared model: its computations in order, and its intermediate data.
 class CaseRun {
 public:
     CaseRun(ModelParts& parts, const casefile::Case& input, const RunOptions& options, Observer& observer)

@@ -34,7 +34,7 @@ constexpr double private_share_of_memory = 0.5;  // share of the prepared memory
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// A point that runs in a process of its own.
+/// A point that runs in a separate process.
 struct Worker {
     pid_t process = 0;
     int reason = -1;  ///< end of the pipe through which it reports why it failed
@@ -42,7 +42,7 @@ struct Worker {
     Clock::time_point start;
 };
 
-// As many as there are cores, fewer if the memory does not hold `per_point` bytes for each.
+// As many processes as cores; fewer if the memory does not hold `per_point` bytes for each.
 int workers_that_fit(double per_point)
 {
     double available = 0;

@@ -286,7 +286,7 @@ std::function<double(const Vec3&, double)> formula_course(const std::string& sur
     };
 }
 
-/// @return nothing where the surface has no condition
+/// @return nothing if the surface has no condition
 std::optional<SurfaceCondition> surface_condition(const casefile::Case& input, const Machine& machine,
                                                   const std::string& name, const LoadsResult* loads)
 {

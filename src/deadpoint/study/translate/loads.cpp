@@ -83,7 +83,7 @@ Vec2 pose_point(const PlanarPose& pose, const Vec2& p)
     return {pose.translation[0] + c * p[0] - s * p[1], pose.translation[1] + s * p[0] + c * p[1]};
 }
 
-// Of the crank's angle past bottom dead point; 15 deg to either side of it where the case does not say.
+// Window of the crank's angle past bottom dead point; 15 deg to either side if the case does not state it.
 mechanism::AngleWindow force_window(const casefile::Case& input, double throw_at_bottom)
 {
     const auto& process = process_of(input);

@@ -21,7 +21,7 @@ double curvature_difference(double axis_ratio)
     return ((1 + squared) * second - 2 * squared * first) / ((1 - squared) * second);
 }
 
-/// Bisection in ln(b/a): the difference falls as the ellipse gets rounder.
+/// Bisection in ln(b/a): the difference decreases as the ellipse becomes rounder.
 double axis_ratio_of(double difference)
 {
     if (difference < nearly_round)

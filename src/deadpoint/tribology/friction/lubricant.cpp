@@ -20,7 +20,7 @@ constexpr double walther_least = 2;            // [mm2/s]; below it D341 adds te
 constexpr double range_rounding = 0.05;        // [K]; a press that starts at the first point is not outside the range
 constexpr double tested_density_change = 0.1;  // share of the density
 
-// What a law gives, unless it leads beyond what flows.
+// Value of a law; throws if the value is outside the range in which oil flows.
 LawValue flowing(const LawValue& viscosity, double temperature, const char* law)
 {
     if (viscosity.value >= thinnest_oil && viscosity.value <= stiffest_oil)
