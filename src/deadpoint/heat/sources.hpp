@@ -8,6 +8,7 @@
 #include "deadpoint/heat/oil.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -108,12 +109,15 @@ public:
                                " s; look at the flow and the coefficients of the oil circuits");
     }
 
-    /// Largest difference to the temperatures at which the oil now reaches the interfaces [K].
+    /// Largest difference to the temperatures at which the oil now reaches the interfaces [K];
+    /// infinite if one of them is no number.
     [[nodiscard]] double oil_change(const std::vector<double>& reaches) const
     {
         double change = 0;
-        for (std::size_t i = 0; i < reaches.size(); ++i)
-            change = std::max(change, std::abs(reaches[i] - joints.oil_temperature()[i]));
+        for (std::size_t i = 0; i < reaches.size(); ++i) {
+            const double here = std::abs(reaches[i] - joints.oil_temperature()[i]);
+            change = std::max(change, std::isnan(here) ? std::numeric_limits<double>::infinity() : here);
+        }
         return change;
     }
 

@@ -166,6 +166,8 @@ TEST_CASE("the largest change of the oil, of either sign")
     CHECK(at.sources.oil_change({298.5}) == 1.5);
     CHECK(at.sources.oil_change({302}) == 2);
     CHECK(at.sources.oil_change({}) == 0);
+    // Oil without a temperature has not settled.
+    CHECK(std::isinf(at.sources.oil_change({std::nan("")})));
 }
 
 TEST_CASE("loads of enclosed air are the slopes of its films by the air's temperature")
