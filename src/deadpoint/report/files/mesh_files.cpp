@@ -1,6 +1,5 @@
 #include "deadpoint/report/files/mesh_files.hpp"
 
-#include "deadpoint/casefile/syntax/diagnostics.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/vtu.hpp"
 #include "deadpoint/report/folder/csv.hpp"

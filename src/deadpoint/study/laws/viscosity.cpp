@@ -1,7 +1,6 @@
 #include "deadpoint/study/laws/viscosity.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/describe/visitor.hpp"
 #include "deadpoint/core/mistakes.hpp"
 
 #include <fmt/format.h>
