@@ -49,7 +49,7 @@ double functional(const HeatProblem& problem)
 {
     lumps::Run run(three_lumps(), problem, 291);
     run.go();
-    return weights.dot(run.run.temperature() - Eigen::Vector3d::Constant(reference));
+    return weights.dot(run.temperatures() - Eigen::Vector3d::Constant(reference));
 }
 
 }  // namespace
@@ -59,9 +59,9 @@ TEST_CASE("the adjoint of the steps: each cause is its finite difference, and al
     const auto problem = all_causes(80, 200, 150, 300);
     lumps::Run run(three_lumps(), problem, 291);
     const auto& history = run.go();
-    const double value = weights.dot(run.run.temperature() - Eigen::Vector3d::Constant(reference));
+    const double value = weights.dot(run.temperatures() - Eigen::Vector3d::Constant(reference));
     heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
-    adjoint.weights() = weights;
+    adjoint.weights() = lumps::loads_of(three_lumps(), weights);
     const auto causes = adjoint.causes(history.time.size() - 1);
 
     // The problem is linear in each cause: a difference over the whole of it is exact.
@@ -81,7 +81,7 @@ TEST_CASE("causes at an earlier time leave later steps out")
     const auto& history = run.go();
     heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
     constexpr std::size_t row = 10;
-    adjoint.weights() = Eigen::Vector3d(0, 1, 0);
+    adjoint.weights() = lumps::loads_of(three_lumps(), Eigen::Vector3d(0, 1, 0));
     const auto causes = adjoint.causes(row);
     const double sum = causes.friction[0] + causes.oil[0] + causes.body_heat[0] + causes.start + causes.surfaces[0] +
                        causes.surfaces[1];
@@ -121,7 +121,7 @@ TEST_CASE("with enclosed air as booked the causes still make the functional")
     lumps::Run run({{2e4, 5e4}, {{0, 1, 30}}, {}, {{1, 0.5}, {0, 0.2}}, {0, 1}}, problem, 291);
     const auto& history = run.go();
     heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
-    adjoint.weights() = Eigen::Vector2d(1, -2);
+    adjoint.weights() = lumps::loads_of(run.machine, Eigen::Vector2d(1, -2));
     const auto causes = adjoint.causes(history.time.size() - 1);
     const double value = history.probes[0].value.back() - 2 * history.probes[1].value.back() + reference;
     CHECK(sum_of(causes) == doctest::Approx(value).epsilon(1e-11));
@@ -141,7 +141,7 @@ TEST_CASE("with films that follow the temperature, each with its mean coefficien
     lumps::Run run({{2e4, 5e4}, {{0, 1, 30}}, {}, {{1, 0.5}, {0, 0.2}}, {0, 1}}, problem, 320);
     const auto& history = run.go();
     heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
-    adjoint.weights() = Eigen::Vector2d(0, 1);
+    adjoint.weights() = lumps::loads_of(run.machine, Eigen::Vector2d(0, 1));
     const auto causes = adjoint.causes(history.time.size() - 1);
     // One lump a surface: the mean coefficient makes exactly the heat that was lost, to the solve's 1e-7 K.
     CHECK(sum_of(causes) == doctest::Approx(history.probes[1].value.back() - reference).epsilon(1e-6));
@@ -159,18 +159,19 @@ TEST_CASE("heat into a part's volume, with a load zone that moves some of it, is
     auto terms = lumps::terms_of(three_lumps(), problem);
     // One watt by the zone less one watt spread evenly: from lump 1 to lump 2.
     const auto zone = static_cast<Eigen::Index>(terms.geometry.layout.zone(0, false));
-    terms.functionals.row(zone) << 0, -1, 1;
+    terms.functionals.row(zone) = lumps::loads_of(three_lumps(), Eigen::Vector3d(0, -1, 1)).transpose();
     lumps::DenseSystem system(terms, problem);
     heat::HeatRun<lumps::DenseSystem> run(system, problem);
-    run.temperature().setConstant(291);
+    run.temperature() = 291 * terms.uniform;
     run.set_media({}, {});
     lumps::Quiet observer;
     run.begin();
     const auto& history = run.go({}, observer);
     heat::HeatAdjoint<lumps::DenseSystem> adjoint(run, reference);
-    adjoint.weights() = weights;
+    adjoint.weights() = lumps::loads_of(three_lumps(), weights);
     const auto causes = adjoint.causes(history.time.size() - 1);
-    const double value = weights.dot(run.temperature() - Eigen::Vector3d::Constant(reference));
+    const double value =
+        weights.dot(lumps::temperatures_of(three_lumps(), run.temperature()) - Eigen::Vector3d::Constant(reference));
     CHECK(sum_of(causes) == doctest::Approx(value).epsilon(1e-12));
 
     for (auto& segment : problem.segments) {
@@ -179,11 +180,12 @@ TEST_CASE("heat into a part's volume, with a load zone that moves some of it, is
     }
     lumps::DenseSystem still(terms, problem);
     heat::HeatRun<lumps::DenseSystem> without(still, problem);
-    without.temperature().setConstant(291);
+    without.temperature() = 291 * terms.uniform;
     without.set_media({}, {});
     without.begin();
     without.go({}, observer);
-    const double rest = weights.dot(without.temperature() - Eigen::Vector3d::Constant(reference));
+    const double rest = weights.dot(lumps::temperatures_of(three_lumps(), without.temperature()) -
+                                    Eigen::Vector3d::Constant(reference));
     CHECK(causes.friction[0] == doctest::Approx(value - rest).epsilon(1e-10));
 }
 
@@ -199,16 +201,16 @@ TEST_CASE("two joints that share a source each have their part of its heat as a 
     lumps::Run run(machine, problem, 291);
     const auto& history = run.go();
     heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
-    adjoint.weights() = weights;
+    adjoint.weights() = lumps::loads_of(three_lumps(), weights);
     const auto causes = adjoint.causes(history.time.size() - 1);
-    const double value = weights.dot(run.run.temperature() - Eigen::Vector3d::Constant(reference));
+    const double value = weights.dot(run.temperatures() - Eigen::Vector3d::Constant(reference));
     CHECK(sum_of(causes) == doctest::Approx(value).epsilon(1e-12));
     CHECK(causes.friction[0] != doctest::Approx(causes.friction[1]).epsilon(0.01));
     for (auto& segment : problem.segments)
         segment.heat[0] = [](double) { return LawValue{0, 0, true}; };
     lumps::Run still(machine, problem, 291);
     still.go();
-    const double rest = weights.dot(still.run.temperature() - Eigen::Vector3d::Constant(reference));
+    const double rest = weights.dot(still.temperatures() - Eigen::Vector3d::Constant(reference));
     CHECK(causes.friction[0] + causes.friction[1] == doctest::Approx(value - rest).epsilon(1e-10));
 }
 
@@ -218,9 +220,9 @@ TEST_CASE("before the first step the start is the only cause")
     lumps::Run run(three_lumps(), problem, 291);
     run.go();
     heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
-    adjoint.weights() = weights;
+    adjoint.weights() = lumps::loads_of(three_lumps(), weights);
     const auto causes = adjoint.causes(0);
-    CHECK(causes.start == doctest::Approx(weights.sum() * (291 - reference)).epsilon(1e-14));
+    CHECK(causes.start == doctest::Approx(weights.sum() * (291 - reference)).epsilon(1e-13));
     CHECK(sum_of(causes) == causes.start);
     CHECK(adjoint.iterations() == 0);
 }

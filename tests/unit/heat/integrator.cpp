@@ -42,7 +42,7 @@ double error_with_step(double step)
     problem.fixed_step = step;
     lumps::Run run(two_lumps(), problem, 290);
     run.go();
-    return (run.run.temperature() - exact(2000, 290)).norm();
+    return (run.temperatures() - exact(2000, 290)).norm();
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ TEST_CASE("step control keeps the tolerance, and the balance closes to rounding"
         problem.time_tolerance = tolerance;
         lumps::Run run(two_lumps(), problem, 290);
         const auto& history = run.go();
-        CHECK((run.run.temperature() - exact(2e4, 290)).lpNorm<Eigen::Infinity>() < tolerance);
+        CHECK((run.temperatures() - exact(2e4, 290)).lpNorm<Eigen::Infinity>() < tolerance);
         CHECK(history.energy.mismatch() < 1e-12);
     }
 }

@@ -5,7 +5,9 @@
 #include "deadpoint/reduce/online/dense_system.hpp"
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,7 @@ namespace lumps {
 using deadpoint::HeatProblem;
 using deadpoint::reduce::DenseSystem;
 using deadpoint::reduce::DenseTerms;
+using deadpoint::reduce::LowRankTerm;
 
 /// What a machine consists of. Heat flows between lumps through `solid` links, interfaces and surfaces.
 struct Machine {
@@ -25,11 +28,27 @@ struct Machine {
     std::vector<int> probes;                               ///< lumps
 };
 
-inline Eigen::MatrixXd unit_block(Eigen::Index size, int row, int column, double value)
+/// States of lumps: their temperatures times the roots of their capacities. Loads are watts divided by these.
+inline Eigen::VectorXd roots(const Machine& machine)
 {
-    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
-    block(row, column) = value;
-    return block;
+    return Eigen::Map<const Eigen::ArrayXd>(machine.capacity.data(), static_cast<Eigen::Index>(machine.capacity.size()))
+        .sqrt();
+}
+inline Eigen::VectorXd states_of(const Machine& machine, const Eigen::VectorXd& temperatures)
+{
+    return roots(machine).cwiseProduct(temperatures);
+}
+inline Eigen::VectorXd temperatures_of(const Machine& machine, const Eigen::VectorXd& states)
+{
+    return states.cwiseQuotient(roots(machine));
+}
+inline Eigen::VectorXd loads_of(const Machine& machine, const Eigen::VectorXd& watts)
+{
+    return watts.cwiseQuotient(roots(machine));
+}
+inline Eigen::VectorXd watts_of(const Machine& machine, const Eigen::VectorXd& loads)
+{
+    return loads.cwiseProduct(roots(machine));
 }
 
 /// The terms of a machine; body heat k of the problem falls into the parts that it names, by equal shares.
@@ -40,32 +59,30 @@ inline DenseTerms terms_of(const Machine& machine, const HeatProblem& problem)
     auto& layout = terms.geometry.layout;
     layout = {machine.interfaces.size(), machine.capacity.size(), machine.surfaces.size(), problem.body_heat.size(),
               machine.probes.size()};
-    terms.mass = Eigen::Map<const Eigen::VectorXd>(machine.capacity.data(), n).asDiagonal();
+    terms.uniform = roots(machine);
+    const auto lump = [&](int k) -> Eigen::VectorXd { return Eigen::VectorXd::Unit(n, k) / terms.uniform[k]; };
     terms.solid = Eigen::MatrixXd::Zero(n, n);
     for (const auto& [a, b, conductance] : machine.links)
-        terms.solid += unit_block(n, a, a, conductance) + unit_block(n, b, b, conductance) -
-                       unit_block(n, a, b, conductance) - unit_block(n, b, a, conductance);
+        terms.solid += conductance * (lump(a) - lump(b)) * (lump(a) - lump(b)).transpose();
     terms.functionals = deadpoint::reduce::RowMatrix::Zero(static_cast<Eigen::Index>(layout.count()), n);
-    const auto set = [&](std::size_t functional, int lump, double value) {
-        terms.functionals(static_cast<Eigen::Index>(functional), lump) = value;
+    const auto set = [&](std::size_t functional, int k, double value) {
+        terms.functionals(static_cast<Eigen::Index>(functional), k) = value / terms.uniform[k];
     };
     for (std::size_t i = 0; i < machine.interfaces.size(); ++i) {
         const auto& [a, b, area] = machine.interfaces[i];
-        terms.joints.push_back({unit_block(n, a, a, area),
-                                unit_block(n, b, b, area),
-                                unit_block(n, a, b, area) + unit_block(n, b, a, area),
-                                {}});
-        terms.joints.back().turning = terms.joints.back().across;
+        const double root = std::sqrt(area);
+        const LowRankTerm between{root * (lump(a) - lump(b))};
+        terms.joints.push_back({{root * lump(a)}, {root * lump(b)}, between, between});
         terms.geometry.interface_names.push_back("joint " + std::to_string(i));
         terms.geometry.interface_area.push_back(area);
         set(layout.mean(i, false), a, 1);
         set(layout.mean(i, true), b, 1);
     }
     for (std::size_t s = 0; s < machine.surfaces.size(); ++s) {
-        const auto& [lump, area] = machine.surfaces[s];
-        terms.films.push_back(unit_block(n, lump, lump, area));
+        const auto& [k, area] = machine.surfaces[s];
+        terms.films.push_back({std::sqrt(area) * lump(k)});
         terms.geometry.surface_area.push_back(area);
-        set(layout.surface(s), lump, area);
+        set(layout.surface(s), k, area);
     }
     for (std::size_t p = 0; p < machine.capacity.size(); ++p)
         set(layout.part(p), static_cast<int>(p), 1);
@@ -74,7 +91,6 @@ inline DenseTerms terms_of(const Machine& machine, const HeatProblem& problem)
             set(layout.body(k), part, 1.0 / static_cast<double>(problem.body_heat[k].parts.size()));
     for (std::size_t k = 0; k < machine.probes.size(); ++k)
         set(layout.probe(k), machine.probes[k], 1);
-    terms.uniform = Eigen::VectorXd::Ones(n);
     return terms;
 }
 
@@ -82,10 +98,10 @@ struct Quiet : deadpoint::Observer {};
 
 /// A problem's run on such a machine, all lumps at one temperature.
 struct Run {
-    Run(const Machine& machine, const HeatProblem& problem, double start)
-        : system(terms_of(machine, problem), problem), run(system, problem)
+    Run(const Machine& machine_, const HeatProblem& problem, double start)
+        : machine(machine_), system(terms_of(machine, problem), problem), run(system, problem)
     {
-        run.temperature().setConstant(start);
+        run.temperature() = start * system.parts().uniform;
         std::vector<double> sumps, enclosures;
         for (const auto& circuit : problem.oil)
             sumps.push_back(circuit.sump_start);
@@ -99,6 +115,9 @@ struct Run {
         run.begin();
         return run.go({}, observer);
     }
+    /// Of the lumps [K].
+    Eigen::VectorXd temperatures() { return temperatures_of(machine, run.temperature()); }
+    Machine machine;
     DenseSystem system;
     deadpoint::heat::HeatRun<DenseSystem> run;
 };

@@ -52,7 +52,7 @@ struct Sources {
     HeatProblem problem;
     lumps::DenseSystem system;
     HeatSources<lumps::DenseSystem> sources;
-    Eigen::VectorXd temperature = Eigen::Vector3d(330, 320, 310);
+    Eigen::VectorXd temperature = lumps::states_of(machine(), Eigen::Vector3d(330, 320, 310));
 };
 
 }  // namespace
@@ -67,7 +67,7 @@ TEST_CASE("watts into the lumps: what is made less what the air and the oil take
     // Heat into enclosed air is no heat of the room's, and the air's power is none of the lumps'.
     const double lost = balance.to_air - balance.air[0].to_room + balance.air[0].from_surfaces + balance.to_oil;
     const double made = balance.generated - balance.air[0].power;
-    CHECK((rate.watts - conducted).sum() == Approx(made - lost).epsilon(1e-12));
+    CHECK(lumps::watts_of(machine(), rate.watts - conducted).sum() == Approx(made - lost).epsilon(1e-12));
     CHECK(made == Approx(balance.source_heat[0] + 80).epsilon(1e-14));
 }
 
@@ -95,12 +95,12 @@ TEST_CASE("the slope of the sources by a lump's temperature is the film's and th
     const auto base = at.sources.at(0, at.temperature);
     constexpr double h = 1e-3;
     auto moved = at.temperature;
-    moved[1] += h;
+    moved[1] += h * lumps::roots(machine())[1];
     const auto next = at.sources.at(0, moved);
     // b_1 b^T slope: the source's heat follows lump 1 by its side's share and falls to the lumps by shares.
     const double share_a = 700 / 1350.0, share_b = 500 / 1350.0;
     const Eigen::Vector3d expected = Eigen::Vector3d(share_a, share_b, 0) * base.balance.source_slope[0] * share_b;
-    CHECK(((next.watts - base.watts) / h - expected).norm() < 1e-6 * expected.norm());
+    CHECK((lumps::watts_of(machine(), next.watts - base.watts) / h - expected).norm() < 1e-6 * expected.norm());
 }
 
 TEST_CASE("corrections of the joint's heat go to both sides")
@@ -109,7 +109,7 @@ TEST_CASE("corrections of the joint's heat go to both sides")
     auto rate = at.sources.at(0, at.temperature);
     const Eigen::VectorXd before = rate.watts;
     at.sources.correct(rate, {40});
-    const Eigen::VectorXd change = rate.watts - before;
+    const Eigen::VectorXd change = lumps::watts_of(machine(), rate.watts - before);
     CHECK(change[0] == Approx(40 * 700 / 1350.0).epsilon(1e-11));
     CHECK(change[1] == Approx(40 * 500 / 1350.0).epsilon(1e-11));
     CHECK(std::abs(change[2]) < 1e-11);
@@ -141,7 +141,7 @@ TEST_CASE("oil whose warming makes more heat than it carries off does not settle
     sources.oil.set_sumps({305});
     sources.air.start_from({298});
     sources.enter(problem.segments[0]);
-    const Eigen::VectorXd temperature = Eigen::Vector3d(330, 320, 310);
+    const Eigen::VectorXd temperature = lumps::states_of(machine(), Eigen::Vector3d(330, 320, 310));
     CHECK_THROWS_WITH_AS(sources.equilibrate_oil(7, temperature), doctest::Contains("at t = 7"), ConvergenceError);
     // As much oil as the joint has else carries the heat off.
     problem.segments[0].oil_flow = {60};
@@ -180,7 +180,7 @@ TEST_CASE("loads of enclosed air are the slopes of its films by the air's temper
     });
     Sources at(problem);
     at.sources.build_air_loads(0, 50, at.temperature);
-    const auto& load = at.sources.air.load(0);
+    const Eigen::VectorXd load = lumps::watts_of(machine(), at.sources.air.load(0));
     CHECK(load[0] == Approx(0.2 * (5 + 2 * 0.1 * (330 - 298))).epsilon(1e-13));  // d(h rise) / d(rise)
     CHECK(load[1] == Approx(0.4 * 7).epsilon(1e-15));
     CHECK(load[2] == 0);
@@ -211,7 +211,8 @@ TEST_CASE("sources know which segment they are in")
     CHECK(at.sources.segment_index() == 1);
     CHECK(&at.sources.segment() == &at.problem.segments[1]);
     Eigen::VectorXd conducted(3);
-    at.system.conduct(Eigen::Vector3d(1, 0, 0), conducted);
+    at.system.conduct(lumps::states_of(machine(), Eigen::Vector3d(1, 0, 0)), conducted);
+    conducted = lumps::watts_of(machine(), conducted);
     // c_aa = h_a (S - h_a) / S with h_a = 1, S = 651: the segment's laws reach the matrix.
     CHECK(conducted[0] == Approx(0.1 * 650 / 651.0).epsilon(1e-14));
 }

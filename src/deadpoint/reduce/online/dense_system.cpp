@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 template class deadpoint::heat::HeatRun<deadpoint::reduce::DenseSystem>;
 template class deadpoint::heat::HeatAdjoint<deadpoint::reduce::DenseSystem>;
@@ -19,41 +20,38 @@ static_assert(heat::AdjointSystem<DenseSystem>);
 
 constexpr std::size_t most_factors = 16;  // number of factors kept; step sizes change by factors of two
 
-bool is_square(const Eigen::MatrixXd& matrix, Eigen::Index size)
+void require_fit(const DenseTerms& terms, const HeatProblem& problem)
 {
-    return matrix.rows() == size && matrix.cols() == size;
-}
-
-void require_sound(const DenseTerms& terms, const HeatProblem& problem)
-{
-    const Eigen::Index n = terms.mass.rows();
-    const auto& layout = terms.geometry.layout;
-    const auto fits = [&](const DenseJoint& joint) {
-        return is_square(joint.aa, n) && is_square(joint.bb, n) && is_square(joint.across, n) &&
-               (joint.turning.size() == 0 || is_square(joint.turning, n));
-    };
-    const bool sound = is_square(terms.mass, n) && is_square(terms.solid, n) && terms.uniform.size() == n &&
-                       terms.joints.size() == layout.interfaces && std::ranges::all_of(terms.joints, fits) &&
-                       terms.films.size() == layout.surfaces && layout.surfaces == problem.surfaces.size() &&
-                       std::ranges::all_of(terms.films, [&](const auto& film) { return is_square(film, n); }) &&
-                       terms.functionals.rows() == static_cast<Eigen::Index>(layout.count()) &&
-                       terms.functionals.cols() == n;
-    if (!sound)
+    if (terms.geometry.layout.surfaces != problem.surfaces.size())
         throw InputError("the terms of a dense system differ in size");
-    if (std::ranges::any_of(problem.surfaces,
-                            [](const auto& s) { return s.kind == SurfaceCondition::Kind::temperature; }))
-        throw InputError("a dense system takes no prescribed temperature; state a film with a high coefficient");
+    for (std::size_t s = 0; s < problem.surfaces.size(); ++s) {
+        const auto kind = problem.surfaces[s].kind;
+        if (kind == SurfaceCondition::Kind::temperature)
+            throw InputError("a dense system takes no prescribed temperature; state a film with a high coefficient");
+        if (kind == SurfaceCondition::Kind::film && terms.films[s].is_missing())
+            throw InputError("surface '" + problem.surfaces[s].name + "' has a film but no term in the dense system");
+    }
 }
 
-Eigen::MatrixXd conduction_of(const DenseJoint& joint, const InterfaceLaw& law)
+void add_term(double coefficient, const LowRankTerm& term, Eigen::MatrixXd& sum)
 {
-    const double sum = law.film_a + law.film_b + law.oil;
-    const auto& across = law.turns_fully ? joint.turning : joint.across;
-    if (across.size() == 0)
-        throw InputError("a joint turns fully that did not when its terms were made");
-    return law.film_a * (sum - law.film_a) / sum * joint.aa + law.film_b * (sum - law.film_b) / sum * joint.bb -
-           law.film_a * law.film_b / sum * across;
+    sum.selfadjointView<Eigen::Lower>().rankUpdate(term.factor, coefficient);
 }
+
+void add_joint(const DenseJoint& joint, const InterfaceLaw& law, Eigen::MatrixXd& sum)
+{
+    const auto& [a, b, oil] = std::tuple(law.film_a, law.film_b, law.oil);
+    const auto& between = law.turns_fully ? joint.turning : joint.between;
+    if (between.is_missing())
+        throw InputError(law.turns_fully ? "a joint turns fully that did not when its terms were made"
+                                         : "a joint does not turn fully that did when its terms were made");
+    const double all = a + b + oil;
+    add_term(a * b / all, between, sum);
+    add_term(a * oil / all, joint.aa, sum);
+    add_term(b * oil / all, joint.bb, sum);
+}
+
+void fill_upper(Eigen::MatrixXd& matrix) { matrix.triangularView<Eigen::StrictlyUpper>() = matrix.transpose(); }
 
 }  // namespace
 
@@ -61,8 +59,9 @@ DenseSystem::DenseSystem(DenseTerms terms, const HeatProblem& problem, double re
     : terms_(std::move(terms)), problem_(&problem), reference_(reference),
       follows_(std::ranges::any_of(problem.surfaces, heat::follows_temperature))
 {
-    require_sound(terms_, problem);
-    films_ = Eigen::MatrixXd::Zero(terms_.mass.rows(), terms_.mass.cols());
+    conserve_heat(terms_);
+    require_fit(terms_, problem);
+    films_ = Eigen::MatrixXd::Zero(terms_.solid.rows(), terms_.solid.cols());
 }
 
 void DenseSystem::combine(const std::vector<heat::Scaled<Vector>>& sum, Vector& result) const
@@ -70,6 +69,25 @@ void DenseSystem::combine(const std::vector<heat::Scaled<Vector>>& sum, Vector& 
     result.setZero();
     for (const auto& [factor, vector] : sum)
         result += factor * *vector;
+}
+
+double DenseSystem::largest(const Vector& vector) const
+{
+    const auto& layout = geometry().layout;
+    const Vector values = (terms_.functionals * vector).cwiseAbs();
+    const auto largest_of = [&](std::size_t begin, std::size_t end) {
+        double result = 0;
+        for (std::size_t k = begin; k < end; ++k)
+            result = std::max(result, values[static_cast<Eigen::Index>(k)]);
+        return result;
+    };
+    double result =
+        std::max({largest_of(layout.mean(0, false), layout.zone(0, false)),
+                  largest_of(layout.part(0), layout.surface(0)), largest_of(layout.probe(0), layout.count())});
+    for (std::size_t s = 0; s < layout.surfaces; ++s)
+        if (const double area = geometry().surface_area[s]; area > 0)
+            result = std::max(result, values[static_cast<Eigen::Index>(layout.surface(s))] / area);
+    return result;
 }
 
 std::vector<double> DenseSystem::evaluate(std::span<const std::size_t> which, const Vector& vector) const
@@ -118,12 +136,13 @@ void DenseSystem::set_laws(const std::vector<InterfaceLaw>& laws, const std::vec
 {
     stiffness_ = terms_.solid;
     for (std::size_t i = 0; i < laws.size(); ++i)
-        stiffness_ += conduction_of(terms_.joints[i], laws[i]);
+        add_joint(terms_.joints[i], laws[i], stiffness_);
     for (std::size_t s = 0; s < terms_.films.size(); ++s)
         if (const auto& c = problem_->surfaces[s];
             c.kind == SurfaceCondition::Kind::film && !heat::follows_temperature(c))
-            stiffness_ += c.coefficient * terms_.films[s];
-    loads_.setZero(terms_.mass.rows(), static_cast<Eigen::Index>(source_loads.size()));
+            add_term(c.coefficient, terms_.films[s], stiffness_);
+    fill_upper(stiffness_);
+    loads_.setZero(terms_.uniform.size(), static_cast<Eigen::Index>(source_loads.size()));
     for (std::size_t r = 0; r < source_loads.size(); ++r)
         for (const auto& [functional, weight] : source_loads[r])
             loads_.col(static_cast<Eigen::Index>(r)) +=
@@ -171,8 +190,9 @@ heat::FilmHeat DenseSystem::add_films(const std::vector<heat::FilmAt>& films, co
         const double flux = inside + heat::film_flux(value, in_room ? 0 : film.emissivity, at, film.surroundings);
         const double slope = heat::film_slope(value, film.emissivity, at, film.surroundings);
         const auto row = static_cast<Eigen::Index>(geometry().layout.surface(film.surface));
+        const auto& factor = terms_.films[film.surface].factor;
         watts -= (flux - slope * at) * terms_.functionals.row(row).transpose() +
-                 slope * (terms_.films[film.surface] * temperature);
+                 slope * (factor * (factor.transpose() * temperature));
         heat.lost[film.surface] = area * flux;
         heat.to_surfaces[film.surface] = area * inside;
         heat.untested[film.surface] = value.in_range ? 0 : area;
@@ -189,6 +209,13 @@ void DenseSystem::add_film_slopes(const std::vector<heat::FilmAt>& films, const 
     }
 }
 
+Eigen::MatrixXd DenseSystem::stage_of(double factor) const
+{
+    Eigen::MatrixXd result = factor * (stiffness_ + films_);
+    result.diagonal().array() += 1;
+    return result;
+}
+
 bool DenseSystem::build(double factor, const Vector& temperature, const std::vector<heat::FilmAt>& films)
 {
     if (factor == factor_ && !follows_)
@@ -198,12 +225,13 @@ bool DenseSystem::build(double factor, const Vector& temperature, const std::vec
         films_.setZero();
         for (const auto& film : films) {
             const double at = mean(film.surface, temperature);
-            films_ +=
-                heat::film_slope(film.law(at), film.emissivity, at, film.surroundings) * terms_.films[film.surface];
+            add_term(heat::film_slope(film.law(at), film.emissivity, at, film.surroundings), terms_.films[film.surface],
+                     films_);
         }
+        fill_upper(films_);
     }
     factor_ = factor;
-    stage_ = terms_.mass + factor * (stiffness_ + films_);
+    stage_ = stage_of(factor);
     return true;
 }
 
@@ -259,7 +287,8 @@ void DenseSystem::set_film_coefficients(const std::vector<double>& coefficients)
     films_.setZero();
     for (std::size_t s = 0; s < coefficients.size(); ++s)
         if (heat::follows_temperature(problem_->surfaces[s]))
-            films_ += coefficients[s] * terms_.films[s];
+            add_term(coefficients[s], terms_.films[s], films_);
+    fill_upper(films_);
     forget_factors();
 }
 
@@ -267,7 +296,7 @@ int DenseSystem::solve_adjoint(double factor, const Vector& right, Vector& solut
 {
     if (factor != factor_) {
         factor_ = factor;
-        stage_ = terms_.mass + factor * (stiffness_ + films_);
+        stage_ = stage_of(factor);
     }
     solution = factored(factor).matrix.solve(right);
     return 1;

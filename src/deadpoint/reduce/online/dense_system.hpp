@@ -4,6 +4,7 @@
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/heat/functionals.hpp"
 #include "deadpoint/heat/system.hpp"
+#include "deadpoint/reduce/online/dense_terms.hpp"
 
 #include <Eigen/Dense>
 #include <map>
@@ -19,54 +20,33 @@ struct InterfaceLaw;
 /// Internal to reduce/, since it shows Eigen: a small system of temperatures with dense matrices.
 namespace deadpoint::reduce {
 
-/// Terms of one interface in the conduction matrix, by coefficient (see heat/joints.hpp):
-///   h_a (S - h_a) / S aa + h_b (S - h_b) / S bb - h_a h_b / S across
-struct DenseJoint {
-    Eigen::MatrixXd aa, bb;   ///< integrals of N_a N_a^T and N_b N_b^T [m2]
-    Eigen::MatrixXd across;   ///< of N_a N_b^T + N_b N_a^T of opposite points
-    Eigen::MatrixXd turning;  ///< the same of means around the circumference, for joints that turn fully; or empty
-};
-
-/// Row-major matrix, so that a row is contiguous in memory.
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// A system by its terms. All matrices are square over the states.
-struct DenseTerms {
-    heat::HeatGeometry geometry;
-    Eigen::MatrixXd mass;                ///< M [J/K]
-    Eigen::MatrixXd solid;               ///< K of the solids [W/K]
-    std::vector<DenseJoint> joints;      ///< per interface
-    std::vector<Eigen::MatrixXd> films;  ///< F_f per surface condition: integral of N N^T [m2]
-    RowMatrix functionals;               ///< a row for each functional of the layout
-    RowMatrix observed;                  ///< a row for each further functional, of T - T_reference; or empty
-    Eigen::VectorXd uniform;             ///< states of a temperature of 1 K everywhere
-};
-
-/// The system of heat/system.hpp on such terms. It has no prescribed temperatures and no materials
-/// over temperature. A convection law is evaluated at its surface's mean temperature T_m, with its
-/// tangent there:
+/// The system of heat/system.hpp on the terms of reduce/online/dense_terms. It has no prescribed temperatures and no
+/// materials over temperature. A convection law is evaluated at its surface's mean temperature T_m, with its tangent
+/// there:
 ///   q(T) = q(T_m) + q'(T_m) (T - T_m),
-/// so that the heat of the surface is that of the mean temperature. Factors of M + d K are kept per
+/// so that the heat of the surface is that of the mean temperature. Factors of 1 + d K are kept per
 /// d; terms of low rank are solved by Woodbury's formula.
 class DenseSystem {
 public:
     using Vector = Eigen::VectorXd;
 
     /// @param reference  temperature at which observed functionals are zero [K]
-    /// @throws InputError if sizes do not fit, or the problem prescribes a temperature
+    /// @throws InputError if the terms do not fit the problem or each other (see conserve_heat()), or the problem
+    ///         prescribes a temperature
     DenseSystem(DenseTerms terms, const HeatProblem& problem, double reference = 0);
     DenseSystem(const DenseSystem&) = delete;
 
+    /// As given, after conserve_heat().
     [[nodiscard]] const DenseTerms& parts() const { return terms_; }
 
     // a vector space
-    [[nodiscard]] Vector make_vector() const { return Vector::Zero(terms_.mass.rows()); }
+    [[nodiscard]] Vector make_vector() const { return Vector::Zero(terms_.uniform.size()); }
     void copy(const Vector& from, Vector& to) const { to = from; }
     void combine(const std::vector<heat::Scaled<Vector>>& sum, Vector& result) const;
     void add(double factor, const Vector& term, Vector& sum) const { sum += factor * term; }
     [[nodiscard]] double total(const Vector& vector) const { return vector.dot(terms_.uniform); }
     [[nodiscard]] double dot(const Vector& a, const Vector& b) const { return a.dot(b); }
-    [[nodiscard]] double largest(const Vector& vector) const { return vector.lpNorm<Eigen::Infinity>(); }
+    [[nodiscard]] double largest(const Vector& vector) const;  ///< of the means of joints, parts, surfaces, and probes
     [[nodiscard]] bool is_finite(const Vector& vector) const { return vector.allFinite(); }
     [[nodiscard]] bool any(bool flag) const { return flag; }
 
@@ -81,12 +61,12 @@ public:
     void set_laws(const std::vector<InterfaceLaw>& laws, const std::vector<heat::Loads>& source_loads);
     [[nodiscard]] bool follows_temperature() const { return follows_; }
     [[nodiscard]] bool is_linear() const { return !follows_; }
-    void store(const Vector& temperature, Vector& stored) const { stored.noalias() = terms_.mass * temperature; }
+    void store(const Vector& temperature, Vector& stored) const { stored = temperature; }
     void conduct(const Vector& temperature, Vector& out) const { out.noalias() = stiffness_ * temperature; }
     void apply_stage(const Vector& in, Vector& out) const { out.noalias() = stage_ * in; }
     [[nodiscard]] double stored_between(const Vector& from, const Vector& to) const
     {
-        return terms_.uniform.dot(terms_.mass * (to - from));
+        return terms_.uniform.dot(to - from);
     }
 
     // convection coefficients that depend on temperature
@@ -110,7 +90,7 @@ public:
     // the adjoint of the steps
     void begin_adjoint();
     void set_film_coefficients(const std::vector<double>& coefficients);
-    void apply_mass(const Vector& in, Vector& out) const { out.noalias() = terms_.mass * in; }
+    void apply_mass(const Vector& in, Vector& out) const { out = in; }
     void apply_stiffness(const Vector& in, Vector& out) const { out.noalias() = stiffness_ * in + films_ * in; }
     int solve_adjoint(double factor, const Vector& right, Vector& solution);
     [[nodiscard]] std::vector<double> prescribed_shares(const Vector&, const Vector&, double, double) const
@@ -120,7 +100,7 @@ public:
     [[nodiscard]] std::vector<double> start_shares(const Vector& weights, const Vector& start, double reference) const;
 
 private:
-    /// Of M + factor (K + films), and the products of the sources' loads for Woodbury's formula.
+    /// Of 1 + factor (K + films), and the products of the sources' loads for Woodbury's formula.
     struct Factored {
         Eigen::LLT<Eigen::MatrixXd> matrix;
         Eigen::MatrixXd solved_loads;  ///< A^-1 L
@@ -129,6 +109,7 @@ private:
     [[nodiscard]] const Factored& factored(double factor);
     [[nodiscard]] double mean(std::size_t surface, const Vector& temperature) const;
     [[nodiscard]] std::vector<double> irradiation(const Vector& temperature) const;
+    [[nodiscard]] Eigen::MatrixXd stage_of(double factor) const;
     void forget_factors();
 
     DenseTerms terms_;

@@ -1,0 +1,99 @@
+#include "deadpoint/reduce/online/dense_terms.hpp"
+
+#include "deadpoint/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace deadpoint::reduce {
+namespace {
+
+// Share of a term's size that it may conduct at a uniform temperature where it should conduct nothing: above the
+// rounding of numbers of 32 bits, below any wrong coefficient.
+constexpr double largest_leak = 1e-4;
+
+void require_sizes(const DenseTerms& terms)
+{
+    const Eigen::Index n = terms.uniform.size();
+    const auto& layout = terms.geometry.layout;
+    const auto fits = [&](const LowRankTerm& term) { return term.is_missing() || term.factor.rows() == n; };
+    const auto joint_fits = [&](const DenseJoint& joint) {
+        return fits(joint.aa) && fits(joint.bb) && fits(joint.between) && fits(joint.turning) &&
+               !joint.aa.is_missing() && !joint.bb.is_missing();
+    };
+    const bool sound = terms.solid.rows() == n && terms.solid.cols() == n && terms.joints.size() == layout.interfaces &&
+                       std::ranges::all_of(terms.joints, joint_fits) && terms.films.size() == layout.surfaces &&
+                       std::ranges::all_of(terms.films, fits) &&
+                       terms.geometry.interface_area.size() == layout.interfaces &&
+                       terms.geometry.surface_area.size() == layout.surfaces &&
+                       terms.functionals.rows() == static_cast<Eigen::Index>(layout.count()) &&
+                       terms.functionals.cols() == n && (terms.observed.size() == 0 || terms.observed.cols() == n);
+    if (!sound || !(terms.uniform.squaredNorm() > 0))
+        throw InputError("the terms of a dense system differ in size");
+}
+
+void require_small(double leak, double size, const std::string& what)
+{
+    if (!(leak <= largest_leak * size))
+        throw InputError(what + " conducts heat at a uniform temperature; make it from the same states as the others");
+}
+
+void without_uniform(Eigen::MatrixXd& solid, const Eigen::VectorXd& uniform)
+{
+    const Eigen::VectorXd unit = uniform.normalized(), leak = solid * unit;
+    require_small(leak.norm(), solid.norm(), "the solid of a dense system");
+    solid -= leak * unit.transpose() + unit * (leak - unit.dot(leak) * unit).transpose();
+}
+
+void without_uniform(LowRankTerm& term, const Eigen::VectorXd& uniform, const std::string& what)
+{
+    if (term.is_missing())
+        return;
+    const Eigen::VectorXd unit = uniform.normalized();
+    const Eigen::RowVectorXd leak = unit.transpose() * term.factor;
+    require_small(leak.norm(), term.factor.norm(), what);
+    term.factor -= unit * leak;
+}
+
+// Reflects the columns so that only the first is not zero for a uniform temperature, and sets that one to what the
+// mean says. @param integral  of the temperature over the area [K m2]
+void with_mean(LowRankTerm& term, const Eigen::VectorXd& uniform, const Eigen::VectorXd& integral, double area,
+               const std::string& what)
+{
+    if (term.is_missing() || !(area > 0))
+        return;
+    Eigen::VectorXd mirror = term.factor.transpose() * uniform;
+    const double length = mirror.norm();
+    if (!(length > 0))
+        throw InputError(what + " of a dense system has an area but no mean; cut fewer directions of it");
+    mirror[0] += std::copysign(length, mirror[0]);
+    term.factor -= 2 / mirror.squaredNorm() * (term.factor * mirror) * mirror.transpose();
+    term.factor.col(0) = integral / std::sqrt(area);
+}
+
+}  // namespace
+
+void conserve_heat(DenseTerms& terms)
+{
+    require_sizes(terms);
+    const auto& [layout, names, interface_area, surface_area] = terms.geometry;
+    const auto row = [&](std::size_t functional) -> Eigen::VectorXd {
+        return terms.functionals.row(static_cast<Eigen::Index>(functional)).transpose();
+    };
+    without_uniform(terms.solid, terms.uniform);
+    for (std::size_t i = 0; i < terms.joints.size(); ++i) {
+        auto& joint = terms.joints[i];
+        const double area = interface_area[i];
+        const std::string what = "interface " + std::to_string(i);
+        without_uniform(joint.between, terms.uniform, what);
+        without_uniform(joint.turning, terms.uniform, what);
+        with_mean(joint.aa, terms.uniform, area * row(layout.mean(i, false)), area, what);
+        with_mean(joint.bb, terms.uniform, area * row(layout.mean(i, true)), area, what);
+    }
+    for (std::size_t s = 0; s < terms.films.size(); ++s)
+        with_mean(terms.films[s], terms.uniform, row(layout.surface(s)), surface_area[s],
+                  "surface " + std::to_string(s));
+}
+
+}  // namespace deadpoint::reduce
