@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/machine/assembly/measure.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -76,6 +77,7 @@ inline Machine turned(Machine machine, double angle)
     for (auto* contacts : {&machine.interfaces, &machine.bonds})
         for (auto& contact : *contacts)
             turn(contact, angle);
+    machine::measure(machine);
     return machine;
 }
 

@@ -178,6 +178,13 @@ struct Face {
     std::uint32_t geometry = 0;  ///< index into Machine::geometries
 };
 
+/// Integrals of 1, x, y and x^2 + y^2 over the cells of a part. Edges are straight here.
+struct VolumeMoments {
+    double volume = 0;  ///< [m3]
+    Vec2 first{};       ///< of x and y [m4]
+    double second = 0;  ///< of x^2 + y^2 [m5]
+};
+
 struct MeshPart {
     std::string name;
     std::string body;
@@ -192,6 +199,7 @@ struct MeshPart {
     std::uint32_t pieces = 1;  ///< pieces without a common face of two cells
     double min_quality = 0;    ///< smallest scaled Jacobian (hexahedra) or scaled inradius ratio (tetrahedra), 0..1
     double mean_quality = 0;
+    VolumeMoments moments{};
 };
 
 /// One integration point of a contact, on both sides.
@@ -240,10 +248,38 @@ struct SurfaceFace {
     bool central = true;  ///< its centre is in the selection: for conditions at nodes
 };
 
+/// First and second moment of a surface's area about the machine's axis, by its area.
+struct PlaneMoments {
+    Vec2 mean{};             ///< of x and y [m]
+    double mean_square = 0;  ///< of x^2 + y^2 [m2]
+};
+
+/// The share of a surface that lies on one part.
+struct SurfaceShare {
+    std::uint32_t part = 0;
+    double area = 0;  ///< [m2], with the fractions
+};
+
+/// Figures of a surface, for laws that need no mesh then. Lengths along edges of the mesh are those of whole faces.
+struct SurfaceFigures {
+    std::optional<double> height;             ///< along y, of a surface on one part [m]
+    std::optional<double> cylinder_diameter;  ///< of a surface that is a single cylinder [m]
+    /// Of a disk: of the largest cylinder at which its faces end, along the normal of one of them. None where there is
+    /// no such cylinder, or the surface lies on several parts or reaches beyond it [m].
+    std::optional<double> disk_diameter;
+    /// Of a surface that is a single plane. The perimeter runs along the edges of its faces that no other of its faces
+    /// shares, the plane of symmetry left out: a half has the quotient of the whole [m].
+    std::optional<double> area_over_perimeter;
+    /// From one point per face: exact in the mean of flat faces, second moments as fine as the mesh.
+    PlaneMoments moments;
+    std::vector<SurfaceShare> parts;  ///< in the order of their first faces
+};
+
 struct MeshSurface {
     std::string name;
     std::vector<SurfaceFace> faces;
     double area = 0;  ///< [m2], with the fractions
+    SurfaceFigures figures{};
 };
 
 struct Overlap {

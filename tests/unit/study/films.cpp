@@ -5,7 +5,6 @@
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/laws/conductance.hpp"
 #include "deadpoint/study/laws/film.hpp"
-#include "deadpoint/study/laws/surface_geometry.hpp"
 #include "deadpoint/study/pipeline/heat_tables.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
@@ -252,7 +251,7 @@ TEST_CASE("half a plate has the length of the whole one")
     const auto machine = study::prepare_machine(input, 1, quiet);
     REQUIRE(machine.half_model);
     CHECK(machine.surfaces.at(0).area == Approx(0.01).epsilon(1e-9));
-    CHECK(*study::area_over_perimeter(machine, machine.surfaces.at(0)) == Approx(0.2 * 0.1 / 0.6).epsilon(1e-9));
+    CHECK(*machine.surfaces.at(0).figures.area_over_perimeter == Approx(0.2 * 0.1 / 0.6).epsilon(1e-9));
 }
 
 TEST_CASE("the heat problem takes conductances and film laws, one per segment")

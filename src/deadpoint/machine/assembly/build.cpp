@@ -7,6 +7,7 @@
 #include "deadpoint/machine/assembly/inspect.hpp"
 #include "deadpoint/machine/assembly/interfaces.hpp"
 #include "deadpoint/machine/assembly/limits.hpp"
+#include "deadpoint/machine/assembly/measure.hpp"
 #include "deadpoint/machine/assembly/overlaps.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/assembly/select.hpp"
@@ -421,6 +422,7 @@ Machine build_machine(const MachineDescription& description, Observer& observer)
     mistakes.raise();
     assembly.machine.overlaps = find_overlaps(assembly, shapes);
     find_floating(assembly.machine);
+    measure(assembly.machine);
     warn_about(assembly.machine, observer);
     return std::move(assembly.machine);
 }

@@ -34,6 +34,8 @@ namespace deadpoint::machine {
 /// too. Interfaces must be covered as drawn; along the travel they may slide off each other in
 /// part, which the observer is told. Overlaps are detected for the drawn position only.
 ///
+/// The machine carries the figures of its parts and surfaces (see measure()).
+///
 /// @param description  what to build; see exchange/machine.hpp
 /// @param observer     gets progress, one line per part that could not be meshed with hexahedra, and warnings
 /// @throws InputError  for wrong shapes, unusable files, bad or cracked meshes, selectors that

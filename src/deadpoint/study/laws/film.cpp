@@ -3,7 +3,6 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/study/laws/surface_geometry.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/surroundings/paper_film.hpp"
 
@@ -57,7 +56,7 @@ double needed_length(const Place& at, const std::optional<double>& given, const 
 double height(const Place& at, const std::optional<double>& given,
               const char* meaning = "its height (else that of a surface on one part)")
 {
-    return needed_length(at, given, height_of(at.machine, at.surface), "length", meaning);
+    return needed_length(at, given, at.surface.figures.height, "length", meaning);
 }
 
 void set_film(SurfaceFilm& result, const Place&, const casefile::FilmCoefficient& film)
@@ -82,7 +81,7 @@ void set_film(SurfaceFilm& result, const Place& at, const casefile::PlateFilm& f
         return;
     }
     air.natural = film.facing == Facing::up ? NaturalFlow::facing_up : NaturalFlow::facing_down;
-    air.natural_length = needed_length(at, film.length, area_over_perimeter(at.machine, at.surface), "length",
+    air.natural_length = needed_length(at, film.length, at.surface.figures.area_over_perimeter, "length",
                                        "area over perimeter (else that of a single plane)");
 }
 
@@ -90,7 +89,8 @@ void set_film(SurfaceFilm& result, const Place& at, const casefile::RoundFilm& f
 {
     using Form = casefile::RoundFilm::Form;
     const bool disk = film.form == Form::rotating_disk;
-    const auto derived = disk ? disk_diameter(at.machine, at.surface) : cylinder_diameter(at.machine, at.surface);
+    const auto& figures = at.surface.figures;
+    const auto& derived = disk ? figures.disk_diameter : figures.cylinder_diameter;
     result.as_printed = film.as_printed;
     auto& air = result.air;
     air.natural = disk ? NaturalFlow::vertical : NaturalFlow::horizontal_cylinder;
@@ -132,17 +132,18 @@ void set_film(SurfaceFilm& result, const Place& at, const casefile::EnclosedFilm
 
 int body_in_linkage(const Machine& machine, const MeshSurface& surface, const LoadsResult& loads)
 {
-    const auto body_at = [&](const SurfaceFace& entry) -> const std::string& {
-        return machine.parts[machine.faces[entry.face].part].body;
+    const auto body_at = [&](const SurfaceShare& share) -> const std::string& {
+        return machine.parts[share.part].body;
     };
-    if (surface.faces.empty())
+    const auto& shares = surface.figures.parts;
+    if (shares.empty())
         throw mistake("surfaces." + surface.name, "it has no faces left in the air");
-    const std::string& body = body_at(surface.faces.front());
-    for (const auto& entry : surface.faces)
-        if (body_at(entry) != body)
+    const std::string& body = body_at(shares.front());
+    for (const auto& share : shares)
+        if (body_at(share) != body)
             throw mistake(
                 film_path(surface),
-                fmt::format("it lies on the bodies '{}' and '{}', which move differently", body, body_at(entry)),
+                fmt::format("it lies on the bodies '{}' and '{}', which move differently", body, body_at(share)),
                 "split the surface, or add `speed`");
     const auto found = std::ranges::find(loads.linkage.bodies, body);
     const auto index = static_cast<int>(found - loads.linkage.bodies.begin());
@@ -200,7 +201,7 @@ SurfaceFilm surface_film(const casefile::Film& film, const Machine& machine, con
 // |v|^2 of a point of the body is |t'|^2 + 2 w t' . n + w^2 |X|^2, with n = (-y, x) of the turned arm R X.
 double rms_speed(const Machine& machine, const MeshSurface& surface, const LoadsResult& loads)
 {
-    const auto moments = plane_moments(machine, surface);
+    const auto& moments = surface.figures.moments;
     const auto& history = loads.history;
     const auto& body = history.bodies.at(static_cast<std::size_t>(body_in_linkage(machine, surface, loads)));
     double sum = 0, time = 0;

@@ -17,7 +17,7 @@ struct Case;
 /// Mass, centre of mass and inertia of the linkage's bodies, as stated or from their meshed parts.
 namespace deadpoint::study {
 
-/// Mass of the parts of a body in the mesh; integrals over the cells are exact.
+/// Mass of the parts of a body, by MeshPart::moments.
 ///
 /// In a half model a body that is not marked `mirror` counts with its image at x = 0, a mirrored
 /// body counts alone.

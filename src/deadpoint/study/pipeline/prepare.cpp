@@ -4,6 +4,7 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/machine/assembly/build.hpp"
+#include "deadpoint/machine/assembly/measure.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/check_machine.hpp"
 #include "deadpoint/study/translate/heat.hpp"
@@ -84,6 +85,7 @@ void leave_unclaimed(const Machine& machine, const Claims& claims, MeshSurface& 
     surface.area = 0;
     for (const auto& entry : surface.faces)
         surface.area += entry.fraction * face_area(machine, machine.faces[entry.face]);
+    surface.figures = machine::figures_of(machine, surface);
 }
 
 void settle_claims(const casefile::Case& input, Machine& machine, Mistakes& mistakes)
