@@ -296,7 +296,8 @@ struct RoundEdge {
     Vec3 bulge{};                          ///< from the middle of the chord to the middle of the edge [m]
 };
 
-/// The meshed machine.
+/// The meshed machine. Its parts, surfaces and contacts carry the figures that loads and laws need; without_mesh()
+/// (exchange/bare_machine) keeps only these.
 struct Machine {
     std::vector<Vec3> nodes;
     std::vector<RoundEdge> round_edges;  ///< ascending by their nodes; edges that are not listed are straight

@@ -2,21 +2,25 @@
 
 #include "deadpoint/core/hash.hpp"
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 /// Values as bytes in a binary file of deadpoint, for this kind of machine: a number as in memory,
-/// a text or list after its count, a struct as its members. A struct lists its members once for
-/// writing and reading:
+/// a text or list after its count, an array as its values, an optional value after whether there is one, a variant
+/// after the index of its alternative, a struct as its members. A struct lists its members once for writing and
+/// reading:
 ///
 ///     constexpr auto members(const Series*) { return std::tuple{&Series::value, &Series::rate}; }
 ///
@@ -31,7 +35,7 @@ class BinaryWriter {
 public:
     /// @param out the stream; its owner checks for failures
     BinaryWriter(std::ostream& out, std::string_view kind);
-    /// Numbers, bools, texts, lists, and structs with members().
+    /// Numbers, enumerations, bools, texts, lists, arrays, optional values, variants, and structs with members().
     template <class... Values>
     void operator()(const Values&... values)
     {
@@ -50,8 +54,29 @@ private:
             put_bytes(&value, sizeof(Value));
         else if constexpr (std::is_same_v<Value, bool>)
             put(static_cast<std::uint8_t>(value));
+        else if constexpr (std::is_enum_v<Value>)
+            put(static_cast<std::underlying_type_t<Value>>(value));
         else
             std::apply([&](auto... member) { (put(value.*member), ...); }, members(&value));
+    }
+    template <class Value, std::size_t size>
+    void put(const std::array<Value, size>& values)
+    {
+        for (const Value& value : values)
+            put(value);
+    }
+    template <class Value>
+    void put(const std::optional<Value>& value)
+    {
+        put(value.has_value());
+        if (value)
+            put(*value);
+    }
+    template <class... Values>
+    void put(const std::variant<Values...>& value)
+    {
+        put(static_cast<std::uint8_t>(value.index()));
+        std::visit([&](const auto& held) { put(held); }, value);
     }
     void put(const std::string& text) { put_numbers(text.data(), text.size()); }
     template <class Value>
@@ -107,8 +132,40 @@ private:
             std::uint8_t byte = 0;
             get(byte);
             value = byte != 0;
+        } else if constexpr (std::is_enum_v<Value>) {
+            std::underlying_type_t<Value> number{};
+            get(number);
+            value = static_cast<Value>(number);
         } else
             std::apply([&](auto... member) { (get(value.*member), ...); }, members(&value));
+    }
+    template <class Value, std::size_t size>
+    void get(std::array<Value, size>& values)
+    {
+        for (Value& value : values)
+            get(value);
+    }
+    template <class Value>
+    void get(std::optional<Value>& value)
+    {
+        bool there = false;
+        get(there);
+        value.reset();
+        if (there)
+            get(value.emplace());
+    }
+    template <class... Values>
+    void get(std::variant<Values...>& value)
+    {
+        std::uint8_t index = 0;
+        get(index);
+        if (index >= sizeof...(Values))
+            refuse("it names a form that does not exist");
+        [&]<std::size_t... i>(std::index_sequence<i...>)
+        {
+            (void)((i == index && (get(value.template emplace<i>()), true)) || ...);
+        }
+        (std::index_sequence_for<Values...>());
     }
     void get(std::string& text)
     {

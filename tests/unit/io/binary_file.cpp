@@ -3,13 +3,16 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/error.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <doctest/doctest.h>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <sys/stat.h>
+#include <variant>
 
 using namespace deadpoint;
 
@@ -33,6 +36,22 @@ struct Tree {
 constexpr auto members(const Tree*)
 {
     return std::tuple{&Tree::name, &Tree::leaves, &Tree::columns, &Tree::flags, &Tree::count};
+}
+
+enum class Colour : std::uint8_t { green, brown };
+struct Nothing {};
+constexpr auto members(const Nothing*) { return std::tuple{}; }
+
+struct Fruit {
+    Colour colour = Colour::green;
+    std::array<double, 2> sizes{};
+    std::optional<double> weight;
+    std::optional<Leaf> leaf;
+    std::variant<Nothing, Leaf, double> form;
+};
+constexpr auto members(const Fruit*)
+{
+    return std::tuple{&Fruit::colour, &Fruit::sizes, &Fruit::weight, &Fruit::leaf, &Fruit::form};
 }
 
 Tree example()
@@ -100,6 +119,40 @@ TEST_CASE("what is written is read bit by bit")
     CHECK(read.flags == tree.flags);
     CHECK(read.count == -7);
     CHECK(last == 2.5);
+}
+
+TEST_CASE("arrays, optional values, variants and enumerations are read as they were written")
+{
+    const ScratchFolder folder;
+    std::ostringstream out;
+    BinaryWriter writer(out, kind);
+    writer(Fruit{Colour::brown, {1, 2}, 0.25, {}, Leaf{3, true}}, Fruit{});
+    writer.finish();
+    Fruit ripe, none{Colour::brown, {5, 6}, 7, Leaf{}, 8.0};
+    BinaryReader(folder.file("fruit", out.str()), kind, "write it again")(ripe, none);
+    CHECK(ripe.colour == Colour::brown);
+    CHECK(ripe.sizes == std::array<double, 2>{1, 2});
+    CHECK(ripe.weight == 0.25);
+    CHECK_FALSE(ripe.leaf);
+    REQUIRE(std::holds_alternative<Leaf>(ripe.form));
+    CHECK(std::get<Leaf>(ripe.form).value == 3);
+    CHECK(none.colour == Colour::green);
+    CHECK(none.sizes == std::array<double, 2>{0, 0});
+    CHECK_FALSE(none.weight);
+    CHECK_FALSE(none.leaf);
+    CHECK(std::holds_alternative<Nothing>(none.form));
+}
+
+TEST_CASE("a variant of a form that does not exist is refused")
+{
+    const ScratchFolder folder;
+    std::ostringstream out;
+    BinaryWriter writer(out, kind);
+    writer(std::uint8_t{3});
+    writer.finish();
+    std::variant<Nothing, Leaf, double> form;
+    BinaryReader reader(folder.file("form", out.str()), kind, "write it again");
+    CHECK_THROWS_WITH_AS(reader(form), doctest::Contains("a form that does not exist"), IoError);
 }
 
 TEST_CASE("a file that was cut anywhere is refused with its name and what to do")
