@@ -20,6 +20,7 @@ template <class Vector>
 struct Rate {
     HeatBalance balance;
     Vector watts;
+    std::vector<double> pending{};  ///< watts by functional that are not yet in `watts`; empty: none
 };
 
 /// The right-hand side of  M dT/dt = sources(t, T) - K T: joints, oil, films, enclosed air and other heat.
@@ -63,6 +64,14 @@ public:
     /// The sources at a time and a temperature, with the oil and air that were set last.
     Rate<Vector> at(double time, const Vector& temperature) const
     {
+        auto result = balance_at(time, temperature);
+        complete(result);
+        return result;
+    }
+    /// The same with watts by unknown that still miss what complete() adds. Where only the balance is read, that is
+    /// left out.
+    Rate<Vector> balance_at(double time, const Vector& temperature) const
+    {
         const auto values = functionals(temperature);
         std::vector<double> watts(system_.geometry().layout.count(), 0.0);
         Rate<Vector> result{{}, system_.make_vector()};
@@ -73,13 +82,28 @@ public:
         films.evaluate(values, time, inside, balance, watts);
         joints.evaluate(values, balance, watts);
         add_bodies(time, balance, watts);
-        system_.add_loads(watts, result.watts);
-        if (films.some_follow())
+        result.pending = std::move(watts);
+        if (films.some_follow()) {
+            complete(result);
             films.book(system_.add_films(films.following(time, inside), temperature, result.watts), balance);
+        }
         add_enclosures(time, inside, balance);
         return result;
     }
+    void complete(Rate<Vector>& rate) const
+    {
+        if (rate.pending.empty())
+            return;
+        system_.add_loads(rate.pending, rate.watts);
+        rate.pending.clear();
+    }
 
+    /// Adds corrections of the sources' heat [W] to a balance alone.
+    void correct(HeatBalance& balance, const std::vector<double>& corrections) const
+    {
+        std::vector<double> unread(system_.geometry().layout.count(), 0.0);
+        joints.correct(balance, corrections, unread);
+    }
     /// Adds corrections of the sources' heat [W].
     void correct(Rate<Vector>& rate, const std::vector<double>& corrections) const
     {

@@ -64,20 +64,22 @@ public:
         }
         for (int iteration = 0; iteration < most_iterations; ++iteration) {
             const double change = update(time, factor, current, temperature);
-            auto updated = sources_.at(time, temperature);
+            auto updated = sources_.balance_at(time, temperature);
             const auto corrections = sources_.joints.tangent_less_law(current.balance, updated.balance);
             const auto reaches = sources_.oil.march(sources_.joints, updated.balance, time, factor, known_sump);
             const double oil_change = sources_.oil_change(reaches);
             current = std::move(updated);
             if (nearly_straight(corrections, current.balance) && change < settled &&
                 oil_change <= oil_share_of_tolerance * step_tolerance(sources_.problem().time_tolerance)) {
-                sources_.correct(current, corrections);
+                book(current, corrections);
                 finish(factor, temperature, current, stored);
                 return current;
             }
             if (oil_change > 0) {
                 sources_.joints.set_oil(reaches);
                 current = sources_.at(time, temperature);
+            } else {
+                sources_.complete(current);
             }
         }
         throw ConvergenceError("joint heat and temperatures did not agree within " + std::to_string(most_iterations) +
@@ -174,6 +176,18 @@ private:
         } else {
             system_.conduct(temperature, residual_);
             system_.add(-1, residual_, rate.watts);
+        }
+    }
+
+    // Where the rate follows from the stored heat, finish() needs no watts.
+    void book(Rate<Vector>& rate, const std::vector<double>& corrections) const
+    {
+        if (system_.is_linear()) {
+            rate.pending.clear();
+            sources_.correct(rate.balance, corrections);
+        } else {
+            sources_.complete(rate);
+            sources_.correct(rate, corrections);
         }
     }
 

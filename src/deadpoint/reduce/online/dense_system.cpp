@@ -18,7 +18,8 @@ namespace {
 
 static_assert(heat::AdjointSystem<DenseSystem>);
 
-constexpr std::size_t most_factors = 16;  // number of factors kept; step sizes change by factors of two
+constexpr std::size_t most_factors = 16;     // number of factors kept; step sizes change by factors of two
+constexpr double largest_contraction = 0.3;  // see reduced_slopes_serve()
 
 void require_fit(const DenseTerms& terms, const HeatProblem& problem)
 {
@@ -33,36 +34,64 @@ void require_fit(const DenseTerms& terms, const HeatProblem& problem)
     }
 }
 
-void add_term(double coefficient, const LowRankTerm& term, Eigen::MatrixXd& sum)
+/// Mean of q over temperatures around `mean` with a variance, less q(mean): q''/2 var [W/m2].
+double bend_of_convection(const FilmLaw& law, const LawValue& at_mean, double mean, double variance,
+                          double surroundings)
 {
-    sum.selfadjointView<Eigen::Lower>().rankUpdate(term.factor, coefficient);
+    const double deviation = std::sqrt(variance);
+    const auto flux = [&](double at) { return law(at).value * (at - surroundings); };
+    return 0.5 * (flux(mean + deviation) + flux(mean - deviation)) - at_mean.value * (mean - surroundings);
 }
 
-void add_joint(const DenseJoint& joint, const InterfaceLaw& law, Eigen::MatrixXd& sum)
-{
-    const auto& [a, b, oil] = std::tuple(law.film_a, law.film_b, law.oil);
-    const auto& between = law.turns_fully ? joint.turning : joint.between;
-    if (between.is_missing())
-        throw InputError(law.turns_fully ? "a joint turns fully that did not when its terms were made"
-                                         : "a joint does not turn fully that did when its terms were made");
-    const double all = a + b + oil;
-    add_term(a * b / all, between, sum);
-    add_term(a * oil / all, joint.aa, sum);
-    add_term(b * oil / all, joint.bb, sum);
-}
+/// A film over its surface.
+struct FilmAtMean {
+    LawValue value;
+    double inside = 0;   ///< mean flux to the other surfaces of its radiant room [W/m2]
+    double outside = 0;  ///< mean flux to the air, and by radiation to the surroundings [W/m2]
+    double slope = 0;    ///< [W/m2/K]
+};
 
-void fill_upper(Eigen::MatrixXd& matrix) { matrix.triangularView<Eigen::StrictlyUpper>() = matrix.transpose(); }
+/// @param variance  of the temperature [K2]
+/// @param received  temperature of the irradiation of its room; 0: radiates to the surroundings [K]
+FilmAtMean at_mean(const heat::FilmAt& film, double mean, double variance, double received)
+{
+    FilmAtMean result;
+    result.value = film.law(mean);
+    const bool in_room = received > 0;
+    const double faced = in_room ? received : film.surroundings;
+    const double radiated = heat::film_flux({}, film.emissivity, mean, faced) +
+                            6 * film.emissivity * heat::stefan_boltzmann * mean * mean * variance;
+    result.outside = heat::film_flux(result.value, 0, mean, film.surroundings);
+    if (variance > 0)
+        result.outside += bend_of_convection(film.law, result.value, mean, variance, film.surroundings);
+    (in_room ? result.inside : result.outside) += radiated;
+    result.slope = heat::film_slope(result.value, film.emissivity, mean, film.surroundings);
+    return result;
+}
 
 }  // namespace
 
-DenseSystem::DenseSystem(DenseTerms terms, const HeatProblem& problem, double reference)
-    : terms_(std::move(terms)), problem_(&problem), reference_(reference),
-      follows_(std::ranges::any_of(problem.surfaces, heat::follows_temperature))
+DenseSystem::DenseSystem(std::shared_ptr<const PreparedTerms> terms, const HeatProblem& problem, double reference)
+    : prepared_(std::move(terms)), terms_(prepared_->terms), problem_(&problem), reference_(reference)
 {
-    conserve_heat(terms_);
     require_fit(terms_, problem);
-    films_ = Eigen::MatrixXd::Zero(terms_.solid.rows(), terms_.solid.cols());
+    for (std::size_t s = 0; s < problem.surfaces.size(); ++s)
+        if (heat::follows_temperature(problem.surfaces[s]) && geometry().surface_area[s] > 0)
+            following_.push_back(s);
+    follows_ = std::ranges::any_of(problem.surfaces, heat::follows_temperature);
+    slopes_.assign(problem.surfaces.size(), 0.0);
+    for (const std::size_t s : following_) {
+        const Row first = prepared_->first_deviation[s], count = prepared_->first_deviation[s + 1] - first;
+        if (!runs_.empty() && runs_.back().first + runs_.back().count == first)
+            runs_.back().count += count;
+        else
+            runs_.push_back({first, count});
+    }
 }
+
+DenseSystem::DenseSystem(DenseTerms terms, const HeatProblem& problem, double reference)
+    : DenseSystem(std::make_shared<const PreparedTerms>(std::move(terms)), problem, reference)
+{}
 
 void DenseSystem::combine(const std::vector<heat::Scaled<Vector>>& sum, Vector& result) const
 {
@@ -90,19 +119,30 @@ double DenseSystem::largest(const Vector& vector) const
     return result;
 }
 
+// One product for each run of functionals that follow each other.
 std::vector<double> DenseSystem::evaluate(std::span<const std::size_t> which, const Vector& vector) const
 {
-    std::vector<double> values;
-    values.reserve(which.size());
-    for (const std::size_t index : which)
-        values.push_back(terms_.functionals.row(static_cast<Eigen::Index>(index)).dot(vector));
+    std::vector<double> values(which.size());
+    for (std::size_t begin = 0, end = 0; begin < which.size(); begin = end) {
+        for (end = begin + 1; end < which.size() && which[end] == which[end - 1] + 1; ++end) {
+        }
+        const auto count = static_cast<Row>(end - begin);
+        Eigen::Map<Vector>(&values[begin], count).noalias() =
+            terms_.functionals.middleRows(static_cast<Row>(which[begin]), count) * vector;
+    }
     return values;
 }
 
 void DenseSystem::add_loads(const std::vector<double>& watts, Vector& vector) const
 {
-    const Eigen::Map<const Vector> by_functional(watts.data(), static_cast<Eigen::Index>(watts.size()));
-    vector.noalias() += terms_.functionals.transpose() * by_functional;
+    for (std::size_t begin = 0, end = 0; begin < watts.size(); begin = end + 1) {
+        for (end = begin; end < watts.size() && watts[end] != 0; ++end) {
+        }
+        const auto count = static_cast<Row>(end - begin);
+        if (count > 0)
+            vector.noalias() += terms_.functionals.middleRows(static_cast<Row>(begin), count).transpose() *
+                                Eigen::Map<const Vector>(&watts[begin], count);
+    }
 }
 
 std::vector<double> DenseSystem::observe(const Vector& vector, const Vector&, bool is_slope) const
@@ -126,47 +166,97 @@ void DenseSystem::widen(const Vector& temperature, std::vector<double>& lowest, 
     }
 }
 
-void DenseSystem::forget_factors()
+std::vector<PackedTerm> DenseSystem::terms_of(const std::vector<InterfaceLaw>& laws) const
 {
-    factors_.clear();
-    factor_ = -1;
+    std::vector<PackedTerm> result;
+    const auto add = [&](double coefficient, std::size_t term) {
+        if (coefficient != 0)
+            result.push_back({coefficient, &prepared_->packed[term]});
+    };
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+        const double a = laws[i].film_a, b = laws[i].film_b, oil = laws[i].oil, all = a + b + oil;
+        const auto& joint = terms_.joints[i];
+        if ((laws[i].turns_fully ? joint.turning : joint.between).is_missing())
+            throw InputError(laws[i].turns_fully ? "a joint turns fully that did not when its terms were made"
+                                                 : "a joint does not turn fully that did when its terms were made");
+        add(a * oil / all, 4 * i);
+        add(b * oil / all, 4 * i + 1);
+        add(a * b / all, 4 * i + (laws[i].turns_fully ? 3 : 2));
+    }
+    for (std::size_t s = 0; s < terms_.films.size(); ++s)
+        if (const auto& c = problem_->surfaces[s];
+            c.kind == SurfaceCondition::Kind::film && !heat::follows_temperature(c))
+            add(c.coefficient, 4 * laws.size() + s);
+    return result;
 }
 
 void DenseSystem::set_laws(const std::vector<InterfaceLaw>& laws, const std::vector<heat::Loads>& source_loads)
 {
-    stiffness_ = terms_.solid;
-    for (std::size_t i = 0; i < laws.size(); ++i)
-        add_joint(terms_.joints[i], laws[i], stiffness_);
-    for (std::size_t s = 0; s < terms_.films.size(); ++s)
-        if (const auto& c = problem_->surfaces[s];
-            c.kind == SurfaceCondition::Kind::film && !heat::follows_temperature(c))
-            add_term(c.coefficient, terms_.films[s], stiffness_);
-    fill_upper(stiffness_);
-    loads_.setZero(terms_.uniform.size(), static_cast<Eigen::Index>(source_loads.size()));
-    for (std::size_t r = 0; r < source_loads.size(); ++r)
-        for (const auto& [functional, weight] : source_loads[r])
-            loads_.col(static_cast<Eigen::Index>(r)) +=
-                weight * terms_.functionals.row(static_cast<Eigen::Index>(functional)).transpose();
-    forget_factors();
+    if (auto sum = terms_of(laws); sum != sum_ || stiffness_.size() == 0) {
+        sum_ = std::move(sum);
+        stiffness_ = lower_sum(terms_.solid, sum_);
+        reduced_ = false;
+    }
+    const auto sources = static_cast<Row>(source_loads.size());
+    Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(terms_.uniform.size(), sources);
+    for (Row r = 0; r < sources; ++r)
+        for (const auto& [functional, weight] : source_loads[static_cast<std::size_t>(r)])
+            loads.col(r) += weight * terms_.functionals.row(static_cast<Row>(functional)).transpose();
+    if (reduced_ && loads != loads_)
+        solver_.set_loads(loads);
+    loads_ = std::move(loads);
+    factor_ = -1;
+    adjoint_.clear();
 }
 
-double DenseSystem::mean(std::size_t surface, const Vector& temperature) const
+DenseSystem::Row DenseSystem::surface_row(std::size_t surface) const
 {
-    const auto row = static_cast<Eigen::Index>(geometry().layout.surface(surface));
-    return terms_.functionals.row(row).dot(temperature) / geometry().surface_area[surface];
+    return static_cast<Row>(geometry().layout.surface(surface));
 }
 
-// Temperature whose radiation a surface of a room receives, 0 for all others [K].
-std::vector<double> DenseSystem::irradiation(const Vector& temperature) const
+DenseSystem::Vector DenseSystem::surface_means(const Vector& temperature) const
+{
+    const auto count = static_cast<Row>(geometry().layout.surfaces);
+    Vector result(count);
+    result.noalias() = terms_.functionals.middleRows(surface_row(0), count) * temperature;
+    result.array() /= Eigen::Map<const Eigen::ArrayXd>(geometry().surface_area.data(), count);
+    return result;
+}
+
+DenseSystem::Vector DenseSystem::deviations(const Vector& temperature) const
+{
+    Vector result(prepared_->deviations.rows());
+    for (const auto& [first, count] : runs_)
+        result.segment(first, count).noalias() = prepared_->deviations.middleRows(first, count) * temperature;
+    return result;
+}
+
+std::vector<double> DenseSystem::variances(const Vector& deviations) const
+{
+    std::vector<double> result(problem_->surfaces.size(), 0.0);
+    for (const std::size_t s : following_) {
+        const Row first = prepared_->first_deviation[s], count = prepared_->first_deviation[s + 1] - first;
+        result[s] = deviations.segment(first, count).squaredNorm() / geometry().surface_area[s];
+    }
+    return result;
+}
+
+// Temperature whose radiation a surface of a room receives, 0 for all others [K]: by the means of T^4.
+std::vector<double> DenseSystem::irradiation(const Vector& means, const std::vector<double>& variances) const
 {
     std::vector<double> result(problem_->surfaces.size(), 0.0);
     for (const auto& room : problem_->radiation) {
         const std::size_t count = room.surfaces.size();
+        std::vector<double> fourth_power;
+        for (const int surface : room.surfaces) {
+            const double mean = means[surface];
+            fourth_power.push_back(mean * mean * (mean * mean + 6 * variances[static_cast<std::size_t>(surface)]));
+        }
         for (std::size_t i = 0; i < count; ++i) {
             double received = 0, all = 0;
             for (std::size_t j = 0; j < count; ++j) {
                 const double exchange = room.exchange[i * count + j];
-                received += exchange * std::pow(mean(static_cast<std::size_t>(room.surfaces[j]), temperature), 4);
+                received += exchange * fourth_power[j];
                 all += exchange;
             }
             result[static_cast<std::size_t>(room.surfaces[i])] = std::sqrt(std::sqrt(received / all));
@@ -175,45 +265,72 @@ std::vector<double> DenseSystem::irradiation(const Vector& temperature) const
     return result;
 }
 
+// The matrix of a film is that of its first column, which gives the mean, and that of the deviations.
 heat::FilmHeat DenseSystem::add_films(const std::vector<heat::FilmAt>& films, const Vector& temperature,
                                       Vector& watts) const
 {
     const std::size_t count = problem_->surfaces.size();
     heat::FilmHeat heat{std::vector<double>(count, 0.0), std::vector<double>(count, 0.0),
                         std::vector<double>(count, 0.0)};
-    const auto received = irradiation(temperature);
+    const Vector means = surface_means(temperature);
+    Vector away = deviations(temperature);
+    const auto spread = variances(away);
+    const auto received = irradiation(means, spread);
+    std::vector<double> fluxes(count, 0.0);
     for (const auto& film : films) {
-        const double at = mean(film.surface, temperature), area = geometry().surface_area[film.surface];
-        const LawValue value = film.law(at);
-        const bool in_room = received[film.surface] > 0;
-        const double inside = in_room ? heat::film_flux({}, film.emissivity, at, received[film.surface]) : 0;
-        const double flux = inside + heat::film_flux(value, in_room ? 0 : film.emissivity, at, film.surroundings);
-        const double slope = heat::film_slope(value, film.emissivity, at, film.surroundings);
-        const auto row = static_cast<Eigen::Index>(geometry().layout.surface(film.surface));
-        const auto& factor = terms_.films[film.surface].factor;
-        watts -= (flux - slope * at) * terms_.functionals.row(row).transpose() +
-                 slope * (factor * (factor.transpose() * temperature));
-        heat.lost[film.surface] = area * flux;
-        heat.to_surfaces[film.surface] = area * inside;
-        heat.untested[film.surface] = value.in_range ? 0 : area;
+        const std::size_t s = film.surface;
+        const double area = geometry().surface_area[s];
+        if (!(area > 0))
+            continue;
+        const auto [value, inside, outside, slope] = at_mean(film, means[static_cast<Row>(s)], spread[s], received[s]);
+        const Row first = prepared_->first_deviation[s], size = prepared_->first_deviation[s + 1] - first;
+        away.segment(first, size) *= slope;
+        fluxes[s] = -(inside + outside);
+        heat.lost[s] = area * (inside + outside);
+        heat.to_surfaces[s] = area * inside;
+        heat.untested[s] = value.in_range ? 0 : area;
     }
+    watts.noalias() += terms_.functionals.middleRows(surface_row(0), static_cast<Row>(count)).transpose() *
+                       Eigen::Map<const Vector>(fluxes.data(), static_cast<Row>(count));
+    for (const auto& [first, size] : runs_)
+        watts.noalias() -= prepared_->deviations.middleRows(first, size).transpose() * away.segment(first, size);
     return heat;
 }
 
 void DenseSystem::add_film_slopes(const std::vector<heat::FilmAt>& films, const Vector& temperature, Vector& load) const
 {
+    const Vector means = surface_means(temperature);
     for (const auto& film : films) {
-        const double at = mean(film.surface, temperature);
-        const auto row = static_cast<Eigen::Index>(geometry().layout.surface(film.surface));
-        load += heat::film_slope(film.law(at), 0, at, film.surroundings) * terms_.functionals.row(row).transpose();
+        const double at = means[static_cast<Row>(film.surface)];
+        load += heat::film_slope(film.law(at), 0, at, film.surroundings) *
+                terms_.functionals.row(surface_row(film.surface)).transpose();
     }
 }
 
-Eigen::MatrixXd DenseSystem::stage_of(double factor) const
+Eigen::MatrixXd DenseSystem::with_slopes(const std::vector<double>& slopes) const
 {
-    Eigen::MatrixXd result = factor * (stiffness_ + films_);
-    result.diagonal().array() += 1;
-    return result;
+    std::vector<PackedTerm> terms;
+    for (const std::size_t s : following_)
+        terms.push_back({slopes[s], &prepared_->packed[4 * terms_.joints.size() + s]});
+    return lower_sum(stiffness_, terms);
+}
+
+// With the slopes r of the solver's matrix, Newton's method reduces its error in each iteration by at least
+// d |q' - r| f / (1 + d r f), conduction left out, for the stiffest pattern f of a film.
+bool DenseSystem::reduced_slopes_serve(double factor) const
+{
+    return std::ranges::all_of(following_, [&](std::size_t s) {
+        const double stiffest = factor * prepared_->stiffest_film[s], reduced = reduced_slopes_[s];
+        return stiffest * std::abs(slopes_[s] - reduced) <= largest_contraction * (1 + stiffest * reduced);
+    });
+}
+
+void DenseSystem::reduce()
+{
+    reduced_slopes_ = slopes_;
+    solver_.set_matrix(follows_ ? with_slopes(slopes_) : stiffness_);
+    solver_.set_loads(loads_);
+    reduced_ = true;
 }
 
 bool DenseSystem::build(double factor, const Vector& temperature, const std::vector<heat::FilmAt>& films)
@@ -221,84 +338,62 @@ bool DenseSystem::build(double factor, const Vector& temperature, const std::vec
     if (factor == factor_ && !follows_)
         return false;
     if (follows_) {
-        forget_factors();
-        films_.setZero();
-        for (const auto& film : films) {
-            const double at = mean(film.surface, temperature);
-            add_term(heat::film_slope(film.law(at), film.emissivity, at, film.surroundings), terms_.films[film.surface],
-                     films_);
+        const Vector means = surface_means(temperature);
+        for (const auto& [surface, law, emissivity, surroundings] : films) {
+            const double at = means[static_cast<Row>(surface)];
+            slopes_[surface] = heat::film_slope(law(at), emissivity, at, surroundings);
         }
-        fill_upper(films_);
     }
+    if (!reduced_ || !reduced_slopes_serve(factor))
+        reduce();
     factor_ = factor;
-    stage_ = stage_of(factor);
     return true;
 }
 
-const DenseSystem::Factored& DenseSystem::factored(double factor)
-{
-    if (const auto found = factors_.find(factor); found != factors_.end())
-        return found->second;
-    if (factors_.size() >= most_factors)
-        factors_.clear();
-    auto& result = factors_[factor];
-    result.matrix.compute(stage_);
-    if (result.matrix.info() != Eigen::Success || !stage_.allFinite())
-        throw heat::NotFinite("the matrix of a stage is not positive definite, or holds a value that is not finite");
-    result.solved_loads = result.matrix.solve(loads_);
-    result.products = loads_.transpose() * result.solved_loads;
-    return result;
-}
-
-// (A - L C L^T) x = b by  x = A^-1 b + Z (1 - C L^T Z)^-1 C L^T A^-1 b,  Z = A^-1 L.
 int DenseSystem::solve(const Vector& right, Vector& solution, const heat::LowRank<Vector>& low_rank,
                        heat::SolveTolerance, const std::string&)
 {
-    const auto& found = factored(factor_);
-    solution = found.matrix.solve(right);
-    const auto sources = static_cast<Eigen::Index>(low_rank.source_slopes.size());
-    const auto others = static_cast<Eigen::Index>(low_rank.others.size());
-    const Eigen::Index count = sources + others;
-    if (count == 0)
-        return 1;
-    Eigen::VectorXd coefficients(count);
-    Eigen::MatrixXd loads(right.size(), count), solved(right.size(), count);
-    for (Eigen::Index r = 0; r < sources; ++r)
-        coefficients[r] = factor_ * low_rank.source_slopes[static_cast<std::size_t>(r)];
-    loads.leftCols(sources) = loads_.leftCols(sources);
-    solved.leftCols(sources) = found.solved_loads.leftCols(sources);
-    for (Eigen::Index k = 0; k < others; ++k) {
+    solver_.set_shift(factor_);
+    Vector of_loads = Vector::Zero(solver_.loads());
+    for (std::size_t r = 0; r < low_rank.source_slopes.size(); ++r)
+        of_loads[static_cast<Row>(r)] = factor_ * low_rank.source_slopes[r];
+    const auto others = static_cast<Row>(low_rank.others.size());
+    Eigen::MatrixXd loads(right.size(), others);
+    Vector of_others(others);
+    for (Row k = 0; k < others; ++k) {
         const auto& [coefficient, load] = low_rank.others[static_cast<std::size_t>(k)];
-        coefficients[sources + k] = coefficient;
-        loads.col(sources + k) = *load;
-        solved.col(sources + k) = found.matrix.solve(*load);
+        of_others[k] = coefficient;
+        loads.col(k) = *load;
     }
-    const Eigen::MatrixXd products = others == 0 ? found.products : Eigen::MatrixXd(loads.transpose() * solved);
-    const Eigen::MatrixXd small = Eigen::MatrixXd::Identity(count, count) - coefficients.asDiagonal() * products;
-    const Eigen::VectorXd wanted = coefficients.cwiseProduct(loads.transpose() * solution);
-    solution += solved * small.partialPivLu().solve(wanted);
+    solver_.solve(right, of_loads, loads, of_others, solution);
     return 1;
 }
 
-void DenseSystem::begin_adjoint() { forget_factors(); }
+void DenseSystem::begin_adjoint()
+{
+    with_films_ = stiffness_;
+    adjoint_.clear();
+}
 
 void DenseSystem::set_film_coefficients(const std::vector<double>& coefficients)
 {
-    films_.setZero();
-    for (std::size_t s = 0; s < coefficients.size(); ++s)
-        if (heat::follows_temperature(problem_->surfaces[s]))
-            add_term(coefficients[s], terms_.films[s], films_);
-    fill_upper(films_);
-    forget_factors();
+    with_films_ = with_slopes(coefficients);
+    adjoint_.clear();
 }
+
+const Eigen::MatrixXd& DenseSystem::of_adjoint() const { return follows_ ? with_films_ : stiffness_; }
 
 int DenseSystem::solve_adjoint(double factor, const Vector& right, Vector& solution)
 {
-    if (factor != factor_) {
-        factor_ = factor;
-        stage_ = stage_of(factor);
+    auto found = adjoint_.find(factor);
+    if (found == adjoint_.end()) {
+        if (adjoint_.size() >= most_factors)
+            adjoint_.clear();
+        Eigen::MatrixXd matrix = factor * of_adjoint();
+        matrix.diagonal().array() += 1;
+        found = adjoint_.emplace(factor, matrix).first;
     }
-    solution = factored(factor).matrix.solve(right);
+    solution = found->second.solve(right);
     return 1;
 }
 

@@ -5,9 +5,11 @@
 #include "deadpoint/heat/functionals.hpp"
 #include "deadpoint/heat/system.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
+#include "deadpoint/reduce/online/shifted_solver.hpp"
 
 #include <Eigen/Dense>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,18 +23,27 @@ struct InterfaceLaw;
 namespace deadpoint::reduce {
 
 /// The system of heat/system.hpp on the terms of reduce/online/dense_terms. It has no prescribed temperatures and no
-/// materials over temperature. A convection law is evaluated at its surface's mean temperature T_m, with its tangent
-/// there:
-///   q(T) = q(T_m) + q'(T_m) (T - T_m),
-/// so that the heat of the surface is that of the mean temperature. Factors of 1 + d K are kept per
-/// d; terms of low rank are solved by Woodbury's formula.
+/// materials over temperature.
+///
+/// A film that follows the temperature is evaluated at its surface's mean temperature T_m with its tangent there, and
+/// with the variance of the temperature over the surface:
+///   q(T) = q(T_m) + q'(T_m) (T - T_m) + q''(T_m) / 2 var,   var = mean of (T - T_m)^2.
+/// So the heat of the surface is right to third order in T - T_m. For radiation q'' is exact. For convection
+///   q''(T_m) var = q(T_m + s) + q(T_m - s) - 2 q(T_m),   s^2 = var,
+/// which is right to the same order, and holds where a law bends sharply, as natural convection at the air's
+/// temperature.
+///
+/// The matrix of a stage holds slopes q' of an earlier time where they differ little: it is reduced to tridiagonal form
+/// anew only if Newton's method would converge too slowly with them. The balance always has the present slopes.
 class DenseSystem {
 public:
     using Vector = Eigen::VectorXd;
 
+    /// @param terms  shared by any number of systems
     /// @param reference  temperature at which observed functionals are zero [K]
-    /// @throws InputError if the terms do not fit the problem or each other (see conserve_heat()), or the problem
-    ///         prescribes a temperature
+    /// @throws InputError if the terms do not fit the problem, or the problem prescribes a temperature
+    DenseSystem(std::shared_ptr<const PreparedTerms> terms, const HeatProblem& problem, double reference = 0);
+    /// @throws InputError as PreparedTerms also
     DenseSystem(DenseTerms terms, const HeatProblem& problem, double reference = 0);
     DenseSystem(const DenseSystem&) = delete;
 
@@ -62,8 +73,15 @@ public:
     [[nodiscard]] bool follows_temperature() const { return follows_; }
     [[nodiscard]] bool is_linear() const { return !follows_; }
     void store(const Vector& temperature, Vector& stored) const { stored = temperature; }
-    void conduct(const Vector& temperature, Vector& out) const { out.noalias() = stiffness_ * temperature; }
-    void apply_stage(const Vector& in, Vector& out) const { out.noalias() = stage_ * in; }
+    void conduct(const Vector& temperature, Vector& out) const
+    {
+        out.noalias() = stiffness_.selfadjointView<Eigen::Lower>() * temperature;
+    }
+    void apply_stage(const Vector& in, Vector& out) const
+    {
+        out = in;
+        out.noalias() += factor_ * (stiffness_.selfadjointView<Eigen::Lower>() * in);
+    }
     [[nodiscard]] double stored_between(const Vector& from, const Vector& to) const
     {
         return terms_.uniform.dot(to - from);
@@ -91,7 +109,10 @@ public:
     void begin_adjoint();
     void set_film_coefficients(const std::vector<double>& coefficients);
     void apply_mass(const Vector& in, Vector& out) const { out = in; }
-    void apply_stiffness(const Vector& in, Vector& out) const { out.noalias() = stiffness_ * in + films_ * in; }
+    void apply_stiffness(const Vector& in, Vector& out) const
+    {
+        out.noalias() = of_adjoint().selfadjointView<Eigen::Lower>() * in;
+    }
     int solve_adjoint(double factor, const Vector& right, Vector& solution);
     [[nodiscard]] std::vector<double> prescribed_shares(const Vector&, const Vector&, double, double) const
     {
@@ -100,25 +121,39 @@ public:
     [[nodiscard]] std::vector<double> start_shares(const Vector& weights, const Vector& start, double reference) const;
 
 private:
-    /// Of 1 + factor (K + films), and the products of the sources' loads for Woodbury's formula.
-    struct Factored {
-        Eigen::LLT<Eigen::MatrixXd> matrix;
-        Eigen::MatrixXd solved_loads;  ///< A^-1 L
-        Eigen::MatrixXd products;      ///< L^T A^-1 L
+    using Row = Eigen::Index;
+    [[nodiscard]] std::vector<PackedTerm> terms_of(const std::vector<InterfaceLaw>& laws) const;
+    [[nodiscard]] Row surface_row(std::size_t surface) const;
+    /// Rows of PreparedTerms::deviations of the films that follow the temperature.
+    struct Run {
+        Row first = 0, count = 0;
     };
-    [[nodiscard]] const Factored& factored(double factor);
-    [[nodiscard]] double mean(std::size_t surface, const Vector& temperature) const;
-    [[nodiscard]] std::vector<double> irradiation(const Vector& temperature) const;
-    [[nodiscard]] Eigen::MatrixXd stage_of(double factor) const;
-    void forget_factors();
+    [[nodiscard]] Vector deviations(const Vector& temperature) const;
+    [[nodiscard]] Vector surface_means(const Vector& temperature) const;
+    [[nodiscard]] std::vector<double> variances(const Vector& deviations) const;
+    [[nodiscard]] std::vector<double> irradiation(const Vector& means, const std::vector<double>& variances) const;
+    [[nodiscard]] Eigen::MatrixXd with_slopes(const std::vector<double>& slopes) const;
+    [[nodiscard]] bool reduced_slopes_serve(double factor) const;
+    void reduce();
+    [[nodiscard]] const Eigen::MatrixXd& of_adjoint() const;
 
-    DenseTerms terms_;
+    std::shared_ptr<const PreparedTerms> prepared_;
+    const DenseTerms& terms_;
     const HeatProblem* problem_;
     double reference_;
-    bool follows_;
-    Eigen::MatrixXd stiffness_, films_, stage_, loads_;  ///< loads_: a column per source
+    bool follows_ = false;
+    std::vector<PackedTerm> sum_;  ///< of stiffness_, besides the solids
+    Eigen::MatrixXd stiffness_;    ///< lower half: K without films that follow the temperature
+    Eigen::MatrixXd with_films_;   ///< lower half: K with their coefficients, for the adjoint
+    std::vector<Run> runs_;
+    Eigen::MatrixXd loads_;               ///< a column per source
+    std::vector<std::size_t> following_;  ///< surfaces whose films follow the temperature
+    std::vector<double> slopes_;          ///< of the last build(), per surface [W/m2/K]
+    std::vector<double> reduced_slopes_;  ///< those in the matrix of the solver
+    bool reduced_ = false;                ///< the solver has the present matrix
     double factor_ = -1;
-    std::map<double, Factored> factors_;  ///< by factor
+    ShiftedSolver solver_;
+    std::map<double, Eigen::LLT<Eigen::MatrixXd>> adjoint_;  ///< of the films' present coefficients, by factor
 };
 
 }  // namespace deadpoint::reduce

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <map>
+
+/// Internal to reduce/, since it shows Eigen.
+namespace deadpoint::reduce {
+
+/// Systems (1 + d K) x = b with a symmetric K >= 0 and any d >= 0, and terms of low rank beside.
+///
+/// K = Q T Q^T with a tridiagonal T is computed once, for 4 n^3/3 operations and as many again for Q. Each d then costs
+/// the factors of a tridiagonal matrix, and each solve two products with Q: a run with a dozen step sizes needs no
+/// dozen Cholesky factors of n^3/3.
+class ShiftedSolver {
+public:
+    /// @param matrix  K, of which only the lower half is read
+    void set_matrix(const Eigen::MatrixXd& matrix);
+    /// @param loads  L of solve(), a column each
+    void set_loads(const Eigen::MatrixXd& loads);
+    /// @throws heat::NotFinite if 1 + d K is not positive definite or not finite
+    void set_shift(double d);
+    [[nodiscard]] Eigen::Index loads() const { return loads_.cols(); }
+
+    /// x = (1 + d K - L C L^T - N E N^T)^-1 right, with C and E diagonal:
+    ///   x = A^-1 b + Z (1 - C L^T Z)^-1 C L^T A^-1 b,   Z = A^-1 L   (Woodbury's formula)
+    /// @param of_loads  C, one for each load, or empty for none of them
+    /// @param others, of_others  N and E
+    void solve(const Eigen::VectorXd& right, const Eigen::VectorXd& of_loads, const Eigen::MatrixXd& others,
+               const Eigen::VectorXd& of_others, Eigen::VectorXd& solution);
+
+private:
+    using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    /// 1 + d T = L D L^T, and the loads of all solves: in the basis of T.
+    struct Shifted {
+        Eigen::VectorXd below, pivots;  ///< of L; 1 / D
+        RowMatrix solved;               ///< (1 + d T)^-1 loads
+        Eigen::MatrixXd products;       ///< loads^T solved
+    };
+    [[nodiscard]] Shifted factored(double d) const;
+    static void solve_in_place(const Shifted& factor, Eigen::VectorXd& vector);
+    void correct(const RowMatrix& loads, const Shifted& factor, const Eigen::VectorXd& coefficients);
+    void correct_with_others(const Eigen::VectorXd& of_loads, const Eigen::MatrixXd& others,
+                             const Eigen::VectorXd& of_others);
+
+    Eigen::Tridiagonalization<Eigen::MatrixXd> tridiagonal_;
+    Eigen::MatrixXd basis_;              ///< Q
+    Eigen::VectorXd diagonal_, beside_;  ///< of T
+    RowMatrix loads_;                    ///< Q^T L
+    std::map<double, Shifted> shifted_;  ///< by d
+    const Shifted* present_ = nullptr;
+    Eigen::VectorXd work_, small_work_;
+};
+
+}  // namespace deadpoint::reduce
