@@ -1,9 +1,12 @@
 #include "deadpoint/exchange/face_points.hpp"
 
+#include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/exchange/round_edges.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace deadpoint {
 namespace {
@@ -97,6 +100,18 @@ double face_volume(const Machine& machine, const Face& face)
         sum += at.weight * dot(place.position, cross(place.along_r, place.along_s)) / 3;
     }
     return sum;
+}
+
+std::vector<SurfaceFace> faces_of(const Machine& machine, const SurfaceCondition& condition)
+{
+    const auto& faces = machine.surfaces[static_cast<std::size_t>(condition.surface)].faces;
+    if (condition.part < 0)
+        return faces;
+    std::vector<SurfaceFace> result;
+    std::ranges::copy_if(faces, std::back_inserter(result), [&](const SurfaceFace& face) {
+        return machine.faces[face.face].part == static_cast<std::uint32_t>(condition.part);
+    });
+    return result;
 }
 
 }  // namespace deadpoint

@@ -8,6 +8,8 @@ namespace deadpoint {
 
 struct Face;
 struct Machine;
+struct SurfaceCondition;
+struct SurfaceFace;
 
 struct FacePoint {
     Vec3 position{};
@@ -18,6 +20,9 @@ struct FacePoint {
 /// on a triangle, on the surface that round edges span. The weights sum to the face's area (to rounding, where the face
 /// is flat and its edges are straight).
 std::vector<FacePoint> face_points(const Machine& machine, const Face& face);
+
+/// The faces of a condition: of its surface, or those of them on its part.
+std::vector<SurfaceFace> faces_of(const Machine& machine, const SurfaceCondition& condition);
 
 /// Area of an exterior face [m2]: of its points where its edges are round, else of its triangles.
 double face_area(const Machine& machine, const Face& face);

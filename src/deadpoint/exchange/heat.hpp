@@ -80,6 +80,7 @@ struct SurfaceCondition {
     enum class Kind { film, temperature, flux };
     std::string name;
     int surface = -1;  ///< index into Machine::surfaces
+    int part = -1;     ///< only the faces of that surface that lie on this part; -1: all of them
     Kind kind = Kind::film;
     double coefficient = 0;       ///< film [W/m2/K]
     std::vector<FilmLawAt> laws;  ///< film: one per segment, convection only; empty: the constant coefficient

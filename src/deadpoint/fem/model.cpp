@@ -11,6 +11,7 @@
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/elastic/stress_recovery.hpp"
 #include "deadpoint/fem/estimate/error_estimate.hpp"
+#include "deadpoint/fem/reduction/heat_projector.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/fem/transfer/fitted_transfer.hpp"
 #include "deadpoint/fem/transfer/transfer.hpp"
@@ -247,6 +248,13 @@ HeatCauses Model::heat_causes(const Adjoint& weights, std::size_t row)
 }
 
 void Model::release_heat() { implementation_->finished.reset(); }
+
+std::unique_ptr<HeatProjector> Model::projector(const HeatProblem& problem, const std::vector<Adjoint>& observed,
+                                                Attribution attribution)
+{
+    return std::make_unique<HeatProjector>(implementation_->space, implementation_->materials, problem,
+                                           ObservedAdjoints{observed, attribution});
+}
 
 void Model::start_from(const std::string& file)
 {

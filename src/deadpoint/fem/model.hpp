@@ -23,6 +23,7 @@ struct ThermalHistory;
 
 namespace deadpoint::fem {
 
+class HeatProjector;    // reduction/heat_projector.hpp
 struct CheckpointPlan;  // checkpoint.hpp
 
 /// Finite elements on the whole machine: transient heat conduction with contact layers in joints,
@@ -78,6 +79,10 @@ public:
     HeatCauses heat_causes(const Adjoint& weights, std::size_t row);
     /// Frees matrices and steps of the last heat().
     void release_heat();
+    /// The heat terms of a problem for a reduced model. The model must outlive it.
+    /// @param observed  recorded besides the functionals of the heat balance, as heat() does
+    std::unique_ptr<HeatProjector> projector(const HeatProblem& problem, const std::vector<Adjoint>& observed,
+                                             Attribution attribution);
 
     /// Starts the assembled problem from a state that write_state() wrote, on any number of ranks.
     /// @throws IoError if the file cannot be read or is cut short; InputError if it belongs to another mesh

@@ -128,7 +128,7 @@ void HeatFunctionals::prepare_surfaces(const HeatProblem& problem)
         if (condition.kind == SurfaceCondition::Kind::temperature)
             continue;
         Entries entries;
-        for (const auto& [index, fraction, central] : machine.surfaces[condition.surface].faces)
+        for (const auto& [index, fraction, central] : faces_of(machine, condition))
             for (const auto& point : face_points(machine, machine.faces[index])) {
                 space_.evaluate(index, point.position, false, shape);
                 append(entries, shape, fraction * point.weight);

@@ -31,7 +31,7 @@ double longest_segment(const HeatProblem& problem)
 
 bool same_place(const SurfaceCondition& a, const SurfaceCondition& b)
 {
-    return a.surface == b.surface && a.kind == b.kind && a.emissivity == b.emissivity &&
+    return a.surface == b.surface && a.part == b.part && a.kind == b.kind && a.emissivity == b.emissivity &&
            a.laws.empty() == b.laws.empty() && a.enclosure == b.enclosure;
 }
 
@@ -268,6 +268,9 @@ void HeatSystem::observe_with(Observation observation) { observation_ = observat
 StageMatrix& HeatSystem::stage() { return parts_->stage; }
 
 int HeatSystem::integrations() const { return parts_->matrices.integrations(); }
+HeatMatrices& HeatSystem::matrices() { return parts_->matrices; }
+const HeatFunctionals& HeatSystem::functionals() const { return parts_->functionals; }
+const std::vector<std::uint32_t>& HeatSystem::part_of_unknown() const { return parts_->maps.part_of_unknown(); }
 
 void HeatSystem::copy(const OwnedVec& from, OwnedVec& to) const { DEADPOINT_PETSC(VecCopy(from, to)); }
 

@@ -4,6 +4,7 @@
 #include "deadpoint/fem/space/petsc.hpp"
 #include "deadpoint/heat/system.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,6 +20,8 @@ struct Material;
 namespace deadpoint::fem {
 
 class Discretisation;
+class HeatFunctionals;
+class HeatMatrices;
 class StageMatrix;
 
 /// Values that a run records besides the functionals of the heat balance: functionals of the
@@ -46,6 +49,9 @@ public:
     [[nodiscard]] StageMatrix& stage();
     /// How often cells have been integrated.
     [[nodiscard]] int integrations() const;
+    [[nodiscard]] HeatMatrices& matrices();
+    [[nodiscard]] const HeatFunctionals& functionals() const;
+    [[nodiscard]] const std::vector<std::uint32_t>& part_of_unknown() const;
 
     // a vector space
     [[nodiscard]] OwnedVec make_vector() const;

@@ -39,6 +39,7 @@ struct DenseTerms {
     RowMatrix functionals;           ///< a row for each functional of the layout
     RowMatrix observed;              ///< a row for each further functional, of T - T_reference; or empty
     Eigen::VectorXd uniform;         ///< states of a temperature of 1 K everywhere
+    Eigen::MatrixXd parts;           ///< of 1 K on a part and 0 K elsewhere, a column for each; or empty
 };
 
 /// Removes from the terms what rounding and truncation changed in their heat, so that a run's energy balance closes

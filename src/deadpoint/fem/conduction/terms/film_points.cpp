@@ -50,7 +50,7 @@ void FilmPoints::prepare_points()
         const auto& condition = problem_->surfaces[s];
         if (!heat::follows_temperature(condition))
             continue;
-        for (const auto& [index, fraction, central] : machine.surfaces[condition.surface].faces) {
+        for (const auto& [index, fraction, central] : faces_of(machine, condition)) {
             if (!space_.cell(machine.faces[index].cell)->is_locally_owned())
                 continue;
             for (const auto& point : face_points(machine, machine.faces[index])) {

@@ -56,7 +56,7 @@ double largest_conductivity(const Material& material)
 
 HeatMatrices::HeatMatrices(const Discretisation& space, const std::vector<Material>& materials,
                            const HeatProblem& problem)
-    : space_(space), materials_(materials), joints_(space, problem), film_terms_(film_terms(space, problem))
+    : space_(space), materials_(materials), joints_(space, problem), film_terms_(fem::film_terms(space, problem))
 {
     create_matrices(std::ranges::any_of(problem.surfaces, heat::follows_temperature));
     DEADPOINT_PETSC(MatZeroEntries(stiffness_));
@@ -79,19 +79,26 @@ bool HeatMatrices::set_laws(const std::vector<InterfaceLaw>& laws)
     wanted_.joints = coefficients_of(laws);
     if (wanted_ == present_)
         return false;
-    if (!present_.joints.empty() && !solid_) {
-        DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_SHARE_NONZERO_PATTERN, solid_.out()));
-        DEADPOINT_PETSC(MatZeroEntries(solid_));
-        integrate_solid(solid_, nullptr, nullptr);
-    }
-    if (solid_)
-        DEADPOINT_PETSC(MatCopy(solid_, stiffness_, SAME_NONZERO_PATTERN));
+    if (solid_ || !present_.joints.empty())
+        DEADPOINT_PETSC(MatCopy(solid(), stiffness_, SAME_NONZERO_PATTERN));
     joints_.add_to(stiffness_, wanted_.joints);
     for (std::size_t s = 0; s < film_terms_.size(); ++s)
         film_terms_[s].add_to(stiffness_, wanted_.films[s]);
     finish(stiffness_);
     present_ = wanted_;
     return true;
+}
+
+Mat HeatMatrices::solid()
+{
+    if (!solid_ && present_.joints.empty())
+        keep_solid();
+    if (!solid_) {
+        DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_SHARE_NONZERO_PATTERN, solid_.out()));
+        DEADPOINT_PETSC(MatZeroEntries(solid_));
+        integrate_solid(solid_, nullptr, nullptr);
+    }
+    return solid_;
 }
 
 void HeatMatrices::keep_solid() { DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, solid_.out())); }

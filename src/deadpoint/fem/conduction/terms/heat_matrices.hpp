@@ -34,6 +34,11 @@ public:
     bool set_laws(const std::vector<InterfaceLaw>& laws);
 
     [[nodiscard]] Mat mass() const { return mass_; }
+    /// K_solid; integrates it if it was not kept.
+    [[nodiscard]] Mat solid();
+    [[nodiscard]] const std::vector<JointTerm>& joint_terms() const { return joints_.terms(); }
+    /// F_f per surface condition; empty where its coefficient depends on temperature.
+    [[nodiscard]] const std::vector<SparseTerm>& film_terms() const { return film_terms_; }
     /// K without terms that depend on temperature.
     [[nodiscard]] Mat stiffness() const { return stiffness_; }
     /// Convection terms that depend on temperature, filled elsewhere; null if there are none.

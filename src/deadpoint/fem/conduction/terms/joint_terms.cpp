@@ -221,7 +221,7 @@ std::vector<SparseTerm> film_terms(const Discretisation& space, const HeatProble
     for (std::size_t s = 0; s < terms.size(); ++s) {
         const auto& condition = problem.surfaces[s];
         if (condition.kind == SurfaceCondition::Kind::film && !heat::follows_temperature(condition))
-            for (const auto& [index, fraction, central] : space.machine.surfaces[condition.surface].faces) {
+            for (const auto& [index, fraction, central] : faces_of(space.machine, condition)) {
                 if (!space.cell(space.machine.faces[index].cell)->is_locally_owned())
                     continue;
                 for (const auto& point : face_points(space.machine, space.machine.faces[index])) {

@@ -44,6 +44,8 @@ public:
     /// they were integrated.
     [[nodiscard]] bool serve(const std::vector<InterfaceLaw>& laws) const;
     void add_to(Mat stiffness, const std::vector<JointCoefficients>& coefficients) const;
+    /// Per interface.
+    [[nodiscard]] const std::vector<JointTerm>& terms() const { return terms_; }
 
 private:
     /// Turning joints: per axial strip the moments of both sides' unknowns, (dof, zeroth, first).

@@ -30,7 +30,7 @@ void PrescribedTemperatures::find()
     for (std::size_t s = 0; s < problem_->surfaces.size(); ++s) {
         if (!is_prescribed(problem_->surfaces[s]))
             continue;
-        for (const auto& [index, fraction, central] : space_.machine.surfaces[problem_->surfaces[s].surface].faces) {
+        for (const auto& [index, fraction, central] : faces_of(space_.machine, problem_->surfaces[s])) {
             if (!central)
                 continue;
             const auto cell = space_.cell(space_.machine.faces[index].cell);

@@ -19,6 +19,14 @@ public:
     /// matrix += coefficient times the term, to be assembled by the caller. Collective with the other ranks' terms.
     void add_to(Mat matrix, double coefficient) const;
     [[nodiscard]] std::size_t entries() const { return values_.size(); }
+    /// Calls visit(row, column, value) for each entry of this rank, after finish().
+    template <class Visit>
+    void for_each(const Visit& visit) const
+    {
+        for (std::size_t r = 0; r < rows_.size(); ++r)
+            for (std::size_t k = starts_[r]; k < starts_[r + 1]; ++k)
+                visit(rows_[r], columns_[k], values_[k]);
+    }
 
 private:
     struct Entry {

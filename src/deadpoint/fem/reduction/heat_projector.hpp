@@ -1,0 +1,53 @@
+#pragma once
+
+#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/reduce/offline/full_model.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace deadpoint {
+struct HeatProblem;
+struct Material;
+}  // namespace deadpoint
+
+/// The heat terms of a machine on bases of temperature fields.
+namespace deadpoint::fem {
+
+class Discretisation;
+
+/// What a run of the reduced model records besides the functionals of the heat balance.
+struct ObservedAdjoints {
+    std::vector<Adjoint> adjoints;
+    Attribution attribution{-1};
+};
+
+/// The finite elements of a machine for the reduction (reduce/offline/full_model.hpp). Up to `largest_heat_factor`
+/// unknowns a sparse factor of each operator solves for blocks of loads, else multigrid for one load after the other.
+class HeatProjector final : public reduce::FullModel {
+public:
+    /// @param problem  with constant convection coefficients (its laws and emissivities are not read)
+    HeatProjector(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem,
+                  const ObservedAdjoints& observed);
+    ~HeatProjector() override;
+
+    [[nodiscard]] std::size_t load_count() const override;
+    [[nodiscard]] bool has_load(std::size_t load) const override;
+    void add_solutions(const HeatProblem& at, double shift, const std::vector<std::size_t>& loads) override;
+    void add_part(std::size_t part) override;
+    std::size_t orthonormalise(double least) override;
+    [[nodiscard]] reduce::DenseTerms project(const reduce::Truncation& truncation) override;
+    void combine(const Eigen::MatrixXd& combinations) override;
+
+    /// The field of states.
+    [[nodiscard]] Field lift(const Eigen::VectorXd& states) const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// Largest number of unknowns of the heat that are solved by a sparse factor, which then needs about 5 GB.
+inline constexpr long long largest_heat_factor = 1'000'000;
+
+}  // namespace deadpoint::fem

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "deadpoint/reduce/offline/box.hpp"
+#include "deadpoint/reduce/offline/build_options.hpp"
+#include "deadpoint/reduce/offline/difference.hpp"
+#include "deadpoint/reduce/offline/full_model.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace deadpoint {
+class Observer;
+}
+
+namespace deadpoint::reduce {
+
+/// A reduced model of two sizes. The large one says how far the small one is off.
+struct BuiltModels {
+    std::shared_ptr<const PreparedTerms> large, small;
+    RunDifference at_base, in_box;  ///< of the small model to the large one: at the problem's own values, anywhere
+    std::vector<std::pair<std::size_t, RunDifference>> by_size;  ///< number of states, largest difference in the box
+};
+
+/// Builds a reduced model in two stages.
+///
+/// 1. Fields (shift M + K)^-1 load at values drawn from the box, one load after the other, with shifts between
+///    1e-7 and 0.5 1/s. They are orthonormal in M; the large model is the Galerkin projection on them.
+/// 2. Training runs of the large model in the box. The small model has the states that occur most in them and in the
+///    dual problem of E_SW.
+/// The basis of the full model is that of the small model afterwards.
+/// @param base  with constant convection coefficients; its operation is trained, half of the runs with a pause
+BuiltModels build(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
+                  Observer& observer);
+
+/// A problem with values drawn from the box, and its operation: half of them with a pause of half an hour.
+HeatProblem drawn_problem(const HeatProblem& base, const Box& box, Draws& draws);
+
+}  // namespace deadpoint::reduce

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+
+namespace deadpoint::reduce {
+
+/// Largest error of a term that is cut to low rank, of its largest eigenvalue over the states.
+struct Truncation {
+    double joints = 1e-5;  ///< conduction between the sides of a joint, whose coefficients are large
+    double others = 1e-3;  ///< films, and conduction from a joint's sides to its oil
+};
+
+/// How a reduced model is built. The numbers are those of a study on the shipped press (docs/theory/reduced.md).
+struct BuildOptions {
+    int sets = 48;              ///< of coefficients that a basis field is solved for
+    int loads_per_set = 16;     ///< fields per set
+    double least = 2e-6;        ///< fields whose new share is smaller are dropped
+    int training_runs = 150;    ///< of the large model
+    double dual_share = 1e-2;   ///< weight of the dual states
+    std::size_t dual_row = 0;   ///< of the observed functionals: E_SW
+    bool has_dual = false;      ///< false: there is no such functional
+    int test_runs = 12;         ///< with coefficients that no training run had
+    std::size_t largest = 300;  ///< number of states of the small model
+    double temperature = 0.1;   ///< wanted error of the small model against the large one [K]
+    double gap = 5e-8;          ///< the same of E_SW [m]
+    std::size_t adjoints = 0;   ///< observed functionals; further rows split them by part
+    double reference = 293.15;  ///< temperature without deformation [K]
+    int threads = 1;
+    Truncation large{1e-7, 1e-5};
+    Truncation small{};
+};
+
+}  // namespace deadpoint::reduce

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "deadpoint/reduce/online/dense_terms.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace deadpoint {
+struct HeatProblem;
+}
+
+namespace deadpoint::reduce {
+
+struct Truncation;
+
+/// A machine by finite elements, as the reduction needs it: its matrices M and K(p) act on bases of temperature fields.
+///
+/// Surfaces have constant convection coefficients here. Every member is collective if the machine is distributed.
+class FullModel {
+public:
+    virtual ~FullModel() = default;
+
+    /// Loads that the heat balance knows: functionals of the layout, then those that are observed.
+    [[nodiscard]] virtual std::size_t load_count() const = 0;
+    /// False where a functional is zero.
+    [[nodiscard]] virtual bool has_load(std::size_t load) const = 0;
+    /// Solves (shift M + K) x = load for each load, with the coefficients of the problem's joints (HeatProblem::
+    /// interfaces) and surfaces, and adds the solutions to the basis.
+    /// @param shift [1/s]
+    virtual void add_solutions(const HeatProblem& at, double shift, const std::vector<std::size_t>& loads) = 0;
+    /// Adds a field to the basis: uniform on a part and zero elsewhere.
+    virtual void add_part(std::size_t part) = 0;
+    /// Makes the basis orthonormal in M. Its first field is uniform. Fields whose part that is new is below `least` of
+    /// them are dropped. @return number of fields
+    virtual std::size_t orthonormalise(double least) = 0;
+    /// The terms on the basis, which is orthonormal. All functionals are there.
+    [[nodiscard]] virtual DenseTerms project(const Truncation& truncation) = 0;
+    /// Replaces the basis by combinations of its fields. @param combinations a column for each
+    virtual void combine(const Eigen::MatrixXd& combinations) = 0;
+};
+
+}  // namespace deadpoint::reduce

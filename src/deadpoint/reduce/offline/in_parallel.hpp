@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace deadpoint::reduce {
+
+/// Calls work(0) to work(count - 1), each once, on several threads of which the caller is one. What one of them throws
+/// is thrown again at the end; the thread that met it takes no more work.
+void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
+
+}  // namespace deadpoint::reduce

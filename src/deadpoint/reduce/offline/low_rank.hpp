@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+
+/// Symmetric positive semidefinite matrices as factors of low rank, A = V V^T.
+namespace deadpoint::reduce {
+
+/// A times a block of columns.
+using SymmetricProduct = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
+
+/// V of a matrix that is known by its products: the eigenvectors whose eigenvalue is above `tolerance` times the
+/// largest, by Nystroem's approximation with random columns (Tropp, Yurtsever, Udell and Cevher, Fixed-rank
+/// approximation of a positive-semidefinite matrix from streaming data, 2017). The number of columns doubles until the
+/// smallest eigenvalue found is below the tolerance. Two calls give the same result.
+Eigen::MatrixXd low_rank_factor(const SymmetricProduct& product, Eigen::Index size, double tolerance);
+
+/// The same of a matrix that has this load on the uniform field u: A u = load. V keeps it exactly: its first column is
+/// load / sqrt(u . load), and what is left, A - load load^T / (u . load), is cut. A term of a film or of oil then takes
+/// no heat from a machine that is as warm as its surroundings.
+Eigen::MatrixXd low_rank_factor(const SymmetricProduct& product, const Eigen::VectorXd& load,
+                                const Eigen::VectorXd& uniform, double tolerance);
+
+/// V with fewer columns: eigenvalues of V V^T below `tolerance` times the largest are left out.
+Eigen::MatrixXd cut(const Eigen::MatrixXd& factor, double tolerance);
+/// The same with the first column kept, as above; the tolerance is that of all of V V^T.
+Eigen::MatrixXd cut_behind_first(const Eigen::MatrixXd& factor, double tolerance);
+
+}  // namespace deadpoint::reduce

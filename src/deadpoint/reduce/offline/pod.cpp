@@ -1,0 +1,66 @@
+#include "deadpoint/reduce/offline/pod.hpp"
+
+#include "deadpoint/reduce/offline/build_options.hpp"
+#include "deadpoint/reduce/offline/low_rank.hpp"
+
+#include <algorithm>
+
+namespace deadpoint::reduce {
+namespace {
+
+// Moments over their trace, without the uniform field.
+Eigen::MatrixXd weighted(const Moments& moments, const Eigen::VectorXd& unit)
+{
+    Eigen::MatrixXd full = moments.sum().selfadjointView<Eigen::Lower>();
+    const Eigen::VectorXd along = full * unit;
+    full -= along * unit.transpose() + unit * along.transpose() - unit.dot(along) * unit * unit.transpose();
+    const double trace = full.trace();
+    return trace > 0 ? Eigen::MatrixXd(full / trace) : full;
+}
+
+LowRankTerm combined(const LowRankTerm& term, const Eigen::MatrixXd& combinations, double tolerance, bool keep_first)
+{
+    if (term.is_missing())
+        return {};
+    const Eigen::MatrixXd factor = combinations.transpose() * term.factor;
+    return {keep_first ? cut_behind_first(factor, tolerance) : cut(factor, tolerance)};
+}
+
+}  // namespace
+
+void Moments::add(const Eigen::MatrixXd& states) { sum_.selfadjointView<Eigen::Lower>().rankUpdate(states); }
+
+Eigen::MatrixXd most_frequent(const Moments& moments, const Moments& duals, double dual_share,
+                              const Eigen::VectorXd& uniform, Eigen::Index count)
+{
+    const Eigen::VectorXd unit = uniform.normalized();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(weighted(moments, unit) +
+                                                                dual_share * weighted(duals, unit));
+    const Eigen::Index others = std::min(count, unit.size()) - 1;
+    Eigen::MatrixXd result(unit.size(), 1 + others);
+    result << unit, solver.eigenvectors().rightCols(others).rowwise().reverse();
+    // states that never occur are eigenvectors like any other, and may hold some of the uniform field
+    return Eigen::HouseholderQR<Eigen::MatrixXd>(result).householderQ() *
+           Eigen::MatrixXd::Identity(unit.size(), result.cols());
+}
+
+DenseTerms combined(const DenseTerms& terms, const Eigen::MatrixXd& combinations, const Truncation& truncation)
+{
+    DenseTerms result;
+    result.geometry = terms.geometry;
+    result.solid = combinations.transpose() * terms.solid * combinations;
+    for (const auto& joint : terms.joints)
+        result.joints.push_back({combined(joint.aa, combinations, truncation.others, true),
+                                 combined(joint.bb, combinations, truncation.others, true),
+                                 combined(joint.between, combinations, truncation.joints, false),
+                                 combined(joint.turning, combinations, truncation.joints, false)});
+    for (const auto& film : terms.films)
+        result.films.push_back(combined(film, combinations, truncation.others, true));
+    result.functionals = terms.functionals * combinations;
+    result.observed = terms.observed * combinations;
+    result.uniform = combinations.transpose() * terms.uniform;
+    result.parts = combinations.transpose() * terms.parts;
+    return result;
+}
+
+}  // namespace deadpoint::reduce

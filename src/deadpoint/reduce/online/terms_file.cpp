@@ -1,0 +1,88 @@
+#include "deadpoint/reduce/online/terms_file.hpp"
+
+#include "deadpoint/error.hpp"
+#include "deadpoint/reduce/online/dense_terms.hpp"
+
+#include <utility>
+
+namespace deadpoint::reduce {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+
+StoredMatrix<float> as_stored(const Matrix& matrix)
+{
+    const Eigen::MatrixXf rounded = matrix.cast<float>();
+    return {static_cast<std::uint64_t>(matrix.rows()),
+            static_cast<std::uint64_t>(matrix.cols()),
+            {rounded.data(), rounded.data() + rounded.size()}};
+}
+
+Matrix as_matrix(const StoredMatrix<float>& stored)
+{
+    if (stored.columns != 0 && stored.entries.size() / stored.columns != stored.rows)
+        throw InputError("a matrix of a reduced model has another number of entries than it says");
+    return Eigen::Map<const Eigen::MatrixXf>(stored.entries.data(), static_cast<Eigen::Index>(stored.rows),
+                                             static_cast<Eigen::Index>(stored.columns))
+        .cast<double>();
+}
+
+std::vector<double> lower_triangle(const Matrix& matrix)
+{
+    std::vector<double> entries;
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+        for (Eigen::Index i = j; i < matrix.rows(); ++i)
+            entries.push_back(matrix(i, j));
+    return entries;
+}
+
+Matrix symmetric(const std::vector<double>& entries, Eigen::Index size)
+{
+    if (static_cast<Eigen::Index>(entries.size()) != size * (size + 1) / 2)
+        throw InputError("the solid of a reduced model has another number of entries than states");
+    Matrix matrix(size, size);
+    auto entry = entries.begin();
+    for (Eigen::Index j = 0; j < size; ++j)
+        for (Eigen::Index i = j; i < size; ++i)
+            matrix(i, j) = matrix(j, i) = *entry++;
+    return matrix;
+}
+
+}  // namespace
+
+StoredTerms stored(const DenseTerms& terms)
+{
+    StoredTerms result;
+    result.solid = lower_triangle(terms.solid);
+    for (const auto& joint : terms.joints)
+        for (const auto* term : {&joint.aa, &joint.bb, &joint.between, &joint.turning})
+            result.joints.push_back(as_stored(term->factor));
+    for (const auto& film : terms.films)
+        result.films.push_back(as_stored(film.factor));
+    result.functionals = as_stored(terms.functionals.transpose());
+    result.observed = as_stored(terms.observed.transpose());
+    result.parts = as_stored(terms.parts);
+    return result;
+}
+
+void restore(const StoredTerms& stored, DenseTerms& terms)
+{
+    terms.parts = as_matrix(stored.parts);
+    terms.uniform = terms.parts.rowwise().sum();
+    terms.solid = symmetric(stored.solid, terms.uniform.size());
+    terms.functionals = as_matrix(stored.functionals).transpose();
+    terms.observed = as_matrix(stored.observed).transpose();
+    terms.joints.clear();
+    terms.films.clear();
+    if (stored.joints.size() % 4 != 0)
+        throw InputError("a joint of a reduced model lacks a term");
+    for (std::size_t i = 0; i < stored.joints.size(); i += 4)
+        terms.joints.push_back({{as_matrix(stored.joints[i])},
+                                {as_matrix(stored.joints[i + 1])},
+                                {as_matrix(stored.joints[i + 2])},
+                                {as_matrix(stored.joints[i + 3])}});
+    for (const auto& film : stored.films)
+        terms.films.push_back({as_matrix(film)});
+}
+
+}  // namespace deadpoint::reduce

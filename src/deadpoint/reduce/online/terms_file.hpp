@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace deadpoint::reduce {
+
+struct DenseTerms;
+
+/// A matrix as a file has it: its entries column after column.
+template <class Number>
+struct StoredMatrix {
+    std::uint64_t rows = 0, columns = 0;
+    std::vector<Number> entries;
+};
+template <class Number>
+constexpr auto members(const StoredMatrix<Number>*)
+{
+    return std::tuple{&StoredMatrix<Number>::rows, &StoredMatrix<Number>::columns, &StoredMatrix<Number>::entries};
+}
+
+/// Reduced terms as a file has them. The solid has 64 bits a number, since its slow modes are small beside its fast
+/// ones; everything else has 32 bits, which changes temperatures by less than 1e-4 K.
+struct StoredTerms {
+    std::vector<double> solid;                         ///< lower triangle, column after column [1/s]
+    std::vector<StoredMatrix<float>> joints;           ///< aa, bb, between, turning of each interface, factors
+    std::vector<StoredMatrix<float>> films;            ///< factors
+    StoredMatrix<float> functionals, observed, parts;  ///< transposed: a column for each row; parts as they are
+};
+constexpr auto members(const StoredTerms*)
+{
+    return std::tuple{&StoredTerms::solid,       &StoredTerms::joints,   &StoredTerms::films,
+                      &StoredTerms::functionals, &StoredTerms::observed, &StoredTerms::parts};
+}
+
+/// The numbers of terms, for a file. Their geometry is stored beside them.
+StoredTerms stored(const DenseTerms& terms);
+/// The terms again, as they were rounded. @param terms  with their geometry, which is kept
+/// @throws InputError if numbers of entries do not fit each other
+void restore(const StoredTerms& stored, DenseTerms& terms);
+
+}  // namespace deadpoint::reduce

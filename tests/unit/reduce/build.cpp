@@ -1,0 +1,125 @@
+#include "deadpoint/reduce/offline/build.hpp"
+
+#include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/reduce/online/reduced_run.hpp"
+#include "deadpoint/reduce/online/terms_file.hpp"
+#include "rods.hpp"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <numeric>
+
+using doctest::Approx;
+using namespace deadpoint;
+using namespace deadpoint::reduce;
+
+namespace {
+
+using Terms = std::shared_ptr<const PreparedTerms>;
+
+Terms prepared(DenseTerms terms) { return std::make_shared<const PreparedTerms>(std::move(terms)); }
+
+ThermalHistory run_on(const Terms& terms, const HeatProblem& problem)
+{
+    lumps::Quiet observer;
+    return ReducedRun(terms, problem, 1, 293).go({}, observer);
+}
+
+BuiltModels built(rods::RodModel& full)
+{
+    lumps::Quiet observer;
+    return build(full, rods::problem(), rods::box(), rods::options(), observer);
+}
+
+std::vector<HeatProblem> new_problems()
+{
+    Draws draws(99);
+    std::vector<HeatProblem> result{rods::problem()};
+    for (int k = 0; k < 8; ++k)
+        result.push_back(drawn_problem(rods::problem(), rods::box(), draws));
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("a reduced model answers as the full one, with coefficients it never saw")
+{
+    rods::RodModel full;
+    const auto models = built(full);
+    CHECK(models.small->terms.uniform.size() <= 20);
+    const auto terms = prepared(rods::full_terms());
+    for (const auto& problem : new_problems()) {
+        const auto exact = run_on(terms, problem);
+        const auto small = difference(run_on(models.small, problem), exact, 0);
+        const auto large = difference(run_on(models.large, problem), exact, 0);
+        const auto estimate = difference(run_on(models.small, problem), run_on(models.large, problem), 0);
+        CHECK(small.temperature < 0.1);   // twice what was asked for in the test runs of the build
+        CHECK(large.temperature < 1e-3);  // its fields span nearly all 60 states of the full model
+        CHECK(std::abs(estimate.temperature - small.temperature) <= large.temperature + 1e-12);
+        CHECK(std::abs(estimate.gap - small.gap) <= large.gap + 1e-15);
+    }
+}
+
+TEST_CASE("the small model is the smallest that is accurate enough")
+{
+    rods::RodModel full;
+    auto options = rods::options();
+    lumps::Quiet observer;
+    options.temperature = options.gap = 0;
+    const auto finest = build(full, rods::problem(), rods::box(), options, observer);
+    CHECK(finest.small->terms.uniform.size() == 20);
+    CHECK(full.basis.cols() == 20);
+    CHECK((full.basis.transpose() * full.basis - Eigen::MatrixXd::Identity(20, 20)).norm() < 1e-9);
+    REQUIRE(finest.by_size.size() == 1);
+    CHECK(finest.by_size[0].second.temperature == finest.in_box.temperature);
+}
+
+TEST_CASE("heat is conserved, and causes sum to the gap")
+{
+    rods::RodModel full;
+    const auto models = built(full);
+    for (const auto& problem : new_problems()) {
+        lumps::Quiet observer;
+        ReducedRun run(models.small, problem, 1, 293);
+        const auto history = run.go({}, observer);
+        CHECK(history.energy.mismatch() < 1e-9);
+        const auto causes = run.causes(models.small->terms.observed.row(0).transpose(), history.time.size() - 1);
+        const auto sum = [](const std::vector<double>& values) {
+            return std::accumulate(values.begin(), values.end(), 0.0);
+        };
+        const double all = sum(causes.friction) + sum(causes.oil) + sum(causes.surfaces) + causes.start;
+        CHECK(all == Approx(history.functionals[0].value.back()).epsilon(1e-9).scale(1e-6));
+    }
+}
+
+TEST_CASE("an error in the first minute of a segment does not count")
+{
+    ThermalHistory one, other;
+    one.time = other.time = {0, 30, 100, 100, 130, 200};
+    one.probes = {{{0, 5, 1, 1, 7, 1}, {0, 0, 0, 0, 0, 0}}};
+    other.probes = {{{0, 0, 0.5, 0.5, 0, 0.75}, {0, 0, 0, 0, 0, 0}}};
+    CHECK(difference(one, other, SIZE_MAX).temperature == Approx(0.5));
+}
+
+TEST_CASE("terms survive their way into a file")
+{
+    rods::RodModel full;
+    const auto models = built(full);
+    const auto kept = stored(models.small->terms);
+    DenseTerms again;
+    again.geometry = models.small->terms.geometry;
+    restore(kept, again);
+    CHECK((again.solid - models.small->terms.solid).norm() < 1e-12 * models.small->terms.solid.norm());
+    const auto problem = new_problems()[3];
+    const auto difference_by_rounding = difference(run_on(prepared(again), problem), run_on(models.small, problem), 0);
+    CHECK(difference_by_rounding.temperature < 1e-3);  // 300 K times the rounding of 32 bits, some ten times
+    CHECK(difference_by_rounding.gap < 1e-9);
+
+    auto broken = kept;
+    broken.solid.pop_back();
+    CHECK_THROWS_WITH_AS(restore(broken, again),
+                         "the solid of a reduced model has another number of entries than states", InputError);
+    broken = kept;
+    broken.films[0].entries.pop_back();
+    CHECK_THROWS_AS(restore(broken, again), InputError);
+}

@@ -1,0 +1,134 @@
+#include "deadpoint/reduce/offline/box.hpp"
+#include "deadpoint/reduce/offline/gram.hpp"
+#include "deadpoint/reduce/offline/low_rank.hpp"
+#include "deadpoint/reduce/offline/pod.hpp"
+#include "rods.hpp"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+using doctest::Approx;
+using namespace deadpoint;
+using namespace deadpoint::reduce;
+
+namespace {
+
+Eigen::MatrixXd columns_of(Eigen::Index rows, Eigen::Index count)
+{
+    Draws draws(7);
+    Eigen::MatrixXd result(rows, count);
+    for (double& value : result.reshaped())
+        value = draws.next() - 0.5;
+    return result;
+}
+
+// With eigenvalues 1, 1/10, 1/100 ...
+Eigen::MatrixXd with_falling_eigenvalues(Eigen::Index size)
+{
+    const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(columns_of(size, size)).householderQ();
+    Eigen::VectorXd values(size);
+    for (Eigen::Index k = 0; k < size; ++k)
+        values[k] = std::pow(10.0, -static_cast<double>(k));
+    return q * values.asDiagonal() * q.transpose();
+}
+
+}  // namespace
+
+TEST_CASE("orthonormal combinations of fields")
+{
+    Eigen::MatrixXd fields = columns_of(40, 8);
+    fields.col(5) = 2 * fields.col(3) - fields.col(1);  // nothing new
+    fields.col(2) *= 1e-9;                              // small, but new
+    const auto combinations = orthonormal_combinations(fields.transpose() * fields, 1e-6);
+    CHECK(combinations.cols() == 7);
+    const Eigen::MatrixXd basis = fields * combinations;
+    CHECK((basis.transpose() * basis - Eigen::MatrixXd::Identity(7, 7)).norm() < 1e-9);  // one pass of a Gram matrix
+    CHECK(std::abs(basis.col(0).dot(fields.col(0))) == Approx(fields.col(0).norm()));
+    const Eigen::VectorXd rest = fields.col(2) - basis * (basis.transpose() * fields.col(2));
+    CHECK(rest.norm() < 1e-9 * fields.col(2).norm());
+}
+
+TEST_CASE("factors of low rank leave out what is below the tolerance")
+{
+    const auto matrix = with_falling_eigenvalues(60);
+    const auto product = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd { return matrix * columns; };
+    for (const double tolerance : {1e-2, 1e-5, 1e-8}) {
+        const auto factor = low_rank_factor(product, 60, tolerance);
+        const double rank = -std::log10(tolerance);
+        CHECK(factor.cols() >= rank);
+        CHECK(factor.cols() <= rank + 1);
+        CHECK((factor * factor.transpose() - matrix).norm() < 1.2 * tolerance);  // the sum of those left out is 1.11
+    }
+    CHECK(low_rank_factor([](const Eigen::MatrixXd& c) -> Eigen::MatrixXd { return 0 * c; }, 60, 1e-5).cols() == 0);
+}
+
+TEST_CASE("a factor keeps the load of the uniform field exactly")
+{
+    const Eigen::MatrixXd root = columns_of(60, 45);
+    const Eigen::MatrixXd matrix = root * root.transpose();
+    const Eigen::VectorXd uniform = Eigen::VectorXd::Ones(60);
+    const Eigen::VectorXd load = matrix * uniform;
+    const auto product = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd { return matrix * columns; };
+    const auto factor = low_rank_factor(product, load, uniform, 0.05);
+    CHECK(factor.cols() < 45);
+    CHECK((factor * (factor.transpose() * uniform) - load).norm() < 1e-9 * load.norm());
+    const auto shorter = cut_behind_first(factor, 0.2);
+    CHECK(shorter.cols() < factor.cols());
+    CHECK((shorter * (shorter.transpose() * uniform) - load).norm() < 1e-9 * load.norm());
+    CHECK((cut(root, 1e-12) * cut(root, 1e-12).transpose() - matrix).norm() < 1e-9 * matrix.norm());
+}
+
+TEST_CASE("the most frequent states hold the uniform field and what runs did")
+{
+    const Eigen::VectorXd uniform = Eigen::VectorXd::Constant(30, 2);
+    const Eigen::MatrixXd directions = columns_of(30, 3);
+    Moments moments(30), none(30);
+    moments.add(directions * columns_of(3, 50) + 293 * uniform * Eigen::RowVectorXd::Ones(50));
+    const auto basis = most_frequent(moments, none, 1e-2, uniform, 4);
+    REQUIRE(basis.cols() == 4);
+    CHECK((basis.transpose() * basis - Eigen::MatrixXd::Identity(4, 4)).norm() < 1e-10);
+    for (const Eigen::VectorXd& field : {uniform, Eigen::VectorXd(directions.col(1))})
+        CHECK((field - basis * (basis.transpose() * field)).norm() < 1e-7 * field.norm());
+}
+
+TEST_CASE("draws are those of SplitMix64 on every machine")
+{
+    Draws draws(1234567);  // its first numbers in the literature: 6457827717110365317, 3203168211198807973
+    CHECK(draws.next() == static_cast<double>(6457827717110365317ULL >> 11) * 0x1p-53);
+    CHECK(draws.next() == static_cast<double>(3203168211198807973ULL >> 11) * 0x1p-53);
+}
+
+TEST_CASE("draws stay in the box, and one of five is without oil")
+{
+    Draws draws(1);
+    int without = 0;
+    double least = 1e9, most = 0;
+    for (int k = 0; k < 500; ++k) {
+        const auto values = draws.values(rods::box());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            CHECK(values[i] >= rods::box()[i].from);
+            CHECK(values[i] <= rods::box()[i].to);
+        }
+        without += values[4] == 0 ? 1 : 0;
+        least = std::min(least, values[0]);
+        most = std::max(most, values[0]);
+    }
+    CHECK(without > 60);  // 100 expected, with a standard deviation of 9
+    CHECK(without < 140);
+    CHECK(least < 0.22);  // even in the logarithm: 1.5 % of the draws are below 0.21
+    CHECK(most > 4.6);
+}
+
+TEST_CASE("values of a box change a problem")
+{
+    auto problem = rods::problem();
+    set_values(problem, rods::box(), {2, 1, 0.5, 4, 3, 0.7, -5});
+    CHECK(problem.surfaces[0].coefficient == 24);
+    CHECK(problem.surfaces[1].coefficient == 20);
+    CHECK(problem.interfaces[0].film_a == 1500);
+    CHECK(problem.interfaces[0].film_b == 8000);
+    CHECK(problem.interfaces[0].oil == 900);
+    CHECK(problem.sources[0].share == 0.7);
+    CHECK(problem.segments[0].ambient(0) == 293);
+    CHECK(problem.segments[0].ambient(1e6) == Approx(288));
+}
