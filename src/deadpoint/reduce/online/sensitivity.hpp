@@ -1,0 +1,83 @@
+#pragma once
+
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/heat/balance.hpp"
+#include "deadpoint/reduce/online/dense_terms.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace deadpoint {
+class Observer;
+}
+
+/// Derivatives of a reduced run's outputs by its coefficients. Internal to reduce/, since it shows Eigen.
+///
+/// A step of length dt from T_0 over T_m to T_1 (heat/tr_bdf2.hpp), with the rate f(T, p) and d = diagonal dt, solves
+///   T_m = T_0 + d (f_0 + f_m),    T_1 = bdf_middle T_m - bdf_now T_0 + d f_1.
+/// With J the derivative of f by T (slopes of friction heat included), f' that by a coefficient, and S the derivative
+/// of T by it,
+///   (1 - d J_m) S_m = (1 + d J_0) S_0 + d (f'_0 + f'_m),    (1 - d J_1) S_1 = bdf_middle S_m - bdf_now S_0 + d f'_1.
+/// Weights l_1 on T_1 give those on T_0, and what the step adds to the gradient, by the transposed step:
+///   (1 - d J_1)^T y_2 = l_1,    (1 - d J_m)^T y_1 = bdf_middle y_2,    l_0 = (1 + d J_0)^T y_1 - bdf_now y_2,
+///   d (y_1 . (f'_0 + f'_m) + y_2 . f'_1).
+/// Both are the derivatives of the steps as they are, with their lengths held. They take the equations of the stages as
+/// solved: where a heat law is curved or depends on its rings, Newton's method leaves 1e-5 of the heat (see
+/// heat/stage_solver.hpp), which they do not know of. The first slope of a segment is that of its own laws.
+namespace deadpoint::reduce {
+
+struct FreeCoefficient;
+
+/// An accepted step with its states.
+struct RecordedStep {
+    heat::StepRecord record;
+    Eigen::VectorXd start, middle, end;
+};
+
+/// A finished run, with what its derivatives need.
+struct RecordedRun {
+    std::shared_ptr<const PreparedTerms> terms;
+    HeatProblem problem;
+    ThermalHistory history;
+    std::vector<RecordedStep> steps;
+};
+
+/// A way in which a problem changes.
+struct Direction {
+    HeatProblem changed;
+    double by = 1;  ///< difference of the coefficient between both problems
+};
+
+/// A scalar of the history.
+struct Output {
+    enum class Kind { probe, side_a, side_b, observed };
+    Kind kind = Kind::probe;
+    std::size_t index = 0;  ///< of the probe, interface or row of DenseTerms::observed
+};
+
+/// Runs a problem and records it.
+/// @param reference  temperature at which observed functionals are zero [K]
+/// @throws InputError if the problem has oil circuits, enclosed air, films that follow the temperature, a source with
+///         a share of zero, or does not fit the terms; other errors as ReducedRun
+RecordedRun record_run(std::shared_ptr<const PreparedTerms> terms, const HeatProblem& problem, double reference,
+                       Observer& observer);
+
+/// The direction of each coefficient of a box. The problem's coefficients are linear in each value of a box.
+/// @param problem  without the values
+std::vector<Direction> directions(const HeatProblem& problem, const std::vector<FreeCoefficient>& box,
+                                  const std::vector<double>& values);
+
+/// Derivatives of outputs at all rows of the history: [direction][output][row] [unit of the output per unit of the
+/// coefficient]. One run forward serves all outputs.
+/// @param directions  from the run's problem; they may differ in conductances, coefficients of oil and its temperature,
+///                    coefficients of films, temperatures that films face, and shares of sources, each linear in the
+///                    coefficient
+std::vector<std::vector<std::vector<double>>> forward(const RecordedRun& run, const std::vector<Direction>& directions,
+                                                      const std::vector<Output>& outputs);
+
+/// Derivatives of one output at one row of the history, per direction. One run backward serves all directions.
+std::vector<double> gradient(const RecordedRun& run, const std::vector<Direction>& directions, Output output,
+                             std::size_t row);
+
+}  // namespace deadpoint::reduce
