@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/page.hpp"
@@ -6,6 +7,8 @@
 #include "deadpoint/report/text/run_text.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/study/reduce/run_reduced.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 #include "interrupt.hpp"
 #include "options/checkpoint_options.hpp"
@@ -25,6 +28,7 @@ namespace {
 struct RunOptions : ResultOptions {
     std::string from;      ///< result folder whose final temperatures are the start
     std::string accuracy;  ///< numerics.accuracy, overrides the case's
+    std::string reduced;   ///< file of a reduced model to compute with
     CheckpointOptions checkpoints;
 };
 
@@ -69,6 +73,22 @@ study::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOpti
     return run;
 }
 
+/// Without a mesh. The large model beside the file tells the error.
+study::RunResult compute_reduced(const casefile::Case& input, const study::ReducedPress& press,
+                                 const std::filesystem::path& file, Console& console)
+{
+    const auto large = file.parent_path() / press.large_file;
+    std::optional<study::ReducedPress> other;
+    if (std::filesystem::exists(large)) {
+        other = study::read_reduced(large);
+    } else {
+        console.warn(fmt::format("'{}' is missing, so the error of this run is not estimated", large.string()));
+    }
+    auto result = study::run_reduced(input, press, other ? &*other : nullptr, study::ReducedDetail::all, console);
+    result.reduced->file = file.filename().string();
+    return result;
+}
+
 /// On one mesh. `ranks.agree` is false after meshing.
 study::RefinedRun compute_once(const casefile::Case& input, const RunOptions& options, const study::RunOptions& wanted,
                                const OnRanks& ranks)
@@ -96,8 +116,45 @@ void say_or_remove(const std::filesystem::path& checkpoint, bool interrupted)
     }
 }
 
+void refuse_beside_reduced(const RunOptions& options)
+{
+    const bool other_mesh = options.size_scale != 1 || !options.accuracy.empty();
+    if (other_mesh || !options.from.empty() || options.checkpoints.resume) {
+        throw InputError("--reduced computes without a mesh, from the start of the case\n  help: leave out --size, "
+                         "--accuracy, --from and --resume");
+    }
+}
+
+int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
+{
+    refuse_beside_reduced(options);
+    if (!ranks.first) {
+        return 0;
+    }
+    auto& console = ranks.console;
+    const auto read = read_case(options, console);
+    const auto press = study::read_reduced(options.reduced);
+    const auto folder = start_folder(options, read, console);
+    const auto result = compute_reduced(read.value, press, options.reduced, console);
+    console.finish();
+    report::write_run_files(folder->path(), read.value, press.machine, result, console.warnings());
+    report::write_manifest(folder->path());
+    const bool has_page = add_page(*folder, console);
+    commit(*folder, console);
+    const auto where = folder->target().string();
+    const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
+    print_out("{}\nresults are in {}\n", report::run_text(read.value, result, detail), where);
+    if (has_page) {
+        print_out("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
+    }
+    return 0;
+}
+
 int run_case(RunOptions options, const OnRanks& ranks)
 {
+    if (!options.reduced.empty()) {
+        return run_reduced_case(options, ranks);
+    }
     auto& console = ranks.console;
     if (!options.accuracy.empty()) {
         options.overrides.push_back("numerics.accuracy=\"" + options.accuracy + "\"");
@@ -161,6 +218,10 @@ void add_run(CLI::App& app, int& exit_code)
         ->add_option("--accuracy", options->accuracy,
                      "refine until the rises (0.1K) or the gap (0.2um) change by less; as numerics.accuracy")
         ->type_name("VALUE");
+    command
+        ->add_option("--reduced", options->reduced,
+                     "compute with a reduced model that 'deadpoint reduce' built, in milliseconds")
+        ->type_name("FILE");
     add_checkpoint_options(*command, options->checkpoints);
     command->callback([options, &exit_code] {
         exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return run_case(*options, ranks); });

@@ -8,12 +8,15 @@
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/files/sweep_files.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
+#include "deadpoint/report/folder/record_of_run.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/sweep_page.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
 #include "deadpoint/report/text/table.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/study/reduce/reduced_sweep.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 #include "deadpoint/study/sweep/sweep.hpp"
 #include "interrupt.hpp"
@@ -22,9 +25,11 @@
 #include "output.hpp"
 #include "ranks.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <thread>
 
 using namespace deadpoint;
 using report::ResultFolder;
@@ -41,6 +46,7 @@ struct SweepOptions {
     double size_scale = 1;
     int jobs = 0;
     bool fields = false;
+    std::string reduced;  ///< file of a reduced model to compute with
     casefile::FileAccess files = casefile::FileAccess::below;
     Console::Options console;
 };
@@ -157,8 +163,63 @@ bool collect(const SweepOptions& options, const std::vector<std::optional<study:
     return failed;
 }
 
+/// Tables, page and text of a study. @return the exit code
+int finish(const SweepOptions& options, const report::SweepResult& result, bool failed, Console& console)
+{
+    report::write_sweep_files(options.folder, result, console.warnings());
+    const auto page = fs::path(options.folder) / "report.html";
+    report::write_sweep_report(page, options.folder);
+    print_out("{}\nresults{} are in {}\nthe page is {}\n", report::sweep_text(result),
+              console.cancelled() ? " so far (the same command continues)" : "", options.folder, page.string());
+    if (console.cancelled()) {
+        return interrupted_exit_code;
+    }
+    return failed ? static_cast<int>(ErrorKind::convergence) : 0;
+}
+
+/// Every point in memory; its numbers stand in the table only.
+int sweep_reduced(const SweepOptions& options, const OnRanks& ranks)
+{
+    if (options.size_scale != 1 || options.fields) {
+        throw InputError("--reduced computes without a mesh\n  help: leave out --size and --fields");
+    }
+    if (!ranks.first) {
+        return 0;
+    }
+    auto& console = ranks.console;
+    const auto press = study::read_reduced(options.reduced);
+    report::SweepResult result;
+    result.study = study::translate_study(casefile::read_study(options.study, options.files));
+    result.points = study::sweep_points(result.study, study::base_values(result.study));
+    result.records.resize(result.points.size());
+    result.reduced_model = fs::path(options.reduced).filename().string();
+    print_out("{}", report::sweep_plan_text(result.study, result.points));
+    const auto claim = claim_folder(options.folder, console);
+    make_or_reuse(options.folder);
+    study::ReducedSweep how;
+    how.threads = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    how.read = [&](const study::SweepPoint& point) {
+        return casefile::read_case(result.study.base, point.overrides, options.files).value;
+    };
+    how.take = [&](std::size_t point, const casefile::Case& input, const study::RunResult& run) {
+        result.records[point] = report::record_of(input, run);
+        for (const auto& outside : run.reduced->outside) {
+            console.warn(fmt::format("outside the range of the reduced model: {}", outside));
+        }
+    };
+    result.outcomes = study::run_points_reduced(result.points, press, how, console);
+    console.finish();
+    const bool failed = std::ranges::any_of(result.outcomes, [](const study::PointOutcome& outcome) {
+        return outcome.state == study::PointOutcome::State::failed;
+    });
+    return finish(options, result, failed, console);
+}
+
 int sweep(const SweepOptions& options, const OnRanks& ranks)
 {
+    if (!options.reduced.empty()) {
+        return sweep_reduced(options, ranks);
+    }
     auto& console = ranks.console;
     const auto study = study::translate_study(casefile::read_study(options.study, options.files));
     report::SweepResult result;
@@ -198,15 +259,7 @@ int sweep(const SweepOptions& options, const OnRanks& ranks)
         return console.cancelled() ? interrupted_exit_code : 0;
     }
     const bool failed = collect(options, kept, result);
-    report::write_sweep_files(options.folder, result, console.warnings());
-    const auto page = fs::path(options.folder) / "report.html";
-    report::write_sweep_report(page, options.folder);
-    print_out("{}\nresults{} are in {}\nthe page is {}\n", report::sweep_text(result),
-              console.cancelled() ? " so far (the same command continues)" : "", options.folder, page.string());
-    if (console.cancelled()) {
-        return interrupted_exit_code;
-    }
-    return failed ? static_cast<int>(ErrorKind::convergence) : 0;
+    return finish(options, result, failed, console);
 }
 
 }  // namespace
@@ -226,6 +279,10 @@ void add_sweep(CLI::App& app, int& exit_code)
                      "number of points at a time; default: as many as cores and memory allow")
         ->check(CLI::Range(1, 1024));
     command->add_flag("--fields", options->fields, "write the fields of every point");
+    command
+        ->add_option("--reduced", options->reduced,
+                     "compute with a reduced model; the points then have no folders of their own")
+        ->type_name("FILE");
     add_file_access(*command, options->files);
     add_console_options(*command, options->console);
     command->callback([options, &exit_code] {

@@ -11,6 +11,7 @@ void add_loads(CLI::App& app, int& exit_code);
 void add_heat(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
+void add_reduce(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_view(CLI::App& app, int& exit_code);

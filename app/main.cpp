@@ -35,8 +35,8 @@ Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 fil
 
 constexpr int other_error = 1;
 
-const std::vector<std::string> subcommands{"init", "check", "mesh",    "loads",  "heat",
-                                           "run",  "sweep", "compare", "report", "view"};
+const std::vector<std::string> subcommands{"init",   "check", "mesh",    "loads",  "heat", "run",
+                                           "reduce", "sweep", "compare", "report", "view"};
 
 /// Says that a word is no subcommand, and which one it may have meant.
 int refuse_subcommand(const std::string& word)
@@ -62,6 +62,7 @@ int run(int argc, char** argv)
     add_heat(app, exit_code);
     add_run(app, exit_code);
     add_compare(app, exit_code);
+    add_reduce(app, exit_code);
     add_sweep(app, exit_code);
     add_report(app, exit_code);
     add_view(app, exit_code);

@@ -244,6 +244,18 @@ function comparisonSection(run) {
             : make("p", {}, "The case names no keys that were calibrated on these values."));
 }
 
+// How far a run on a reduced model is off.
+function reducedParts(reduced) {
+    const errors = [reduced.estimate, ...(reduced.errors ?? [])].filter(Boolean);
+    return [make("h3", {}, "Error of the reduced model"),
+        make("p", {}, `This run was computed on a reduced model of ${reduced.states} states (${reduced.model}). Largest differences `
+            + "after the first minute, of probes and sides of joints, and of the gap:"),
+        table(["compared with", "temperature [K]", "gap [µm]"],
+            errors.map((error) => [error.of, fixed(error.temperature_K, 3), fixed(error.E_SW_um, 3)])),
+        reduced.outside?.length ? make("p", {}, make("strong", {}, "Outside the range for which the model was built: "),
+            reduced.outside.join("; ")) : null].filter(Boolean);
+}
+
 function trustSection(run) {
     const { facts: source } = run;
     const warnings = source.warnings ?? [];
@@ -254,6 +266,7 @@ function trustSection(run) {
             "All results cover the time up to the stop.") : null,
         warnings.length ? make("ul", { class: "warnings" }, warnings.map((text) => make("li", {}, text)))
             : make("p", {}, "The run gave no warnings."),
+        ...(run.summary?.reduced ? reducedParts(run.summary.reduced) : []),
         make("h3", {}, "What the model assumes"),
         make("ul", {}, [
             "Parts keep their material constants at all temperatures; each part has one material.",

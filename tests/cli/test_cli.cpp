@@ -614,6 +614,74 @@ TEST_CASE("a study that is stopped keeps what is finished, and no half of a poin
     CHECK(has(content(target + "/sweep.csv"), "left"));
 }
 
+TEST_CASE("reduce makes a model that runs and sweeps like the press, and says where it does not fit")
+{
+    const Folder folder;
+    REQUIRE(deadpoint("init " + (folder / "press")).code == 0);
+    const auto press = folder / "press/case.toml";
+    const auto model = folder / "press.rom";
+    const auto made =
+        deadpoint("reduce " + press + " --size 3 --set reduce.states=60 --set reduce.gap='\"1 um\"' -o " + model);
+    REQUIRE(made.code == 0);
+    CHECK(has(made.out, "as in the case, to a full run"));
+    CHECK(has(made.out, "the reduced model is in " + model + ", its large model beside it in press.large.rom"));
+
+    // A reader that knows the file by its description only (docs/rom-file.md).
+    for (const auto* file : {"press.rom", "press.large.rom"})
+        CHECK(std::system(("python3 -B " + std::string(DEADPOINT_SOURCE_DIR) + "/scripts/shared/rom_file.py " +
+                           (folder / file) + " >" + (folder / "read"))
+                              .c_str()) == 0);
+    CHECK(has(content(folder / "read"), "37 free coefficients"));
+
+    const auto full = folder / "full", quick = folder / "quick";
+    REQUIRE(deadpoint("run -q " + press + " --size 3 --set output.fields=false -o " + full).code == 0);
+    const auto run = deadpoint("run " + press + " --reduced " + model + " -o " + quick);
+    REQUIRE(run.code == 0);
+    CHECK(has(run.out, "this run, to the large model"));
+    const auto number = [](const std::string& text, const std::string& key) {
+        const auto place = text.find('"' + key + "\": ");
+        REQUIRE_MESSAGE(place != std::string::npos, key);
+        return std::stod(text.substr(place + key.size() + 4));
+    };
+    const auto exact = content(full + "/summary.json"), found = content(quick + "/summary.json");
+    // 60 states are off by some 0.1 um; so is the law of convection at the mean of a surface
+    CHECK(std::abs(number(found, "final_E_SW") - number(exact, "final_E_SW")) < 0.5);
+    CHECK(number(found, "states") == 60);
+    CHECK(has(found, "\"estimate\""));
+    CHECK(has(found, "\"by_cause\""));
+    for (const auto* name : {"history.csv", "contributions.csv", "causes.csv", "gaps.csv", "report.html"})
+        CHECK_MESSAGE(fs::exists(quick + "/" + name), name);
+
+    const auto hot =
+        deadpoint("run " + press + " --reduced " + model + " --set 'machine.ambient=45 degC' -o " + (folder / "hot"));
+    CHECK(hot.code == 0);
+    CHECK(has(hot.err, "outside the range of the reduced model: ambient"));
+    CHECK(has(content(folder / "hot/history.csv"), "outside the range of the reduced model: ambient"));
+
+    const auto refused = [&](const std::string& more, int code, const std::string& reason) {
+        const auto result = deadpoint("run " + more + " -o " + (folder / "refused"));
+        CHECK(result.code == code);
+        CHECK_MESSAGE(has(result.err, reason), result.err);
+        CHECK(!fs::exists(folder / "refused"));
+    };
+    refused(press + " --reduced " + model + " --size 2", 2, "--reduced computes without a mesh");
+    refused(press + " --reduced " + model + " --set 'parts.bed.material=steel'", 2, "only in this case");
+    refused(press + " --reduced " + (folder / "none.rom"), 5, "none.rom");
+    fs::resize_file(folder / "press.large.rom", 1000);
+    refused(press + " --reduced " + model, 5, "press.large.rom");
+
+    std::ofstream(folder / "map.toml") << "format = 1\nname = \"map\"\nbase = \"press/case.toml\"\n[[sets]]\nname = "
+                                          "\"map\"\n[[sets.axes]]\nkey = \"operation.0.speed\"\nvalues = [\"60 rpm\", "
+                                          "\"80 rpm\"]\n[[sets.axes]]\nkey = \"machine.ambient\"\nvalues = [\"18 "
+                                          "degC\", \"22 degC\"]\n";
+    const auto map = deadpoint("sweep " + (folder / "map.toml") + " --reduced " + model + " -o " + (folder / "map"));
+    CHECK(map.code == 0);
+    const auto table = content(folder / "map/sweep.csv");
+    CHECK(has(table, "done,80 rpm,80,22 degC,22,"));
+    CHECK(!has(table, "failed"));
+    CHECK(has(content(folder / "map/report.html"), "80 rpm"));
+}
+
 TEST_CASE("run leaves a page beside its results and says how to open it")
 {
     const Folder folder;

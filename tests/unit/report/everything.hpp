@@ -148,6 +148,11 @@ inline study::RunResult run_of_all(const casefile::Case& input)
     result.frame = frame();
     result.view = view();
     result.accuracy = accuracy();
+    result.reduced = study::ReducedResult{"press.rom",
+                                          200,
+                                          {{"anywhere in the box", 0.1, 5e-8}},
+                                          study::StatedError{"this run", 0.01, 1e-9},
+                                          {"ambient: 25 to 25"}};
     result.timings = {{"mesh", 1}};
     return result;
 }
@@ -215,6 +220,7 @@ inline SweepResult sweep_of_all()
     result.points = {{"slow", {"operation.0.speed=100 rpm"}, {{0, {0}}}}, {"fast", {}, {{0, {1}}}}};
     result.outcomes = {{study::PointOutcome::State::done, "", 1}, {study::PointOutcome::State::failed, "why", 1}};
     result.records = {record(), std::nullopt};
+    result.reduced_model = "press.rom";
     return result;
 }
 

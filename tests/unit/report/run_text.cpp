@@ -4,6 +4,7 @@
 #include "everything.hpp"
 
 #include <doctest/doctest.h>
+#include <utility>
 
 using namespace everything;
 
@@ -20,6 +21,7 @@ TEST_CASE("the short text of a run: gap, causes, warm-up and temperatures, and n
     input.chain->drift_rate_limit = 1e-6 / 3600;
     auto result = run_of_all(input);
     result.accuracy.reset();
+    const auto reduced = *std::exchange(result.reduced, std::nullopt);
     CHECK(has(run_text(input, result, Detail::short_text),
               "  warm after 0 s: from then on the gap drifts by less than 1.00 um/h\n"));  // its rates are zero
     result.drift->gap.rate.assign(3, 1e-9);
@@ -33,6 +35,12 @@ TEST_CASE("the short text of a run: gap, causes, warm-up and temperatures, and n
           "  ─────  ────────  ─────────────  ──────────\n"
           "  top        6.85           3.00  5 h 25 min\n"
           "  off by 142.04 K rms; predicting no rise would be off by 3.00 K (a book)\n");
+    result.reduced = reduced;
+    CHECK(run_text(input, result, Detail::short_text)
+              .ends_with("\ncomputed on a reduced model of 200 states; its error, after the first minute:\n"
+                         "  0.010 K, 0.001 um: this run\n"
+                         "  0.100 K, 0.050 um: anywhere in the box\n"
+                         "  outside its range: ambient: 25 to 25\n"));
     result.accuracy = accuracy();
     CHECK(has(run_text(input, result, Detail::short_text), "accuracy of "));  // what was asked for
 }

@@ -5,6 +5,7 @@
 #include "deadpoint/casefile/describe/case_friction.hpp"
 #include "deadpoint/casefile/describe/case_heat.hpp"
 #include "deadpoint/casefile/describe/case_loads.hpp"
+#include "deadpoint/casefile/describe/case_reduce.hpp"
 #include "deadpoint/casefile/describe/spelling.hpp"
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/machine.hpp"
@@ -243,6 +244,7 @@ struct Case {
     std::map<std::string, Preload> preload;
     Numerics numerics;
     Output output;
+    std::optional<Reduce> reduce;
     std::optional<Reference> reference;
     /// The texts it was read from, for errors found later (files/case_source.hpp); null for a case made in memory.
     std::shared_ptr<const CaseSource> source;

@@ -100,6 +100,7 @@ void describe(Visitor& v, Case& c)
     v.named({"preload", "rods that press parts together"}, c.preload, "name");
     v.table({"numerics", "mesh, time stepping and solvers"}, c.numerics);
     v.table({"output", "what is written"}, c.output);
+    v.table({"reduce", "the reduced model that `deadpoint reduce` builds"}, c.reduce);
     v.table({"reference", "published or measured values"}, c.reference);
 }
 
@@ -461,6 +462,31 @@ void describe(Visitor& v, Chain& c)
     v.quantity({"press_stiffness", "stiffness of press and tool in series, measured at the slide of the whole press; a "
                                    "run then states the change of the process force at a fixed die height"},
                c.press_stiffness, D::stiffness, positive);
+}
+
+void describe(Visitor& v, Reduce& r)
+{
+    v.about("Coefficients that are free in a reduced model, each with its range as [least, most], and how accurate the "
+            "model is to be. Ranges are factors on the coefficients of the case, except those of temperatures. A range "
+            "of no width holds its coefficient, which takes fewer states.");
+    const auto range = [&](const Key& key, std::array<double, 2>& value, Dimension dimension, double lowest) {
+        v.vector(key, value, dimension);
+        v.expect(value[0] <= value[1] && value[0] >= lowest, key.name,
+                 "the range is not ascending, or a factor is negative", "write it like [0.5, 2]");
+    };
+    const double any = std::numeric_limits<double>::lowest();
+    range({"film", "convection, of each surface on each part"}, r.film, D::none, 0);
+    range({"conductance", "contact conductance of each side of each interface"}, r.conductance, D::none, 0);
+    range({"oil", "oil coefficient of each interface; where the case has none, of 500 W/m2/K"}, r.oil, D::none, 0);
+    range({"friction", "friction heat of each friction law; it covers speed and force too"}, r.friction, D::none, 0);
+    range({"oil_temperature", "difference of all oil temperatures"}, r.oil_temperature, D::temperature_difference, any);
+    range({"ambient", "difference of all ambient temperatures"}, r.ambient, D::temperature_difference, any);
+    v.flag({"together", "one range for each surface and each interface, instead of one for each part and side"},
+           r.together);
+    v.quantity({"temperature", "wanted error of probes and sides of joints, after the first minute"}, r.temperature,
+               D::temperature_difference, positive);
+    v.quantity({"gap", "wanted error of the gap"}, r.gap, D::length, positive);
+    v.integer({"states", "largest number of states"}, r.states, {10, 2000, false});
 }
 
 void describe(Visitor& v, Numerics& n)

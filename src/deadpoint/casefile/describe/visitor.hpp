@@ -107,6 +107,7 @@ void describe(Visitor& v, Foundation& f);
 void describe(Visitor& v, Preload& p);
 void describe(Visitor& v, Numerics& n);
 void describe(Visitor& v, Output& o);
+void describe(Visitor& v, Reduce& r);
 void describe(Visitor& v, Reference& r);
 
 /// Walks through a struct of the case, key by key. Values are changed by the reader only.

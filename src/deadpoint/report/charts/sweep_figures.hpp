@@ -19,6 +19,7 @@ struct SweepResult {
     std::vector<study::SweepPoint> points;
     std::vector<study::PointOutcome> outcomes;
     std::vector<std::optional<study::RunRecord>> records;
+    std::string reduced_model;  ///< file of the reduced model that computed it; then no point has a folder
 };
 
 /// Drift of a run over its time; lengths in [m], in the sign of E_SW.

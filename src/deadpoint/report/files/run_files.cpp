@@ -15,6 +15,7 @@
 #include "deadpoint/report/files/heat_flows.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
 #include "deadpoint/report/files/mesh_files.hpp"
+#include "deadpoint/report/files/sampled.hpp"
 #include "deadpoint/report/files/view_file.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
@@ -41,48 +42,6 @@ namespace {
 
 using study::RunResult;
 
-// Regular times of the history, with the end.
-std::vector<double> history_times(const casefile::Case& input, const RunResult& result)
-{
-    const double end = result.thermal.time.back();
-    std::vector<double> times;
-    const double interval = input.output.history_interval;
-    const auto count = static_cast<long long>(std::floor(end / interval * (1 + 1e-12)));
-    for (long long i = 0; i <= count; ++i)
-        times.push_back(static_cast<double>(i) * interval);
-    if (end - times.back() > 1e-6 * interval)
-        times.push_back(end);
-    return times;
-}
-
-std::vector<double> sampled(const std::vector<double>& steps, const Series& series, const std::vector<double>& times,
-                            double factor, double offset)
-{
-    std::vector<double> values;
-    values.reserve(times.size());
-    for (const double time : times)
-        values.push_back(factor * interpolate(steps, series, time) + offset);
-    return values;
-}
-
-// Quantities that are known only at the steps; interpolated linearly between them.
-std::vector<double> sampled_linear(const std::vector<double>& steps, const std::vector<double>& values,
-                                   const std::vector<double>& times, double factor, double offset)
-{
-    std::vector<double> result;
-    for (const double time : times) {
-        const auto upper = std::upper_bound(steps.begin(), steps.end(), time);
-        if (upper == steps.end()) {
-            result.push_back(factor * values.back() + offset);
-            continue;
-        }
-        const auto k = static_cast<std::size_t>(upper - steps.begin());
-        const double s = k == 0 ? 0 : (time - steps[k - 1]) / (steps[k] - steps[k - 1]);
-        result.push_back(factor * (k == 0 ? values[0] : (1 - s) * values[k - 1] + s * values[k]) + offset);
-    }
-    return result;
-}
-
 std::vector<std::string> head(const casefile::Case& input, const RunResult& result,
                               const std::vector<std::string>& warnings)
 {
@@ -93,16 +52,6 @@ std::vector<std::string> head(const casefile::Case& input, const RunResult& resu
     for (const auto& warning : warnings)
         lines.push_back("warning: " + warning);
     return lines;
-}
-
-std::vector<std::pair<const char*, const Series*>> dimensions(const DriftSeries& drift)
-{
-    const std::array series{&drift.gap, &drift.bearing_to_ground, &drift.table_to_ground, &drift.crank_to_slide,
-                            &drift.clearance};
-    std::vector<std::pair<const char*, const Series*>> named;
-    for (std::size_t i = 0; i < series.size(); ++i)
-        named.emplace_back(schema::dimensions()[i].name, series[i]);
-    return named;
 }
 
 void write_history(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
@@ -324,6 +273,23 @@ nlohmann::ordered_json reference_json(const casefile::Reference& reference, cons
     return json;
 }
 
+nlohmann::ordered_json error_json(const study::StatedError& error)
+{
+    return {{"of", error.of}, {"temperature_K", error.temperature}, {"E_SW_um", micrometre * error.gap}};
+}
+
+nlohmann::ordered_json reduced_json(const study::ReducedResult& reduced)
+{
+    nlohmann::ordered_json json{{"model", reduced.file}, {"states", reduced.states}};
+    if (reduced.estimate)
+        json["estimate"] = error_json(*reduced.estimate);
+    for (const auto& error : reduced.errors)
+        json["errors"].push_back(error_json(error));
+    if (!reduced.outside.empty())
+        json["outside"] = reduced.outside;
+    return json;
+}
+
 /// How the run was computed, and its time and memory.
 void add_solution(const casefile::Case& input, const Machine& machine, const RunResult& result,
                   nlohmann::ordered_json& json)
@@ -340,6 +306,8 @@ void add_solution(const casefile::Case& input, const Machine& machine, const Run
     json["peak_memory_bytes"] = result.peak_memory;
     if (result.accuracy)
         json["accuracy"] = accuracy_json(*result.accuracy);
+    if (result.reduced)
+        json["reduced"] = reduced_json(*result.reduced);
 }
 
 /// Dimension chain, friction, frame and the check of the adjoints, as far as the case has them.

@@ -345,6 +345,9 @@ Json sweep_json(const SweepResult& result, const Figures& figures, const Windows
                      {"note", result.study.note},
                      {"base", result.study.base},
                      {"overrides", result.study.overrides}};
+    if (!result.reduced_model.empty()) {
+        json["reduced_model"] = result.reduced_model;
+    }
     json["warnings"] = warnings;
     json["limits"] = {{"largest_um", optional(result.study.limits.largest, micrometre)},
                       {"end_um", optional(result.study.limits.final, micrometre)}};

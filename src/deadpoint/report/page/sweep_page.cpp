@@ -140,7 +140,8 @@ void write_sweep_report(const fs::path& file, const fs::path& folder, IfThere if
         Json courses = Json::object();
         for (const auto& point : points) {
             const auto name = point.at("name").get<std::string>();
-            courses[name] = read_point(point, point_folder(folder, name), rows, data);
+            const bool has_folder = !sweep.contains("reduced_model");
+            courses[name] = has_folder ? read_point(point, point_folder(folder, name), rows, data) : Json::object();
         }
         data["points"] = std::move(courses);
         content.title = sweep.at("study").at("name").get<std::string>();

@@ -153,6 +153,19 @@ Keys accuracy_keys()
             {"seconds", "s", "total computing time"}};
 }
 
+Keys reduced_keys()
+{
+    const auto error = [](const std::string& path, const std::string& meaning) -> Keys {
+        return {{path + "/of", "", meaning},
+                {path + "/temperature_K", "K", "largest, of probes and sides of joints, after the first minute"},
+                {path + "/E_SW_um", "um", "largest of E_SW, after the first minute"}};
+    };
+    return joined({{{"model", "", "file of the reduced model"}, {"states", "", "number of its states"}},
+                   error("estimate", "what it compares: the large model and this run"),
+                   error("errors/[]", "what it compares, when the model was built"),
+                   {{"outside", "", "coefficients outside the range of the model, each with its value and range"}}});
+}
+
 Keys frame_keys()
 {
     return {{"support_force_kN", "kN", "upward force on the feet, if weights act"},
@@ -231,6 +244,7 @@ Keys summary_keys()
          {{"timings_s/{stage}", "s", "wall time of each stage"},
           {"peak_memory_bytes", "byte", "peak memory of all processes together"}},
          below("accuracy", accuracy_keys()),
+         below("reduced", reduced_keys()),
          below("energy_J", energy_keys()),
          below("heat_flows_at_end", flow_keys()),
          {{"probe_rises_K/{probe}/{time}", "K", "rise after 0.5 h, 1 h, 2 h, 3 h and at the end"},

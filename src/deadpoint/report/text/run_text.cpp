@@ -12,6 +12,7 @@
 #include "deadpoint/report/text/drift_causes_text.hpp"
 #include "deadpoint/report/text/drift_summary_text.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
+#include "deadpoint/report/text/reduce_text.hpp"
 #include "deadpoint/report/text/table.hpp"
 #include "deadpoint/study/result/histories.hpp"
 #include "deadpoint/study/result/run_result.hpp"
@@ -143,6 +144,8 @@ std::string run_text(const Case& input, const RunResult& result, Detail detail)
     text += gap_text(input, result, summary) + probes_text(input, result, summary);
     if (detail == Detail::all)
         text += further_text(input, result, summary);
+    if (result.reduced)
+        text += "\n" + reduced_run_text(*result.reduced);
     if (result.accuracy)
         text += "\n" + accuracy_text(*result.accuracy);
     return text;

@@ -77,9 +77,9 @@ double mean_play(const std::vector<double>& shares, const std::vector<double>& g
 }
 
 // What the crank's play follows of its bearings' growths.
-Series mean_play(const ChainModel& chain, const drift::BearingPlay& play, const ThermalHistory& history)
+Series mean_play(const ChainFigures& chain, const drift::BearingPlay& play, const ThermalHistory& history)
 {
-    const int count = chain.bearings();
+    const int count = chain.bearings;
     Series mean{std::vector<double>(history.time.size(), 0.0), std::vector<double>(history.time.size(), 0.0)};
     for (int b = 0; b < count; ++b) {
         const auto& growth = history.functionals[static_cast<std::size_t>(drift::dimension_count + b)];
@@ -92,18 +92,17 @@ Series mean_play(const ChainModel& chain, const drift::BearingPlay& play, const 
 }
 
 // The gap by part: its split, and that of each bearing's growth by the share of the growth that counts.
-std::vector<std::vector<double>> by_part(const ChainModel& chain, const drift::BearingPlay& play,
+std::vector<std::vector<double>> by_part(const ChainFigures& chain, const drift::BearingPlay& play,
                                          const ThermalHistory& history)
 {
-    const std::size_t parts = history.contributions.size() / static_cast<std::size_t>(1 + chain.bearings());
+    const std::size_t parts = history.contributions.size() / static_cast<std::size_t>(1 + chain.bearings);
     std::vector<std::vector<double>> result(history.contributions.begin(),
                                             history.contributions.begin() + static_cast<std::ptrdiff_t>(parts));
     for (std::size_t i = 0; i < history.time.size(); ++i) {
-        const auto shares = play_shares(play, play_growths(chain, history, i));
-        for (std::size_t b = 0; b < shares.size(); ++b)
+        const auto factors = play_factors(chain, play_shares(play, play_growths(chain, history, i)));
+        for (std::size_t b = 0; b < factors.size(); ++b)
             for (std::size_t p = 0; p < parts; ++p)
-                result[p][i] +=
-                    chain.travel_by_play / chain.bearings() * shares[b] * history.contributions[(1 + b) * parts + p][i];
+                result[p][i] += factors[b] * history.contributions[(1 + b) * parts + p][i];
     }
     return result;
 }
@@ -141,6 +140,11 @@ ChainModel::ChainModel(const casefile::Case& input, const Machine& machine)
     travel_by_play = drift::travel_by_play(linkage, sensitivity, description);
 }
 
+ChainFigures ChainModel::figures() const
+{
+    return {bearings(), travel_by_play, dot(description.pressed, linkage.stroke_direction)};
+}
+
 double ChainModel::play_travel(const std::vector<double>& shares, const std::vector<double>& growths) const
 {
     return travel_by_play * mean_play(shares, growths);
@@ -154,12 +158,20 @@ std::vector<double> play_shares(const drift::BearingPlay& play, const std::vecto
     return shares;
 }
 
+std::vector<double> play_factors(const ChainFigures& chain, const std::vector<double>& shares)
+{
+    std::vector<double> factors;
+    for (const double share : shares)
+        factors.push_back(chain.travel_by_play / std::max(chain.bearings, 1) * share);
+    return factors;
+}
+
 Functional gap_functional(const ChainModel& chain, const std::vector<double>& shares)
 {
     Functional result = chain.dimensions[drift::gap];
-    const double each = chain.travel_by_play / std::max(chain.bearings(), 1);
-    for (std::size_t b = 0; b < shares.size(); ++b)
-        drift::add(result, each * shares[b], chain.dimensions[drift::dimension_count + b]);
+    const auto factors = play_factors(chain.figures(), shares);
+    for (std::size_t b = 0; b < factors.size(); ++b)
+        drift::add(result, factors[b], chain.dimensions[drift::dimension_count + b]);
     result.name = "E_SW";
     return result;
 }
@@ -168,11 +180,11 @@ fem::Adjoint gap_adjoint(const ChainModel& chain, const std::vector<fem::Adjoint
                          const std::vector<double>& shares)
 {
     fem::Adjoint result = adjoints[drift::gap];
-    const double each = chain.travel_by_play / std::max(chain.bearings(), 1);
-    for (std::size_t b = 0; b < shares.size(); ++b) {
+    const auto factors = play_factors(chain.figures(), shares);
+    for (std::size_t b = 0; b < factors.size(); ++b) {
         const auto& growth = adjoints[drift::dimension_count + b].owned;
         for (std::size_t i = 0; i < growth.size(); ++i)
-            result.owned[i] += each * shares[b] * growth[i];
+            result.owned[i] += factors[b] * growth[i];
     }
     result.name = "E_SW";
     return result;
@@ -188,10 +200,10 @@ std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, con
     return growths;
 }
 
-std::vector<double> play_growths(const ChainModel& chain, const ThermalHistory& history, std::size_t row)
+std::vector<double> play_growths(const ChainFigures& chain, const ThermalHistory& history, std::size_t row)
 {
     std::vector<double> growths;
-    for (int b = 0; b < chain.bearings(); ++b)
+    for (int b = 0; b < chain.bearings; ++b)
         growths.push_back(history.functionals[static_cast<std::size_t>(drift::dimension_count + b)].value[row]);
     return growths;
 }
@@ -213,7 +225,7 @@ Closing close_joints(const Machine& machine, fem::Model& model, const ChainModel
     return {motions_by_part(machine, chain.linkage, motion), gap, largest_opening(chain, moved, motion)};
 }
 
-DriftSeries drift_series(const ChainModel& chain, const drift::BearingPlay& play, const ThermalHistory& history)
+DriftSeries drift_series(const ChainFigures& chain, const drift::BearingPlay& play, const ThermalHistory& history)
 {
     const auto& f = history.functionals;
     DriftSeries drift;
@@ -221,7 +233,7 @@ DriftSeries drift_series(const ChainModel& chain, const drift::BearingPlay& play
     drift.bearing_to_ground = f[drift::bearing_to_ground];
     drift.table_to_ground = f[drift::table_to_ground];
     const Series taken = mean_play(chain, play, history);
-    drift.clearance = combined({{-dot(chain.description.pressed, chain.linkage.stroke_direction), &taken}});
+    drift.clearance = combined({{-chain.pressed_along_stroke, &taken}});
     drift.play = combined({{chain.travel_by_play, &taken}});
     drift.gap = combined({{1, &f[drift::gap]}, {1, &drift.play}});
     drift.crank_to_slide = combined(

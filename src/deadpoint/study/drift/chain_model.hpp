@@ -2,6 +2,7 @@
 
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
+#include "deadpoint/study/drift/chain_figures.hpp"
 
 #include <vector>
 
@@ -43,6 +44,7 @@ struct ChainModel {
     double travel_by_play = 0;           ///< drift::travel_by_play
 
     [[nodiscard]] int bearings() const { return static_cast<int>(dimensions.size()) - drift::dimension_count; }
+    [[nodiscard]] ChainFigures figures() const;
     /// Contribution of the crank's play to the slide's height, with these shares of its bearings'
     /// growths [m].
     [[nodiscard]] double play_travel(const std::vector<double>& shares, const std::vector<double>& growths) const;
@@ -50,6 +52,9 @@ struct ChainModel {
 
 /// Share of each bearing's growth that counts.
 std::vector<double> play_shares(const drift::BearingPlay& play, const std::vector<double>& growths);
+
+/// Factor of each bearing's growth in E_SW, with the shares of the growths that count.
+std::vector<double> play_factors(const ChainFigures& chain, const std::vector<double>& shares);
 
 /// E_SW as one functional, or the adjoint of it, with these shares of the bearings' growths.
 /// @param adjoints  of ChainModel::dimensions, first
@@ -60,7 +65,7 @@ fem::Adjoint gap_adjoint(const ChainModel& chain, const std::vector<fem::Adjoint
 std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, const std::vector<fem::Adjoint>& adjoints,
                                  const fem::Field& field, double reference);
 /// The same at a row of a history.
-std::vector<double> play_growths(const ChainModel& chain, const ThermalHistory& history, std::size_t row);
+std::vector<double> play_growths(const ChainFigures& chain, const ThermalHistory& history, std::size_t row);
 
 /// Rigid motions that close the joints again after a deformation.
 struct Closing {
@@ -78,6 +83,6 @@ std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, con
 
 /// The chain over time, from the functionals of the dimensions, which ThermalHistory::contributions
 /// split.
-DriftSeries drift_series(const ChainModel& chain, const drift::BearingPlay& play, const ThermalHistory& history);
+DriftSeries drift_series(const ChainFigures& chain, const drift::BearingPlay& play, const ThermalHistory& history);
 
 }  // namespace deadpoint::study

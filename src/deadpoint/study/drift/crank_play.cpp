@@ -48,7 +48,7 @@ double mean_of(const std::vector<double>& values)
 }
 
 // Mean growth of the bearings' play at the time of its largest magnitude [m].
-double largest_growth(const ChainModel& chain, const ThermalHistory& history)
+double largest_growth(const ChainFigures& chain, const ThermalHistory& history)
 {
     double largest = 0;
     for (std::size_t row = 0; row < history.time.size(); ++row) {
@@ -75,7 +75,7 @@ drift::BearingPlay crank_play(const casefile::Case& input)
     return {is_rolling(input) ? none : whole, 0};
 }
 
-std::optional<std::string> play_warning(const casefile::Case& input, const ChainModel& chain,
+std::optional<std::string> play_warning(const casefile::Case& input, const ChainFigures& chain,
                                         const ThermalHistory& history)
 {
     constexpr double shown = 1e-9;  // [m]

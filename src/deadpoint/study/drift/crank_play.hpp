@@ -17,7 +17,7 @@ struct Case;
 /// Internal to study/: the play of the crank's bearings, stated by the case or assumed.
 namespace deadpoint::study {
 
-struct ChainModel;
+struct ChainFigures;
 
 /// Motion of the crank due to the growth of its bearings' clearance: chain.bearing_play. Without
 /// it, `limited` by the joint's clearance; if that is not stated, `none` for rolling bearings and
@@ -26,7 +26,7 @@ drift::BearingPlay crank_play(const casefile::Case& input);
 
 /// A warning if the case states neither the play nor bearing_play: the assumption, and its largest
 /// effect on E_SW.
-std::optional<std::string> play_warning(const casefile::Case& input, const ChainModel& chain,
+std::optional<std::string> play_warning(const casefile::Case& input, const ChainFigures& chain,
                                         const ThermalHistory& history);
 
 }  // namespace deadpoint::study

@@ -3,7 +3,6 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
-#include "deadpoint/fem/model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +64,7 @@ DriftCauses at_row(const casefile::Case& input, const HeatProblem& problem, cons
 }  // namespace
 
 std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatProblem& problem, const DriftSeries& drift,
-                                      fem::Model& model, const std::function<fem::Adjoint(std::size_t row)>& gap_at)
+                                      const std::function<HeatCauses(std::size_t row)>& causes_at)
 {
     const auto& values = drift.gap.value;
     const auto largest = std::ranges::max_element(values, {}, [](double value) { return std::abs(value); });
@@ -74,7 +73,7 @@ std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatPro
         rows.insert(rows.begin(), static_cast<std::size_t>(largest - values.begin()));
     std::vector<DriftCauses> result;
     for (const auto row : rows)
-        result.push_back(at_row(input, problem, drift, row, model.heat_causes(gap_at(row), row)));
+        result.push_back(at_row(input, problem, drift, row, causes_at(row)));
     return result;
 }
 

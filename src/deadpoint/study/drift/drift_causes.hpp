@@ -1,12 +1,12 @@
 #pragma once
 
-#include "deadpoint/fem/fields.hpp"
-
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 namespace deadpoint {
 
+struct HeatCauses;
 struct HeatProblem;
 struct DriftCauses;
 struct DriftSeries;
@@ -14,17 +14,13 @@ struct DriftSeries;
 namespace deadpoint::casefile {
 struct Case;
 }
-namespace deadpoint::fem {
-class Model;
-}
 
 /// Internal to study/: contributions of the heat sources to the gap (attribution).
 namespace deadpoint::study {
 
 /// Contributions at the step of the largest |E_SW|, if that is not the last one, and at the end.
-/// @param model the model whose heat() has just computed the drift of this problem @param gap_at
-/// the adjoint of E_SW, with the share of the crank's play that counts at a step
+/// @param causes_at  of E_SW at a row of the history, with the share of the crank's play that counts there
 std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatProblem& problem, const DriftSeries& drift,
-                                      fem::Model& model, const std::function<fem::Adjoint(std::size_t row)>& gap_at);
+                                      const std::function<HeatCauses(std::size_t row)>& causes_at);
 
 }  // namespace deadpoint::study

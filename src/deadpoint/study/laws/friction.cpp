@@ -168,7 +168,7 @@ const LoadsResult& FrictionLaws::compute(const LoadsKey& key, const casefile::Ca
                 "its heat follows the loads of the linkage, which the case does not describe\n  help: name "
                 "the driver's joint with `driver = true` and the body that carries the tool with "
                 "`mechanism.slide_body`");
-        slot = std::make_unique<LoadsResult>(compute_loads(input, machine_, 0));
+        slot = std::make_unique<LoadsResult>(compute_loads(input, machine_, 0, Vibration::left_out));
         keep_warnings(*slot, key.at_reference);
     }
     return *slot;

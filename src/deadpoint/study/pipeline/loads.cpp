@@ -200,7 +200,8 @@ void vibrate(CrankshaftLoads& result, double speed, int critical_speeds)
     result.unbalance = crankshaft::unbalance_response(shaft, at).front();
 }
 
-CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads, const BodyMass& crank, Timer& timer)
+CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads, const BodyMass& crank,
+                                 Vibration vibration, Timer& timer)
 {
     CrankshaftLoads result;
     const auto& given = *input.crankshaft;
@@ -228,8 +229,10 @@ CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads
     if (result.flexible)
         result.by_seat.flexible = sum_seats(given, result.flexible->bearings, result.seats);
     result.sag = crankshaft::static_state(result.shaft, result.loads);
-    vibrate(result, result.rigid.speed, given.critical_speeds);
-    timer.done("vibration of the crankshaft");
+    if (vibration == Vibration::computed) {
+        vibrate(result, result.rigid.speed, given.critical_speeds);
+        timer.done("vibration of the crankshaft");
+    }
     return result;
 }
 
@@ -251,7 +254,7 @@ int first_running_segment(const casefile::Case& input)
 
 bool loads_need_machine(const casefile::Case& input) { return masses_need_parts(input, describe_linkage(input)); }
 
-LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, int segment)
+LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, int segment, Vibration vibration)
 {
     if (segment < 0 || segment >= static_cast<int>(input.operation.size()))
         throw mistake("operation", fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0",
@@ -306,7 +309,7 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
     if (input.crankshaft)
         result.crankshaft = about("crankshaft", [&] {
             const auto& crank = result.masses[static_cast<std::size_t>(driven_body(own))];
-            return solve_crankshaft(input, result, crank, timer);
+            return solve_crankshaft(input, result, crank, vibration, timer);
         });
     return result;
 }

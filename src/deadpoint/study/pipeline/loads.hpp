@@ -21,6 +21,9 @@ int first_running_segment(const casefile::Case& input);
 /// True if the loads need the meshed parts, because some masses are not stated.
 bool loads_need_machine(const casefile::Case& input);
 
+/// Natural frequencies and critical speeds of the crankshaft, on which no heat depends, take most of the time.
+enum class Vibration { computed, left_out };
+
 /// Computes the loads of the whole machine in one segment of the operation.
 ///
 /// The crank turns counter-clockwise with the segment's speed. The load on the crankshaft's pin is
@@ -30,6 +33,7 @@ bool loads_need_machine(const casefile::Case& input);
 /// @param machine  may be null where loads_need_machine() is false
 /// @param segment  index into Case::operation
 /// @throws InputError, DomainError, ConvergenceError
-LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, int segment);
+LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, int segment,
+                          Vibration vibration = Vibration::computed);
 
 }  // namespace deadpoint::study

@@ -5,6 +5,7 @@
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/reduce/reduce.hpp"
 #include "deadpoint/study/result/heat_tables.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/result/run_result.hpp"
@@ -139,6 +140,11 @@ void Press::prepare(Observer& observer)
 RunResult Press::run(const RunOptions& options, Observer& observer)
 {
     return casefile::with_places(input_, [&] { return model(observer).run(input_, options, observer); });
+}
+
+Reduction Press::reduce(const ReduceOptions& options, Observer& observer)
+{
+    return casefile::with_places(input_, [&] { return model(observer).reduce(input_, options, observer); });
 }
 
 void Press::drop_model() { model_.reset(); }

@@ -21,6 +21,8 @@ struct Machine;
 namespace deadpoint::study {
 
 class SharedModel;
+struct ReduceOptions;
+struct Reduction;
 struct RunOptions;
 
 /// A press that was read. It builds its meshes and its model when they are first needed, each once,
@@ -63,6 +65,8 @@ public:
     void prepare(Observer& observer);
     /// Computes the case, as run_case(). Collective.
     RunResult run(const RunOptions& options, Observer& observer);
+    /// Builds a reduced model of the case, as SharedModel::reduce(). Collective.
+    Reduction reduce(const ReduceOptions& options, Observer& observer);
     /// Frees the model of prepare() and run(); the meshes stay.
     void drop_model();
 

@@ -4,6 +4,7 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/crankshaft/system.hpp"
 #include "deadpoint/drift/play.hpp"
+#include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/fem/space/session.hpp"
@@ -15,10 +16,11 @@
 #include "deadpoint/study/drift/gap_model.hpp"
 #include "deadpoint/study/laws/friction.hpp"
 #include "deadpoint/study/pipeline/field_writer.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/pipeline/model_parts.hpp"
+#include "deadpoint/study/pipeline/run_warnings.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/pipeline/view_recorder.hpp"
+#include "deadpoint/study/reduce/reduce.hpp"
 #include "deadpoint/study/result/histories.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/result/run_result.hpp"
@@ -46,112 +48,6 @@ std::vector<fem::HandedField> handed_on(const ViewRecorder& view, const ExactFie
         result.push_back({time, std::span<const double>(field.owned)});
     std::ranges::sort(result, {}, &fem::HandedField::time);
     return result;
-}
-
-void warn_about(const ThermalHistory& history, const HeatProblem& problem, Observer& observer)
-{
-    if (history.law_out_of_range)
-        observer.warn("a friction law was used at temperatures outside the range of its lubricant; see the joint "
-                      "temperatures in history.csv and extend the viscosity table");
-    for (std::size_t i = 0; i < problem.surfaces.size(); ++i)
-        if (history.film_out_of_range[i])
-            observer.warn(fmt::format("surfaces.{}: its film law was used outside its tested range; 'deadpoint heat' "
-                                      "shows where it is",
-                                      problem.surfaces[i].name));
-    if (history.energy.mismatch() > 1e-6 && !nothing_happens(history, problem.time_tolerance))
-        observer.warn(fmt::format("the energy balance closes to {:.1e} only; lower numerics.solver_tolerance",
-                                  history.energy.mismatch()));
-}
-
-/// Data that runs of similar cases share.
-struct ModelParts {
-    ModelParts(const Machine& m, const Machine* own) : machine(m), own_deformation(own) {}
-
-    /// Evaluates the laws of a case; stores loads and friction in the result.
-    /// @throws CaseError with all errors of a case on its meshes: loads, laws, dimension chain, preloads
-    HeatProblem translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer);
-    /// Creates unknowns, dimension chain and adjoints if they do not exist yet.
-    void need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer);
-    void need_chain(const casefile::Case& input);
-
-    HeatProblem laws(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer) const;
-
-    /// The machine with the mesh of the deformation.
-    [[nodiscard]] const Machine& deformed() const { return own_deformation ? *own_deformation : machine; }
-    [[nodiscard]] const ChainModel* chain_or_none() const { return chain ? &*chain : nullptr; }
-    [[nodiscard]] const FrameState* frame_or_none() const { return frame ? &*frame : nullptr; }
-
-    const Machine& machine;
-    const Machine* own_deformation;
-    std::optional<fem::Model> model;
-    std::optional<ChainModel> chain;
-    std::optional<GapModel> gaps;
-    std::optional<FrameState> frame;
-    std::vector<fem::Adjoint> adjoints;    ///< of the chain's dimensions and plays, of the gaps, of the frame
-    std::size_t frame_adjoints = 0;        ///< index of the first adjoint of the frame
-    std::optional<HeatProblem> assembled;  ///< the problem of the prepared matrices
-};
-
-HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer)
-{
-    result.symmetry_factor = machine.half_model ? 2 : 1;
-    HeatProblem problem;
-    Mistakes mistakes;
-    mistakes.attempt("operation", [&] { problem = laws(input, watch, result, observer); });
-    watch.stop();
-    if (input.chain && !chain)
-        mistakes.attempt("chain", [&] { chain.emplace(input, deformed()); });
-    mistakes.attempt("preload", [&] { frame_gauges(input, deformed()); });
-    mistakes.raise();
-    return problem;
-}
-
-HeatProblem ModelParts::laws(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer) const
-{
-    if (const int segment = first_running_segment(input); segment >= 0 && has_loads(input)) {
-        watch.start("loads");
-        result.loads = std::make_shared<const LoadsResult>(compute_loads(input, &machine, segment));
-        for (const auto& warning : result.loads->warnings)
-            observer.warn(warning.text);
-    }
-    watch.start("laws");
-    const auto* loads = result.loads.get();
-    FrictionLaws friction(input, &machine, loads);
-    auto problem = describe_heat(input, machine, observer, loads, friction);
-    if (!input.friction.empty())
-        result.friction = friction.summaries();
-    for (const auto& warning : friction.warnings(result.friction))
-        observer.warn(warning);
-    return problem;
-}
-
-void ModelParts::need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer)
-{
-    if (model)
-        return;
-    watch.start("unknowns");
-    model.emplace(machine, describe_materials(input, machine), describe_orders(input, machine), observer,
-                  own_deformation, describe_orders(case_of_deformation(input), deformed()));
-    model->support(describe_foundation(input, deformed()));
-    if (input.chain) {
-        watch.start("dimension chain");
-        need_chain(input);
-    }
-    frame_adjoints = adjoints.size();
-    if (has_frame_state(input)) {
-        watch.start("frame");
-        frame.emplace(input, deformed(), *model);
-        std::ranges::copy(frame->adjoints(), std::back_inserter(adjoints));
-    }
-    watch.stop();
-}
-
-void ModelParts::need_chain(const casefile::Case& input)
-{
-    gaps = describe_gaps(input, deformed(), *chain);
-    auto functionals = chain->dimensions;
-    functionals.insert(functionals.end(), gaps->functionals.begin(), gaps->functionals.end());
-    adjoints = model->adjoints(functionals);
 }
 
 /// One run on a shared model: its computations in order, and its intermediate data.
@@ -266,19 +162,19 @@ private:
     {
         if (!parts_.chain)
             return;
-        result_.drift = drift_series(*parts_.chain, play_, result_.thermal);
+        result_.drift = drift_series(parts_.chain->figures(), play_, result_.thermal);
         if (!options_.causes || !input_.output.causes || result_.thermal.interrupted)
             return;
         watch_.start("causes");
-        result_.causes = drift_causes(input_, problem_, *result_.drift, *parts_.model, [&](std::size_t row) {
-            return gap_adjoint(*parts_.chain, parts_.adjoints, shares_at(row));
+        result_.causes = drift_causes(input_, problem_, *result_.drift, [&](std::size_t row) {
+            return parts_.model->heat_causes(gap_adjoint(*parts_.chain, parts_.adjoints, shares_at(row)), row);
         });
         watch_.stop();
     }
 
     [[nodiscard]] std::vector<double> shares_at(std::size_t row) const
     {
-        return play_shares(play_, play_growths(*parts_.chain, result_.thermal, row));
+        return play_shares(play_, play_growths(parts_.chain->figures(), result_.thermal, row));
     }
 
     void make_view()
@@ -302,7 +198,7 @@ private:
             return;
         result_.gaps = gap_series(input_, *parts_.gaps, result_.thermal,
                                   static_cast<int>(parts_.chain->dimensions.size()), *result_.drift);
-        if (const auto warning = play_warning(input_, *parts_.chain, result_.thermal))
+        if (const auto warning = play_warning(input_, parts_.chain->figures(), result_.thermal))
             observer_.warn(*warning);
         for (const auto& warning : gap_warnings(result_.gaps))
             observer_.warn(warning);
@@ -375,6 +271,11 @@ RunResult SharedModel::run(const casefile::Case& input, const RunOptions& option
     return CaseRun(*implementation_, input, options, observer).run();
 }
 
+Reduction SharedModel::reduce(const casefile::Case& input, const ReduceOptions& options, Observer& observer)
+{
+    return reduce_case(*implementation_, input, options, observer);
+}
+
 std::string shared_part(const casefile::Case& input)
 {
     auto shared = input;
@@ -402,6 +303,7 @@ std::string shared_part(const casefile::Case& input)
     shared.process_force.reset();
     shared.output = {};
     shared.output.stress = input.output.stress;  // with it the model also follows the frame
+    shared.reduce.reset();
     shared.reference.reset();
     const auto order = shared.numerics.order;
     const auto size = shared.numerics.size;

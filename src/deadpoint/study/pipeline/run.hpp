@@ -27,9 +27,10 @@ struct BearingPlay;
 /// The pipeline of one case: machine -> loads -> linkage -> deformation functionals -> heat -> drift.
 namespace deadpoint::study {
 
-struct RunResult;
-
 struct ChainModel;
+struct ReduceOptions;
+struct Reduction;
+struct RunResult;
 
 /// Run context at the end of the time steps.
 struct RunContext {
@@ -78,6 +79,8 @@ public:
     void prepare(const casefile::Case& input, Observer& observer);
     /// As run_case, for cases of one shared_part().
     RunResult run(const casefile::Case& input, const RunOptions& options, Observer& observer);
+    /// Builds a reduced model of the case. Errors as run(), and as reduce_case().
+    Reduction reduce(const casefile::Case& input, const ReduceOptions& options, Observer& observer);
 
 private:
     struct Implementation;

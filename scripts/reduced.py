@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Shows how far reduced models are off: writes docs/validation/reduced.md with --write, else prints it.
+
+For each shipped case: `deadpoint reduce` with --full-runs, a full run of the case itself, and `deadpoint run --reduced`.
+Models and runs that are already in --scratch are reused. Timings are those of this machine.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from shared import rom_file  # noqa: E402
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+DOCUMENT = os.path.join(ROOT, "docs", "validation", "reduced.md")
+CASES = ["jl75g-60/oil", "jl75g-60/case", "jl75g-60/physics", "jl75g-60/environment", "jl75g-60/working-day",
+         "knuckle-joint/case", "slider-crank/case", "starter/case", "starter-by-laws/case"]
+HEAD = """<!-- Written by scripts/reduced.py. Do not edit. -->
+
+# Reduced models against full runs
+
+Every shipped case, reduced with the ranges that `[reduce]` has by default: each film of each surface on each part
+0.2 to 5 times the case's, each side of each interface 0.1 to 10 times, oil 0 to 5 times, friction heat 0.3 to 3
+times, oil -10 to +20 K, ambient -10 to +10 K, half of the warm-ups with a pause of half an hour. Errors are
+the largest of all probes, of both sides of all interfaces, and of E_SW, after the first minute of each segment.
+[reduced.md](../reduced.md) derives the models.
+
+"""
+
+
+def call(command, **more):
+    began = time.monotonic()
+    done = subprocess.run(command, stdout=subprocess.DEVNULL, env=dict(os.environ, OMP_NUM_THREADS="1"), **more)
+    if done.returncode:
+        sys.exit(f"{' '.join(command)} failed")
+    return time.monotonic() - began
+
+
+def summary_of(folder):
+    with open(os.path.join(folder, "summary.json")) as file:
+        return json.load(file)
+
+
+def run(options, case, name, more):
+    folder = os.path.join(options.scratch, name)
+    if not os.path.exists(os.path.join(folder, "summary.json")):
+        call([options.program, "run", case, "-o", folder, "-q", "--set", "output.fields=false", *more])
+    return summary_of(folder)
+
+
+def reduced(options, case, name):
+    """The model, and how long it took; the time stands in a file beside it."""
+    file = os.path.join(options.scratch, name + ".rom")
+    if not os.path.exists(file + ".seconds"):
+        seconds = call([options.program, "reduce", case, "-o", file, "-q", "--full-runs", str(options.full_runs)])
+        with open(file + ".seconds", "w") as out:
+            out.write(f"{seconds:.0f}")
+    with open(file + ".seconds") as taken:
+        return file, rom_file.read_rom(file, checksum=False), float(taken.read())
+
+
+def error_of(errors, start):
+    return next((e for e in errors if e["of"].startswith(start)), None)
+
+
+def cell(error):
+    return f"{error['temperature']:.3f} | {1e6 * error['gap']:.3f}" if error else "- | -"
+
+
+def largest_rise_difference(one, other):
+    return max((abs(one["probe_rises_K"][p]["end"] - other["probe_rises_K"][p]["end"])
+                for p in one["probe_rises_K"]), default=float("nan"))
+
+
+def page(options):
+    rows, sizes = [], []
+    for name in CASES:
+        flat = name.replace("/", "-")
+        case = os.path.join(ROOT, "cases", name + ".toml")
+        file, rom, seconds = reduced(options, case, flat)
+        full, quick = run(options, case, flat + "-full", []), run(options, case, flat + "-reduced", ["--reduced", file])
+        drawn = next((e for e in rom["errors"] if "drawn" in e["of"]), None)
+        gap = [s.get("drift_um", {}).get("final_E_SW", float("nan")) for s in (full, quick)]
+        rows.append(f"| {name} | {rom['unknowns']} | {rom['part_states']['rows']} | {len(rom['box'])} | "
+                    f"{os.path.getsize(file) / 1e6:.1f} | {seconds:.0f} | {cell(error_of(rom['errors'], 'anywhere'))} | "
+                    f"{cell(drawn)} | {largest_rise_difference(full, quick):.3f} | {gap[0]:.3f} | {gap[1]:.3f} |")
+        sizes += [f"| {name} | {s['states']} | {s['temperature']:.3f} | {1e6 * s['gap']:.3f} |" for s in rom["sizes"]]
+    return HEAD + f"""## Cases
+
+Columns in this order: unknowns of the full model; states; free coefficients; size of the file in MB; seconds to build
+(with {options.full_runs} full runs); largest error anywhere in the ranges, against the large model (13 warm-ups); the same
+against {options.full_runs - 1} full runs with drawn coefficients; then the case itself with its own laws of convection: largest difference of
+the probes' rises at the end, and E_SW at the end of the full and of the reduced run.
+
+| case | unknowns | states | coefficients | MB | s | ranges [K] | [um] | drawn, full [K] | [um] | rises [K] | E_SW full [um] | reduced |
+|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
+""" + "\n".join(rows) + """
+
+## Error over the number of states
+
+Anywhere in the ranges, against the large model.
+
+| case | states | K | um |
+|---|--:|--:|--:|
+""" + "\n".join(sizes) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", default=os.path.join(ROOT, "build", "ci", "app", "deadpoint"))
+    parser.add_argument("--scratch", required=True)
+    parser.add_argument("--full-runs", type=int, default=4)
+    parser.add_argument("--write", action="store_true")
+    options = parser.parse_args()
+    os.makedirs(options.scratch, exist_ok=True)
+    text = page(options)
+    if not options.write:
+        print(text)
+        return
+    with open(DOCUMENT, "w") as file:
+        file.write(text)
+
+
+if __name__ == "__main__":
+    main()

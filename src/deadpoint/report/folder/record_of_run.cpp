@@ -1,0 +1,56 @@
+#include "deadpoint/report/folder/record_of_run.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/report/files/sampled.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/result/run_summary.hpp"
+
+#include <fmt/format.h>
+
+namespace deadpoint::report {
+namespace {
+
+void add_bearings(const study::LoadsResult& loads, study::RunRecord& record)
+{
+    if (!loads.crankshaft)
+        return;
+    const auto& by_seat = loads.crankshaft->by_seat;
+    for (const auto& [model, seats] : {std::pair{"rigid", &by_seat.rigid}, std::pair{"flexible", &by_seat.flexible}})
+        for (const auto& seat : *seats)
+            record.loads[fmt::format("crankshaft.{}.seats.{}.peak_N", model, seat.name)] = seat.peak;
+}
+
+}  // namespace
+
+study::RunRecord record_of(const casefile::Case& input, const study::RunResult& result)
+{
+    study::RunRecord record;
+    record.machine = input.machine.name;
+    record.hash = casefile::case_hash(input);
+    record.interrupted = result.thermal.interrupted;
+    record.initial_temperature = input.machine.initial_temperature;
+    record.time = history_times(input, result);
+    const auto& steps = result.thermal.time;
+    for (const auto& [name, course] : result.probes) {
+        record.probes.push_back(name);
+        record.rises[name] = sampled(steps, course, record.time, 1, -record.initial_temperature);
+    }
+    for (const auto& [name, joint] : result.joints)
+        record.joint_heat[name] = sampled_linear(steps, joint.heat, record.time, 1, 0);
+    if (result.drift)
+        for (const auto& [name, series] : dimensions(*result.drift))
+            record.chain[name] = sampled(steps, *series, record.time, 1, 0);
+    if (const auto summary = study::summarise(input, result); summary.gap_course)
+        record.gap =
+            study::GapFigures{summary.gap_course->first_hour.change, summary.gap_course->range, summary.warm_up_time};
+    if (result.loads) {
+        record.has_loads = true;
+        add_bearings(*result.loads, record);
+    }
+    return record;
+}
+
+}  // namespace deadpoint::report

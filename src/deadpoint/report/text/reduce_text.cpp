@@ -1,0 +1,45 @@
+#include "deadpoint/report/text/reduce_text.hpp"
+
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/study/reduce/reduce.hpp"
+
+#include <fmt/format.h>
+
+namespace deadpoint::report {
+namespace {
+
+std::string error_line(const study::StatedError& error)
+{
+    return fmt::format("  {:.3f} K, {:.3f} um: {}\n", error.temperature, micrometre * error.gap, error.of);
+}
+
+}  // namespace
+
+std::string reduce_text(const study::Reduction& reduction)
+{
+    const auto& small = reduction.small;
+    std::string text = fmt::format("\n{}\n\n{} unknowns became {} states; {} coefficients are free\n\n", small.name,
+                                   small.unknowns, small.states, small.box.size());
+    text += "largest error after the first minute, of probes and sides of joints, and of the gap:\n";
+    for (const auto& error : small.errors)
+        text += error_line(error);
+    text += "by number of states, anywhere in the ranges:\n";
+    for (const auto& [states, temperature, gap] : small.sizes)
+        text += error_line({fmt::format("{} states", states), temperature, gap});
+    return text;
+}
+
+std::string reduced_run_text(const study::ReducedResult& reduced)
+{
+    std::string text =
+        fmt::format("computed on a reduced model of {} states; its error, after the first minute:\n", reduced.states);
+    if (reduced.estimate)
+        text += error_line(*reduced.estimate);
+    for (const auto& error : reduced.errors)
+        text += error_line(error);
+    for (const auto& outside : reduced.outside)
+        text += fmt::format("  outside its range: {}\n", outside);
+    return text;
+}
+
+}  // namespace deadpoint::report

@@ -1,0 +1,91 @@
+#include "deadpoint/study/pipeline/model_parts.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/frame_state.hpp"
+#include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/study/laws/friction.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/study/translate/materials.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+namespace deadpoint::study {
+
+ModelParts::ModelParts(const Machine& meshed, const Machine* own) : machine(meshed), own_deformation(own) {}
+ModelParts::~ModelParts() = default;
+
+HeatProblem run_laws(const casefile::Case& input, const Machine& machine, Vibration vibration, Stopwatch& watch,
+                     RunResult& result, Observer& observer)
+{
+    result.symmetry_factor = machine.half_model ? 2 : 1;
+    if (const int segment = first_running_segment(input); segment >= 0 && has_loads(input)) {
+        watch.start("loads");
+        result.loads = std::make_shared<const LoadsResult>(compute_loads(input, &machine, segment, vibration));
+        for (const auto& warning : result.loads->warnings)
+            observer.warn(warning.text);
+    }
+    watch.start("laws");
+    const auto* loads = result.loads.get();
+    FrictionLaws friction(input, &machine, loads);
+    auto problem = describe_heat(input, machine, observer, loads, friction);
+    if (!input.friction.empty())
+        result.friction = friction.summaries();
+    for (const auto& warning : friction.warnings(result.friction))
+        observer.warn(warning);
+    return problem;
+}
+
+HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer)
+{
+    HeatProblem problem;
+    Mistakes mistakes;
+    mistakes.attempt("operation",
+                     [&] { problem = run_laws(input, machine, Vibration::computed, watch, result, observer); });
+    watch.stop();
+    if (input.chain && !chain)
+        mistakes.attempt("chain", [&] { chain = std::make_unique<ChainModel>(input, deformed()); });
+    mistakes.attempt("preload", [&] { frame_gauges(input, deformed()); });
+    mistakes.raise();
+    return problem;
+}
+
+void ModelParts::need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer)
+{
+    if (model)
+        return;
+    watch.start("unknowns");
+    model.emplace(machine, describe_materials(input, machine), describe_orders(input, machine), observer,
+                  own_deformation, describe_orders(case_of_deformation(input), deformed()));
+    model->support(describe_foundation(input, deformed()));
+    if (input.chain) {
+        watch.start("dimension chain");
+        need_chain(input);
+    }
+    frame_adjoints = adjoints.size();
+    if (has_frame_state(input)) {
+        watch.start("frame");
+        frame = std::make_unique<FrameState>(input, deformed(), *model);
+        std::ranges::copy(frame->adjoints(), std::back_inserter(adjoints));
+    }
+    watch.stop();
+}
+
+void ModelParts::need_chain(const casefile::Case& input)
+{
+    gaps = std::make_unique<GapModel>(describe_gaps(input, deformed(), *chain));
+    auto functionals = chain->dimensions;
+    functionals.insert(functionals.end(), gaps->functionals.begin(), gaps->functionals.end());
+    adjoints = model->adjoints(functionals);
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "deadpoint/reduce/offline/box.hpp"
+
+#include <cstddef>
+#include <optional>
+
+namespace deadpoint {
+struct HeatProblem;
+struct HeatSegment;
+struct Machine;
+}  // namespace deadpoint
+
+/// The coefficients that are free in a reduced model of a case.
+namespace deadpoint::study {
+
+struct SplitProblem;
+
+/// A range of values.
+struct Span {
+    double from = 0, to = 0;
+};
+
+/// Ranges over which coefficients are free: factors on those of the case, and differences. A range from 1 to 1 (a
+/// difference from 0 to 0) holds them.
+struct FreeRanges {
+    Span film{0.2, 5};
+    Span side{0.1, 10};
+    Span oil{0, 5};
+    Span heat{0.3, 3};
+    Span oil_temperature{-10, 20};  ///< [K]
+    Span ambient{-10, 10};          ///< [K]
+    bool by_piece = true;  ///< films per part and conductances per side; else films per surface, joints as a whole
+};
+
+/// Oil coefficient to which the range of a joint without oil refers [W/m2/K].
+inline constexpr double assumed_oil = 500;
+
+/// The box of a problem with constant films.
+/// @param start  temperature at the start [K]
+reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges,
+                              double start);
+
+/// A coefficient's value in a problem with constant films: a factor on its base, or a difference to it.
+/// @param member  of the coefficient @param start temperature at which heat is compared [K]
+/// @return nothing where the segment has none
+std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::size_t member,
+                               const HeatProblem& problem, const HeatSegment& segment, double start);
+
+/// The problem with constant films: laws and radiation at a surface 20 K above the start temperature, and air at it.
+HeatProblem with_nominal_films(const HeatProblem& problem, double start);
+
+}  // namespace deadpoint::study

@@ -1,0 +1,74 @@
+#include "deadpoint/study/reduce/outside.hpp"
+
+#include "deadpoint/study/reduce/free_coefficients.hpp"
+#include "deadpoint/study/reduce/split.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+
+namespace deadpoint::study {
+namespace {
+
+using reduce::FreeCoefficient;
+
+/// Smallest and largest value of a coefficient over its members and the segments.
+struct Found {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    void add(double value)
+    {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+};
+
+// An ambient may follow a course.
+Found ambients_in(const FreeCoefficient& coefficient, const HeatProblem& problem)
+{
+    constexpr int places = 24;  // of each segment
+    Found found;
+    double begin = 0;
+    for (const auto& segment : problem.segments) {
+        for (int k = 0; k <= places; ++k)
+            found.add(segment.ambient(begin + segment.duration * k / places) - coefficient.base.front());
+        begin += segment.duration;
+    }
+    return found;
+}
+
+Found values_in(const FreeCoefficient& coefficient, const HeatProblem& problem, double start)
+{
+    if (coefficient.kind == FreeCoefficient::Kind::ambient)
+        return ambients_in(coefficient, problem);
+    Found found;
+    for (const auto& segment : problem.segments)
+        for (std::size_t k = 0; k < coefficient.members.size(); ++k)
+            if (const auto value = value_of(coefficient, k, problem, segment, start))
+                found.add(*value);
+    return found;
+}
+
+const char* unit_of(FreeCoefficient::Kind kind)
+{
+    using enum FreeCoefficient::Kind;
+    return kind == oil_temperature || kind == ambient ? " K" : " times that of the reduced case";
+}
+
+}  // namespace
+
+std::vector<std::string> outside_of(const reduce::Box& box, const SplitProblem& split, double start)
+{
+    constexpr double rounding = 1e-9;
+    const auto nominal = with_nominal_films(split.problem, start);
+    std::vector<std::string> result;
+    for (const auto& coefficient : box) {
+        const auto [least, most] = values_in(coefficient, nominal, start);
+        const double slack = rounding * std::max(1.0, coefficient.to);
+        if (least < coefficient.from - slack || most > coefficient.to + slack)
+            result.push_back(fmt::format("{}: {:.4g} to {:.4g}, trained {:.4g} to {:.4g}{}", coefficient.name, least,
+                                         most, coefficient.from, coefficient.to, unit_of(coefficient.kind)));
+    }
+    return result;
+}
+
+}  // namespace deadpoint::study

@@ -1,0 +1,174 @@
+#include "deadpoint/study/reduce/reduced_press.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/bare_machine.hpp"
+#include "deadpoint/io/binary_file.hpp"
+#include "deadpoint/io/write_file.hpp"
+#include "deadpoint/reduce/online/dense_terms.hpp"
+#include "deadpoint/reduce/online/terms_file.hpp"
+
+#include <tuple>
+
+namespace deadpoint {
+namespace heat {
+
+constexpr auto members(const FunctionalLayout*)
+{
+    return std::tuple{&FunctionalLayout::interfaces, &FunctionalLayout::parts, &FunctionalLayout::surfaces,
+                      &FunctionalLayout::bodies, &FunctionalLayout::probes};
+}
+constexpr auto members(const HeatGeometry*)
+{
+    return std::tuple{&HeatGeometry::layout, &HeatGeometry::interface_names, &HeatGeometry::interface_area,
+                      &HeatGeometry::surface_area};
+}
+
+}  // namespace heat
+
+namespace reduce {
+
+constexpr auto members(const FreeCoefficient*)
+{
+    return std::tuple{&FreeCoefficient::name, &FreeCoefficient::kind, &FreeCoefficient::members,
+                      &FreeCoefficient::base, &FreeCoefficient::from, &FreeCoefficient::to};
+}
+
+}  // namespace reduce
+
+constexpr auto members(const Series*) { return std::tuple{&Series::value, &Series::rate}; }
+constexpr auto members(const CornerSeries*)
+{
+    return std::tuple{&CornerSeries::name, &CornerSeries::x, &CornerSeries::z};
+}
+
+namespace study {
+
+constexpr auto members(const GapModel::Clearance*)
+{
+    return std::tuple{&GapModel::Clearance::name, &GapModel::Clearance::kind, &GapModel::Clearance::joint};
+}
+constexpr auto members(const GapModel*)
+{
+    return std::tuple{&GapModel::corners, &GapModel::clearances, &GapModel::left_out, &GapModel::mirrored};
+}
+constexpr auto members(const ReducedChain*)
+{
+    return std::tuple{&ReducedChain::figures, &ReducedChain::gaps, &ReducedChain::first_gap};
+}
+constexpr auto members(const RodForce*)
+{
+    return std::tuple{&RodForce::part, &RodForce::preload, &RodForce::start, &RodForce::held_share};
+}
+constexpr auto members(const ClosedBond*)
+{
+    return std::tuple{&ClosedBond::name, &ClosedBond::preload, &ClosedBond::area, &ClosedBond::start};
+}
+constexpr auto members(const FrameResult*)
+{
+    return std::tuple{&FrameResult::rods, &FrameResult::bonds, &FrameResult::support_force};
+}
+constexpr auto members(const StatedError*)
+{
+    return std::tuple{&StatedError::of, &StatedError::temperature, &StatedError::gap};
+}
+
+constexpr auto members(const ErrorOfSize*)
+{
+    return std::tuple{&ErrorOfSize::states, &ErrorOfSize::temperature, &ErrorOfSize::gap};
+}
+
+namespace {
+
+constexpr std::string_view kind = "deadpoint reduced press 1\n";
+constexpr const char* help = "make it again with 'deadpoint reduce CASE -o FILE'";
+
+// All but the terms, in the order of the file.
+constexpr auto head(const ReducedPress*)
+{
+    return std::tuple{
+        &ReducedPress::version,     &ReducedPress::name,      &ReducedPress::case_hash, &ReducedPress::fixed_part,
+        &ReducedPress::large_file,  &ReducedPress::machine,   &ReducedPress::cells,     &ReducedPress::unknowns,
+        &ReducedPress::adjoints,    &ReducedPress::reference, &ReducedPress::chain,     &ReducedPress::frame,
+        &ReducedPress::first_frame, &ReducedPress::box,       &ReducedPress::errors,    &ReducedPress::sizes};
+}
+
+}  // namespace
+
+void write_reduced(const std::filesystem::path& file, const ReducedPress& press)
+{
+    write_file(file, [&](std::ostream& out) {
+        BinaryWriter writer(out, kind);
+        std::apply([&](auto... member) { writer(press.*member...); }, head(&press));
+        writer(press.terms->terms.geometry, reduce::stored(press.terms->terms));
+        writer.finish();
+    });
+}
+
+ReducedPress read_reduced(const std::filesystem::path& file)
+{
+    BinaryReader reader(file, kind, help);
+    ReducedPress press;
+    std::apply([&](auto... member) { reader(press.*member...); }, head(&press));
+    reduce::StoredTerms kept;
+    reduce::DenseTerms terms;
+    reader(terms.geometry, kept);
+    try {
+        reduce::restore(kept, terms);
+        press.terms = std::make_shared<const reduce::PreparedTerms>(std::move(terms));
+    } catch (const InputError& error) {
+        reader.refuse(error.what());
+    }
+    press.states = static_cast<std::size_t>(press.terms->terms.uniform.size());
+    return press;
+}
+
+std::string fixed_part(const casefile::Case& input)
+{
+    auto fixed = input;
+    fixed.operation = {};
+    fixed.machine.name.clear();
+    fixed.machine.description.clear();
+    fixed.machine.ambient = fixed.machine.initial_temperature = casefile::MachineSection{}.ambient;
+    for (auto& [name, joint] : fixed.joints) {
+        joint.friction.clear();
+        joint.oil_temperature = casefile::Joint{}.oil_temperature;
+        joint.clearance.reset();
+        joint.elements.clear();
+        joint.preload = 0;
+        for (auto& interface : joint.interfaces) {
+            interface.conductance = {};
+            interface.oil = 0;
+            interface.heat_share = 1;
+        }
+    }
+    for (auto& [name, surface] : fixed.surfaces)
+        if (surface.film)
+            surface.film = casefile::Film{};
+    if (fixed.chain) {
+        fixed.chain->press_stiffness.reset();
+        fixed.chain->bearing_play.reset();
+    }
+    fixed.friction.clear();
+    fixed.oil.clear();
+    fixed.oil_circuits.clear();
+    fixed.enclosures.clear();
+    fixed.lubricants.clear();
+    fixed.crankshaft.reset();
+    fixed.process_force.reset();
+    fixed.output = {};
+    fixed.reduce.reset();
+    fixed.reference.reset();
+    const auto given = input.numerics;
+    fixed.numerics = {};
+    fixed.numerics.order = given.order;
+    fixed.numerics.size = given.size;
+    fixed.numerics.seam_tolerance = given.seam_tolerance;
+    fixed.numerics.deformation_size = given.deformation_size;
+    fixed.numerics.deformation_order = given.deformation_order;
+    return casefile::write_case(fixed);
+}
+
+}  // namespace study
+}  // namespace deadpoint

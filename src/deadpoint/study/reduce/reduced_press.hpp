@@ -1,0 +1,64 @@
+#pragma once
+
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/reduce/offline/box.hpp"
+#include "deadpoint/study/drift/chain_figures.hpp"
+#include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/study/result/frame_result.hpp"
+#include "deadpoint/study/result/reduced_result.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::reduce {
+struct PreparedTerms;
+}
+
+/// A press as a reduced model: all that runs need, without a mesh.
+namespace deadpoint::study {
+
+/// The dimension chain and the gaps, whose functionals the terms have.
+struct ReducedChain {
+    ChainFigures figures;
+    GapModel gaps;              ///< without its functionals
+    std::size_t first_gap = 0;  ///< index of the first functional of a gap
+};
+
+struct ReducedPress {
+    std::string version;     ///< of deadpoint, that built it
+    std::string name;        ///< of the case
+    std::string case_hash;   ///< of the case that was reduced
+    std::string fixed_part;  ///< of that case: fixed_part()
+    std::string large_file;  ///< name of the file beside this one with the large model; empty in that file itself
+    Machine machine;         ///< without its mesh
+    std::size_t cells = 0;
+    std::size_t unknowns = 0;
+    std::size_t adjoints = 0;  ///< observed functionals that runs record with slopes
+    double reference = 0;      ///< temperature without deformation [K]
+    std::optional<ReducedChain> chain;
+    std::optional<FrameResult> frame;
+    std::size_t first_frame = 0;  ///< index of the first functional of the frame
+    reduce::Box box;
+    std::vector<StatedError> errors;
+    std::vector<ErrorOfSize> sizes;  ///< that were tried
+    std::size_t states = 0;
+    std::shared_ptr<const reduce::PreparedTerms> terms;
+};
+
+/// What a reduced model cannot change of a case, as text: its bodies, parts, materials, contacts, surfaces, probes and
+/// chain. Operating points, loads, friction, oil, other heat, conductances and convection may differ.
+std::string fixed_part(const casefile::Case& input);
+
+/// Writes a reduced press (docs/rom-file.md). @throws IoError
+void write_reduced(const std::filesystem::path& file, const ReducedPress& press);
+/// @throws IoError if the file cannot be read, is of another format, was cut short or changed
+ReducedPress read_reduced(const std::filesystem::path& file);
+
+}  // namespace deadpoint::study

@@ -1,0 +1,194 @@
+#include "deadpoint/study/reduce/run_reduced.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/drift/play.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/mechanism/bottom_dead_point.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/offline/difference.hpp"
+#include "deadpoint/reduce/online/dense_terms.hpp"
+#include "deadpoint/reduce/online/reduced_run.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/crank_play.hpp"
+#include "deadpoint/study/drift/drift_causes.hpp"
+#include "deadpoint/study/drift/frame_state.hpp"
+#include "deadpoint/study/pipeline/model_parts.hpp"
+#include "deadpoint/study/pipeline/run_warnings.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
+#include "deadpoint/study/reduce/outside.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/study/reduce/split.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/translate/linkage.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+namespace deadpoint::study {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+void require_fit(const casefile::Case& input, const ReducedPress& press)
+{
+    constexpr std::size_t shown = 4;
+    auto found = misfits(input, press);
+    if (found.empty())
+        return;
+    const auto count = found.size();
+    found.resize(std::min(count, shown));
+    throw InputError(
+        fmt::format("this case is not the press that was reduced (case '{}'); it differs in what a reduced "
+                    "model cannot change:\n    {}{}\n  help: reduce this case: deadpoint reduce CASE -o "
+                    "FILE",
+                    press.name, fmt::join(found, "\n    "), count > shown ? "\n    ..." : ""));
+}
+
+/// One run on a reduced model.
+class ReducedCaseRun {
+public:
+    ReducedCaseRun(const casefile::Case& input, const ReducedPress& press, ReducedDetail detail, Observer& observer)
+        : input_(input), press_(press), detail_(detail), observer_(observer), watch_(observer),
+          problem_(run_laws(input, press.machine,
+                            detail == ReducedDetail::all ? Vibration::computed : Vibration::left_out, watch_, result_,
+                            observer)),
+          split_(split_by_part(problem_, press.machine))
+    {
+        split_.problem.field_times.clear();
+    }
+
+    RunResult run(const ReducedPress* large)
+    {
+        watch_.start("time steps");
+        reduce::ReducedRun run(press_.terms, split_.problem, press_.adjoints, press_.reference);
+        result_.thermal = run.go({}, observer_);
+        merge_surfaces();
+        follow_gap(run);
+        estimate(large);
+        watch_.stop();
+        finish();
+        return std::move(result_);
+    }
+
+private:
+    void merge_surfaces()
+    {
+        std::vector<bool> outside(problem_.surfaces.size(), false);
+        for (std::size_t k = 0; k < split_.whole.size(); ++k)
+            if (result_.thermal.film_out_of_range[k])
+                outside[split_.whole[k]] = true;
+        result_.thermal.film_out_of_range = outside;
+    }
+
+    void follow_gap(reduce::ReducedRun& run)
+    {
+        if (!press_.chain || !input_.chain)
+            return;
+        const auto& chain = *press_.chain;
+        const auto play = crank_play(input_);
+        result_.sensitivity = mechanism::bottom_dead_point(describe_linkage(input_));
+        result_.drift = drift_series(chain.figures, play, result_.thermal);
+        if (detail_ == ReducedDetail::all && input_.output.causes && !result_.thermal.interrupted)
+            result_.causes = drift_causes(input_, problem_, *result_.drift,
+                                          [&](std::size_t row) { return causes_at(run, play, row); });
+        result_.gaps =
+            gap_series(input_, chain.gaps, result_.thermal, static_cast<int>(chain.first_gap), *result_.drift);
+        if (const auto warning = play_warning(input_, chain.figures, result_.thermal))
+            observer_.warn(*warning);
+        for (const auto& warning : gap_warnings(result_.gaps))
+            observer_.warn(warning);
+    }
+
+    // Of E_SW with the share of the play that counts at a row, surface by surface of the case.
+    HeatCauses causes_at(reduce::ReducedRun& run, const drift::BearingPlay& play, std::size_t row) const
+    {
+        const auto& figures = press_.chain->figures;
+        const auto& observed = press_.terms->terms.observed;
+        const auto factors = play_factors(figures, play_shares(play, play_growths(figures, result_.thermal, row)));
+        reduce::States weights = observed.row(drift::gap).transpose();
+        for (std::size_t b = 0; b < factors.size(); ++b)
+            weights += factors[b] * observed.row(drift::dimension_count + static_cast<Eigen::Index>(b)).transpose();
+        auto causes = run.causes(weights, row);
+        causes.surfaces = summed(split_, causes.surfaces, problem_.surfaces.size());
+        return causes;
+    }
+
+    void estimate(const ReducedPress* large)
+    {
+        auto& reduced = result_.reduced.emplace();
+        reduced.states = press_.states;
+        reduced.errors = press_.errors;
+        reduced.outside = outside_of(press_.box, split_, press_.reference);
+        for (const auto& text : reduced.outside)
+            observer_.warn(fmt::format("outside the range of the reduced model: {}", text));
+        if (!large)
+            return;
+        watch_.start("estimate");
+        reduce::ReducedRun run(large->terms, split_.problem, large->adjoints, large->reference);
+        const auto found = reduce::difference(result_.thermal, run.go({}, observer_),
+                                              press_.chain ? static_cast<std::size_t>(drift::gap) : SIZE_MAX);
+        reduced.estimate = StatedError{"this run, to the large model", found.temperature, found.gap};
+    }
+
+    void finish()
+    {
+        if (press_.frame) {
+            result_.frame = press_.frame;
+            read_courses(result_.thermal, press_.first_frame, *result_.frame);
+            warn_about_frame(input_, result_.thermal, *result_.frame, observer_);
+        }
+        static_cast<Histories&>(result_) =
+            name_histories(input_, press_.machine, problem_, result_.thermal, result_.symmetry_factor);
+        result_.cells = static_cast<long long>(press_.cells);
+        result_.heat_unknowns = static_cast<long long>(press_.unknowns);
+        result_.timings = watch_.times();
+        warn_about(result_.thermal, problem_, observer_);
+    }
+
+    const casefile::Case& input_;
+    const ReducedPress& press_;
+    ReducedDetail detail_;
+    Observer& observer_;
+    RunResult result_;
+    Stopwatch watch_;
+    HeatProblem problem_;
+    SplitProblem split_;
+};
+
+}  // namespace
+
+std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress& press)
+{
+    const auto own = lines_of(fixed_part(input)), built = lines_of(press.fixed_part);
+    const std::multiset<std::string> of_case(own.begin(), own.end()), of_model(built.begin(), built.end());
+    std::vector<std::string> result;
+    std::vector<std::string> only;
+    std::ranges::set_difference(of_case, of_model, std::back_inserter(only));
+    for (const auto& line : only)
+        result.push_back("only in this case: " + line);
+    only.clear();
+    std::ranges::set_difference(of_model, of_case, std::back_inserter(only));
+    for (const auto& line : only)
+        result.push_back("only in the model: " + line);
+    return result;
+}
+
+RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const ReducedPress* large,
+                      ReducedDetail detail, Observer& observer)
+{
+    require_fit(input, press);
+    return ReducedCaseRun(input, press, detail, observer).run(large);
+}
+
+}  // namespace deadpoint::study

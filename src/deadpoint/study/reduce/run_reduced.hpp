@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace deadpoint {
+class Observer;
+}
+namespace deadpoint::casefile {
+struct Case;
+}
+
+/// Runs of a case on its reduced model.
+namespace deadpoint::study {
+
+struct ReducedPress;
+struct RunResult;
+
+enum class ReducedDetail {
+    all,     ///< as a full run
+    figures  ///< for studies: no causes, no vibration of the crankshaft
+};
+
+/// @param large  the large model for the estimate of the error; null: no estimate
+/// @throws CaseError as a full run; InputError if the model was built for another press
+RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const ReducedPress* large,
+                      ReducedDetail detail, Observer& observer);
+
+/// How a case differs from the one a model was built for, in what the model cannot change; a line for each difference.
+std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress& press);
+
+}  // namespace deadpoint::study

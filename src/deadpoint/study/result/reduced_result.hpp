@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a run on a reduced model says of its error.
+namespace deadpoint::study {
+
+/// The error of a model of some size.
+struct StatedError {
+    std::string of;          ///< "anywhere in the box, to the large model"
+    double temperature = 0;  ///< largest, of probes and sides of joints, after the first minute [K]
+    double gap = 0;          ///< the same of E_SW [m]
+};
+
+/// The error of a model of another number of states, anywhere in the box, to the large model.
+struct ErrorOfSize {
+    std::size_t states = 0;
+    double temperature = 0;  ///< [K]
+    double gap = 0;          ///< [m]
+};
+
+struct ReducedResult {
+    std::string file;  ///< of the model
+    std::size_t states = 0;
+    std::vector<StatedError> errors;      ///< as measured when the model was built
+    std::optional<StatedError> estimate;  ///< of this run: the large model less this one
+    std::vector<std::string> outside;     ///< coefficients outside the range for which it was built
+};
+
+}  // namespace deadpoint::study

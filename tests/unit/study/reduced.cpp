@@ -1,0 +1,164 @@
+/// Requirement: a problem split by part is the same problem; the box of a reduced model names what is free, and a case
+/// outside of it is told so.
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/heat/films.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/reduce/free_coefficients.hpp"
+#include "deadpoint/study/reduce/outside.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/study/reduce/run_reduced.hpp"
+#include "deadpoint/study/reduce/split.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+
+using namespace deadpoint;
+using doctest::Approx;
+
+namespace {
+
+casefile::Case press(const std::vector<std::string>& overrides = {})
+{
+    return casefile::read_case(DEADPOINT_SOURCE_DIR "/cases/starter-by-laws/case.toml", overrides).value;
+}
+
+const Machine& machine()
+{
+    static const Machine built = [] {
+        Observer quiet;
+        return study::prepare_machine(press(), 3, quiet);
+    }();
+    return built;
+}
+
+HeatProblem problem(const std::vector<std::string>& overrides = {})
+{
+    Observer quiet;
+    const auto input = press(overrides);
+    const auto loads = study::compute_loads(input, &machine(), 0);
+    return study::describe_heat(input, machine(), quiet, &loads);
+}
+
+study::SplitProblem nominal(const std::vector<std::string>& overrides = {})
+{
+    auto split = study::split_by_part(problem(overrides), machine());
+    split.problem = study::with_nominal_films(split.problem, 293.15);
+    return split;
+}
+
+}  // namespace
+
+TEST_CASE("the pieces of a surface have its area, its law and one part each")
+{
+    const auto whole = problem();
+    const auto split = study::split_by_part(whole, machine());
+    REQUIRE(split.problem.surfaces.size() == split.whole.size());
+    CHECK(split.problem.surfaces.size() > whole.surfaces.size());
+    std::vector<double> area;
+    for (const auto& piece : split.problem.surfaces) {
+        const auto& shares = machine().surfaces[static_cast<std::size_t>(piece.surface)].figures.parts;
+        const auto found = std::ranges::find(shares, static_cast<std::uint32_t>(piece.part), &SurfaceShare::part);
+        REQUIRE(found != shares.end());
+        area.push_back(found->area);
+    }
+    const auto sums = study::summed(split, area, whole.surfaces.size());
+    for (std::size_t s = 0; s < sums.size(); ++s)
+        CHECK(sums[s] == Approx(machine().surfaces[static_cast<std::size_t>(whole.surfaces[s].surface)].area));
+}
+
+TEST_CASE("pieces exchange as much radiation as the surfaces they make up")
+{
+    auto whole = problem();
+    whole.radiation = {{{0, 1}, {0.5, 1.5, 1.5, 0.25}}};
+    const auto split = study::split_by_part(whole, machine());
+    REQUIRE(split.problem.radiation.size() == 1);
+    const auto& room = split.problem.radiation[0];
+    const std::size_t count = room.surfaces.size();
+    REQUIRE(room.exchange.size() == count * count);
+    std::vector<double> sums(4, 0.0);
+    for (std::size_t p = 0; p < count; ++p)
+        for (std::size_t q = 0; q < count; ++q) {
+            const auto i = split.whole[static_cast<std::size_t>(room.surfaces[p])];
+            const auto j = split.whole[static_cast<std::size_t>(room.surfaces[q])];
+            sums[2 * i + j] += room.exchange[p * count + q];
+            CHECK(room.exchange[p * count + q] == Approx(room.exchange[q * count + p]));
+        }
+    for (std::size_t k = 0; k < 4; ++k)
+        CHECK(sums[k] == Approx(whole.radiation[0].exchange[k]));
+}
+
+TEST_CASE("a nominal film gives off the heat of its law at 20 K above the start")
+{
+    const auto stated = study::split_by_part(problem(), machine()).problem;
+    const auto constant = nominal().problem;
+    bool some = false;
+    for (std::size_t s = 0; s < stated.surfaces.size(); ++s) {
+        const auto& condition = stated.surfaces[s];
+        if (!heat::follows_temperature(condition))
+            continue;
+        some = true;
+        const auto law = condition.laws.front()(293.15)(313.15);
+        const double radiation =
+            condition.emissivity * heat::stefan_boltzmann * (std::pow(313.15, 4) - std::pow(293.15, 4));
+        CHECK(20 * constant.surfaces[s].coefficient == Approx(20 * law.value + radiation));
+        CHECK(!heat::follows_temperature(constant.surfaces[s]));
+    }
+    CHECK(some);
+}
+
+TEST_CASE("the box names every coefficient once, and the case lies in it")
+{
+    const auto split = nominal();
+    const auto box = study::free_coefficients(split, machine(), {}, 293.15);
+    const auto films = std::ranges::count(box, reduce::FreeCoefficient::Kind::film, &reduce::FreeCoefficient::kind);
+    const auto sides = std::ranges::count(box, reduce::FreeCoefficient::Kind::side, &reduce::FreeCoefficient::kind);
+    CHECK(films == static_cast<long>(split.problem.surfaces.size()));
+    CHECK(sides == 2 * static_cast<long>(split.problem.interfaces.size()));
+    for (const auto& one : box)
+        CHECK(std::ranges::count(box, one.name, &reduce::FreeCoefficient::name) == 1);
+    CHECK(study::outside_of(box, split, 293.15).empty());
+    study::FreeRanges together;
+    together.by_piece = false;
+    CHECK(study::free_coefficients(split, machine(), together, 293.15).size() < box.size());
+    study::FreeRanges held;
+    held.film = held.side = held.oil = held.heat = {1, 1};
+    CHECK(study::free_coefficients(split, machine(), held, 293.15).size() == 2);  // ambient and oil temperature
+}
+
+TEST_CASE("what lies outside the box is named with its value and its range")
+{
+    const auto split = nominal();
+    const auto box = study::free_coefficients(split, machine(), {}, 293.15);
+    auto changed = split;
+    changed.problem.surfaces[0].coefficient *= 7;
+    changed.problem.interfaces[0].film_a *= 0.05;
+    for (auto& segment : changed.problem.segments)
+        segment.interfaces = changed.problem.interfaces;
+    const auto found = study::outside_of(box, changed, 293.15);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].find(": 7 to 7, trained 0.2 to 5 times") != std::string::npos);
+    CHECK(found[1].find(": 0.05 to 0.05, trained 0.1 to 10 times") != std::string::npos);
+    const auto warm = study::outside_of(box, nominal({"operation.0.ambient=45 degC"}), 293.15);
+    REQUIRE(warm.size() == 1);
+    CHECK(warm[0] == "ambient: 25 to 25, trained -10 to 10 K");
+}
+
+TEST_CASE("only what a model cannot change makes a case another press")
+{
+    study::ReducedPress built;
+    built.fixed_part = study::fixed_part(press());
+    CHECK(study::misfits(press(), built).empty());
+    for (const auto* change : {"operation.0.speed=71 rpm", "machine.ambient=25 degC", "output.fields=false",
+                               "numerics.time_tolerance=0.01 K", "chain.press_stiffness=1e9 N/m"})
+        CHECK_MESSAGE(study::misfits(press({change}), built).empty(), change);
+    const auto found = study::misfits(press({"parts.bed.material=steel"}), built);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0] == "only in this case: material = \"steel\"");
+    CHECK(found[1] == "only in the model: material = \"cast_iron\"");
+}
