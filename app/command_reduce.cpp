@@ -38,8 +38,11 @@ void write(const std::filesystem::path& file, study::Reduction& reduction)
 int reduce_case(const ReduceOptions& options, const OnRanks& ranks)
 {
     const auto read = read_case(options, ranks.console);
-    if (!std::filesystem::is_directory(std::filesystem::absolute(options.file).parent_path()))
-        throw IoError("cannot write '" + options.file + "': its folder does not exist");
+    on_first_rank(ranks.first, [&] {
+        if (!std::filesystem::is_directory(std::filesystem::absolute(options.file).parent_path())) {
+            throw IoError("cannot write '" + options.file + "': its folder does not exist");
+        }
+    });
     study::Press press(read.value, options.size_scale);
     press.mesh(ranks.console);
     ranks.agree = false;

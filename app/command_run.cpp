@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
@@ -79,12 +80,16 @@ study::RunResult compute_reduced(const casefile::Case& input, const study::Reduc
 {
     const auto large = file.parent_path() / press.large_file;
     std::optional<study::ReducedPress> other;
-    if (std::filesystem::exists(large)) {
+    if (press.large_file.empty()) {
+        console.warn("this is the large model itself, so the error of this run is not estimated");
+    } else if (std::filesystem::exists(large)) {
         other = study::read_reduced(large);
     } else {
         console.warn(fmt::format("'{}' is missing, so the error of this run is not estimated", large.string()));
     }
-    auto result = study::run_reduced(input, press, other ? &*other : nullptr, study::ReducedDetail::all, console);
+    auto result = casefile::with_places(input, [&] {
+        return study::run_reduced(input, press, other ? &*other : nullptr, study::ReducedDetail::all, console);
+    });
     result.reduced->file = file.filename().string();
     return result;
 }
@@ -143,11 +148,12 @@ int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
     commit(*folder, console);
     const auto where = folder->target().string();
     const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
-    print_out("{}\nresults are in {}\n", report::run_text(read.value, result, detail), where);
+    print_out("{}\nresults{} are in {}\n", report::run_text(read.value, result, detail),
+              result.thermal.interrupted ? " up to the interruption" : "", where);
     if (has_page) {
         print_out("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
     }
-    return 0;
+    return result.thermal.interrupted ? interrupted_exit_code : 0;
 }
 
 int run_case(RunOptions options, const OnRanks& ranks)

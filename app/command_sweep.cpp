@@ -170,7 +170,10 @@ int finish(const SweepOptions& options, const report::SweepResult& result, bool 
     const auto page = fs::path(options.folder) / "report.html";
     report::write_sweep_report(page, options.folder);
     print_out("{}\nresults{} are in {}\nthe page is {}\n", report::sweep_text(result),
-              console.cancelled() ? " so far (the same command continues)" : "", options.folder, page.string());
+              !console.cancelled()      ? ""
+              : options.reduced.empty() ? " so far (the same command continues)"
+                                        : " so far",
+              options.folder, page.string());
     if (console.cancelled()) {
         return interrupted_exit_code;
     }

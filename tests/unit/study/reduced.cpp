@@ -128,7 +128,12 @@ TEST_CASE("the box names every coefficient once, and the case lies in it")
     CHECK(study::free_coefficients(split, machine(), together, 293.15).size() < box.size());
     study::FreeRanges held;
     held.film = held.side = held.oil = held.heat = {1, 1};
-    CHECK(study::free_coefficients(split, machine(), held, 293.15).size() == 2);  // ambient and oil temperature
+    const auto of_held = study::free_coefficients(split, machine(), held, 293.15);
+    CHECK(std::ranges::count_if(of_held, [](const auto& one) { return one.from < one.to; }) == 2);  // temperatures
+    CHECK(study::outside_of(of_held, split, 293.15).empty());
+    auto other = split;
+    other.problem.surfaces[0].coefficient *= 1.01;
+    CHECK(study::outside_of(of_held, other, 293.15).size() == 1);
 }
 
 TEST_CASE("what lies outside the box is named with its value and its range")
@@ -144,6 +149,13 @@ TEST_CASE("what lies outside the box is named with its value and its range")
     REQUIRE(found.size() == 2);
     CHECK(found[0].find(": 7 to 7, trained 0.2 to 5 times") != std::string::npos);
     CHECK(found[1].find(": 0.05 to 0.05, trained 0.1 to 10 times") != std::string::npos);
+    auto hot = split;
+    for (auto& source : hot.problem.sources)
+        source.share *= 4;
+    CHECK(study::outside_of(box, hot, 293.15).size() == hot.problem.sources.size());
+    auto other_friction = split;  // a case may have other friction laws, which a model does not know
+    other_friction.problem.sources.clear();
+    CHECK(study::outside_of(box, other_friction, 293.15).empty());
     const auto warm = study::outside_of(box, nominal({"operation.0.ambient=45 degC"}), 293.15);
     REQUIRE(warm.size() == 1);
     CHECK(warm[0] == "ambient: 25 to 25, trained -10 to 10 K");
@@ -159,6 +171,6 @@ TEST_CASE("only what a model cannot change makes a case another press")
         CHECK_MESSAGE(study::misfits(press({change}), built).empty(), change);
     const auto found = study::misfits(press({"parts.bed.material=steel"}), built);
     REQUIRE(found.size() == 2);
-    CHECK(found[0] == "only in this case: material = \"steel\"");
-    CHECK(found[1] == "only in the model: material = \"cast_iron\"");
+    CHECK(found[0] == "only in this case: [parts.bed] material = \"steel\"");
+    CHECK(found[1] == "only in the model: [parts.bed] material = \"cast_iron\"");
 }

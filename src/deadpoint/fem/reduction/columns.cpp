@@ -15,7 +15,7 @@ void multiply(const char* transposed, const Eigen::MatrixXd& left, const Eigen::
     const auto rows = size(product.rows()), columns = size(product.cols()), inner = size(right.rows());
     const auto left_stride = size(left.rows());
     const double one = 1, zero = 0;
-    if (right.rows() == 0)
+    if (product.size() == 0 || right.rows() == 0)
         product.setZero();
     else
         BLASgemm_(transposed, "N", &rows, &columns, &inner, &one, left.data(), &left_stride, right.data(), &inner,

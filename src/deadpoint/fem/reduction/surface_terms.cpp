@@ -145,8 +145,6 @@ void project_surfaces(const Discretisation& space, const HeatMatrices& matrices,
         auto& film = terms.films.emplace_back();
         if (has_entries(matrices.film_terms()[s]))
             film.factor = projection.of_side(matrices.film_terms()[s], geometry.layout.surface(s), 1);
-        else
-            film.factor = Eigen::MatrixXd(basis.cols(), 0);
     }
 }
 

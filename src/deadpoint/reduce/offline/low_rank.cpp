@@ -1,5 +1,7 @@
 #include "deadpoint/reduce/offline/low_rank.hpp"
 
+#include "deadpoint/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -34,14 +36,17 @@ Eigenpairs eigenpairs(const Eigen::MatrixXd& factor, double shift)
 Eigenpairs nystroem(const SymmetricProduct& product, Eigen::Index size, Eigen::Index columns)
 {
     const Eigen::MatrixXd probes = random_columns(size, columns);
-    Eigen::MatrixXd seen = product(probes);
-    const double shift = 1e-15 * seen.norm();
-    seen += shift * probes;
-    const Eigen::MatrixXd middle = probes.transpose() * seen;
-    const Eigen::LLT<Eigen::MatrixXd> root((middle + middle.transpose()) / 2);
-    if (root.info() != Eigen::Success)
+    const Eigen::MatrixXd found = product(probes);
+    if (found.norm() == 0)
         return {};
-    return eigenpairs(root.matrixL().solve(seen.transpose()).transpose(), shift);
+    for (double shift = 1e-15 * found.norm(); shift < 1e-6 * found.norm(); shift *= 10) {
+        const Eigen::MatrixXd seen = found + shift * probes;
+        const Eigen::MatrixXd middle = probes.transpose() * seen;
+        const Eigen::LLT<Eigen::MatrixXd> root((middle + middle.transpose()) / 2);
+        if (root.info() == Eigen::Success)
+            return eigenpairs(root.matrixL().solve(seen.transpose()).transpose(), shift);
+    }
+    throw ConvergenceError("a term of the reduced model is not positive semidefinite; please report the case");
 }
 
 Eigen::MatrixXd scaled(const Eigenpairs& pairs, double least)

@@ -13,6 +13,7 @@ using SymmetricProduct = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 /// largest, by Nystroem's approximation with random columns (Tropp, Yurtsever, Udell and Cevher, Fixed-rank
 /// approximation of a positive-semidefinite matrix from streaming data, 2017). The number of columns doubles until the
 /// smallest eigenvalue found is below the tolerance. Two calls give the same result.
+/// @throws ConvergenceError if the matrix is not positive semidefinite
 Eigen::MatrixXd low_rank_factor(const SymmetricProduct& product, Eigen::Index size, double tolerance);
 
 /// The same of a matrix that has this load on the uniform field u: A u = load. V keeps it exactly: its first column is

@@ -153,7 +153,8 @@ PreparedTerms::PreparedTerms(DenseTerms given) : terms(std::move(given))
     deviations.resize(first_deviation.back(), terms.uniform.size());
     for (std::size_t s = 0; s < terms.films.size(); ++s) {
         const Eigen::Index count = first_deviation[s + 1] - first_deviation[s];
-        deviations.middleRows(first_deviation[s], count) = terms.films[s].factor.rightCols(count).transpose();
+        if (count > 0)
+            deviations.middleRows(first_deviation[s], count) = terms.films[s].factor.rightCols(count).transpose();
     }
 }
 

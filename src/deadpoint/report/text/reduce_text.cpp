@@ -3,6 +3,7 @@
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/study/reduce/reduce.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace deadpoint::report {
@@ -18,8 +19,9 @@ std::string error_line(const study::StatedError& error)
 std::string reduce_text(const study::Reduction& reduction)
 {
     const auto& small = reduction.small;
+    const auto free = std::ranges::count_if(small.box, [](const auto& one) { return one.from < one.to; });
     std::string text = fmt::format("\n{}\n\n{} unknowns became {} states; {} coefficients are free\n\n", small.name,
-                                   small.unknowns, small.states, small.box.size());
+                                   small.unknowns, small.states, free);
     text += "largest error after the first minute, of probes and sides of joints, and of the gap:\n";
     for (const auto& error : small.errors)
         text += error_line(error);

@@ -4,7 +4,9 @@
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/study/reduce/split.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 
 namespace deadpoint::study {
@@ -36,6 +38,22 @@ double heat_at(const HeatProblem& problem, std::size_t source, double temperatur
 double oil_temperature_of(const HeatProblem& problem) { return problem.interfaces.front().oil_temperature; }
 
 bool is_free(const Span& span) { return span.from < span.to; }
+
+// Segments may have other coefficients than the first one; a draw multiplies each segment's own.
+void widen_by_segments(reduce::FreeCoefficient& coefficient, const HeatProblem& problem)
+{
+    if (coefficient.kind != Kind::side && coefficient.kind != Kind::oil)
+        return;
+    double least = 1, most = 1;
+    for (const auto& segment : problem.segments)
+        for (std::size_t k = 0; k < coefficient.members.size(); ++k)
+            if (const auto value = value_of(coefficient, k, problem, segment); value && coefficient.base[k] > 0) {
+                least = std::min(least, *value);
+                most = std::max(most, *value);
+            }
+    coefficient.from *= least;
+    coefficient.to *= most;
+}
 
 /// Collects coefficients; members of the same name change together.
 class Collector {
@@ -70,20 +88,18 @@ void add_films(Collector& box, const SplitProblem& split, const Machine& machine
 
 void add_joints(Collector& box, const SplitProblem& split, const Machine& machine, const FreeRanges& ranges)
 {
-    const auto& laws = split.problem.interfaces;
+    const auto& laws = laws_in(split.problem, split.problem.segments.front());
     for (std::size_t i = 0; i < laws.size(); ++i) {
         const auto& name = machine.interfaces[i].name;
         for (const std::size_t side : {0U, 1U})
-            if (is_free(ranges.side))
-                box.add(ranges.by_piece ? fmt::format("joints.{}.{}", name, side == 0 ? "a" : "b") : "joints." + name,
-                        Kind::side, ranges.side, 2 * i + side, side_of(laws, 2 * i + side));
-        if (is_free(ranges.oil)) {
-            const auto source = laws[i].source;
-            const bool by_row = !ranges.by_piece && source >= 0;
-            box.add(by_row ? "oil." + split.problem.sources[static_cast<std::size_t>(source)].name
-                           : fmt::format("joints.{}.oil", name),
-                    Kind::oil, ranges.oil, i, laws[i].oil > 0 ? laws[i].oil : assumed_oil);
-        }
+            box.add(ranges.by_piece ? fmt::format("joints.{}.{}", name, side == 0 ? "a" : "b") : "joints." + name,
+                    Kind::side, ranges.side, 2 * i + side, side_of(laws, 2 * i + side));
+        const auto source = laws[i].source;
+        const bool by_row = !ranges.by_piece && source >= 0;
+        const double missing = is_free(ranges.oil) ? assumed_oil : 0;
+        box.add(by_row ? "oil." + split.problem.sources[static_cast<std::size_t>(source)].name
+                       : fmt::format("joints.{}.oil", name),
+                Kind::oil, ranges.oil, i, laws[i].oil > 0 ? laws[i].oil : missing);
     }
 }
 
@@ -92,25 +108,30 @@ void add_joints(Collector& box, const SplitProblem& split, const Machine& machin
 reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges, double start)
 {
     Collector box;
-    if (is_free(ranges.film))
-        add_films(box, split, machine, ranges);
+    add_films(box, split, machine, ranges);
     add_joints(box, split, machine, ranges);
-    for (std::size_t r = 0; r < split.problem.sources.size() && is_free(ranges.heat); ++r)
+    for (std::size_t r = 0; r < split.problem.sources.size(); ++r)
         box.add("friction." + split.problem.sources[r].name, Kind::heat, ranges.heat, r,
                 heat_at(split.problem, r, start));
-    if (is_free(ranges.oil_temperature) && !split.problem.interfaces.empty())
+    if (!split.problem.interfaces.empty())
         box.add("oil temperature", Kind::oil_temperature, ranges.oil_temperature, 0, oil_temperature_of(split.problem));
-    if (is_free(ranges.ambient))
-        box.add("ambient", Kind::ambient, ranges.ambient, 0, split.problem.segments.front().ambient(0));
-    return box.take();
+    box.add("ambient", Kind::ambient, ranges.ambient, 0, split.problem.segments.front().ambient(0));
+    auto result = box.take();
+    for (auto& coefficient : result)
+        widen_by_segments(coefficient, split.problem);
+    return result;
 }
 
 std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::size_t member,
-                               const HeatProblem& problem, const HeatSegment& segment, double start)
+                               const HeatProblem& problem, const HeatSegment& segment)
 {
     const auto place = coefficient.members[member];
     const double base = coefficient.base[member];
-    const auto factor = [&](double value) { return base > 0 ? std::optional(value / base) : std::nullopt; };
+    const auto factor = [&](double value) -> std::optional<double> {
+        if (base > 0)
+            return value / base;
+        return value > 0 ? std::optional(std::numeric_limits<double>::infinity()) : std::nullopt;
+    };
     switch (coefficient.kind) {
     case Kind::film:
         return factor(problem.surfaces[place].coefficient);
@@ -118,12 +139,10 @@ std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::
         return factor(side_of(laws_in(problem, segment), place));
     case Kind::oil:
         return factor(laws_in(problem, segment)[place].oil);
-    case Kind::heat:
-        return segment.heat[place] ? factor(problem.sources[place].share * segment.heat[place](start).value)
-                                   : std::nullopt;
     case Kind::oil_temperature:
         return oil_temperature_of(problem) - base;
-    case Kind::ambient:  // follows a course: outside.cpp looks at all of it
+    case Kind::heat:     // by name (outside.cpp)
+    case Kind::ambient:  // a course (outside.cpp)
         break;
     }
     return std::nullopt;

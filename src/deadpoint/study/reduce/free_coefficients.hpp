@@ -36,16 +36,16 @@ struct FreeRanges {
 /// Oil coefficient to which the range of a joint without oil refers [W/m2/K].
 inline constexpr double assumed_oil = 500;
 
-/// The box of a problem with constant films.
+/// The box of a problem with constant films. Held coefficients are in it too, with a range of no width.
 /// @param start  temperature at the start [K]
 reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges,
                               double start);
 
 /// A coefficient's value in a problem with constant films: a factor on its base, or a difference to it.
-/// @param member  of the coefficient @param start temperature at which heat is compared [K]
-/// @return nothing where the segment has none
+/// @param member  of the coefficient
+/// @return nothing for heat and ambient, which are no single numbers, and where the base is zero
 std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::size_t member,
-                               const HeatProblem& problem, const HeatSegment& segment, double start);
+                               const HeatProblem& problem, const HeatSegment& segment);
 
 /// The problem with constant films: laws and radiation at a surface 20 K above the start temperature, and air at it.
 HeatProblem with_nominal_films(const HeatProblem& problem, double start);

@@ -36,14 +36,31 @@ Found ambients_in(const FreeCoefficient& coefficient, const HeatProblem& problem
     return found;
 }
 
+// A case may have other friction laws than the one that was reduced. They are known by their names.
+Found heat_in(const FreeCoefficient& coefficient, const HeatProblem& problem, double start)
+{
+    Found found;
+    const auto source = std::ranges::find_if(
+        problem.sources, [&](const HeatSource& one) { return "friction." + one.name == coefficient.name; });
+    if (source == problem.sources.end() || !(coefficient.base.front() > 0))
+        return found;
+    const auto index = static_cast<std::size_t>(source - problem.sources.begin());
+    for (const auto& segment : problem.segments)
+        if (const auto& law = segment.heat[index])
+            found.add(source->share * law(start).value / coefficient.base.front());
+    return found;
+}
+
 Found values_in(const FreeCoefficient& coefficient, const HeatProblem& problem, double start)
 {
     if (coefficient.kind == FreeCoefficient::Kind::ambient)
         return ambients_in(coefficient, problem);
+    if (coefficient.kind == FreeCoefficient::Kind::heat)
+        return heat_in(coefficient, problem, start);
     Found found;
     for (const auto& segment : problem.segments)
         for (std::size_t k = 0; k < coefficient.members.size(); ++k)
-            if (const auto value = value_of(coefficient, k, problem, segment, start))
+            if (const auto value = value_of(coefficient, k, problem, segment))
                 found.add(*value);
     return found;
 }

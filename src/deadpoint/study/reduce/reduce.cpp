@@ -120,7 +120,7 @@ void compare_with_full_runs(ModelParts& parts, const reduce::BuildOptions& optio
     observer.stage("full runs");
     reduce::RunDifference large, small, large_drawn, small_drawn;
     runs.compare(as_stated, models, large, small);
-    for (int k = 1; k < count && !observer.cancelled(); ++k) {
+    for (int k = 1; k < count; ++k) {
         runs.compare(reduce::drawn_problem(nominal, result.small.box, draws), models, large_drawn, small_drawn);
         observer.progress((k + 1.0) / count, fmt::format("{} of {}", k + 1, count));
     }

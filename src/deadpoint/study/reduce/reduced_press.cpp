@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/drift/chain.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/bare_machine.hpp"
 #include "deadpoint/io/binary_file.hpp"
@@ -9,6 +10,7 @@
 #include "deadpoint/reduce/online/dense_terms.hpp"
 #include "deadpoint/reduce/online/terms_file.hpp"
 
+#include <algorithm>
 #include <tuple>
 
 namespace deadpoint {
@@ -94,6 +96,60 @@ constexpr auto head(const ReducedPress*)
         &ReducedPress::first_frame, &ReducedPress::box,       &ReducedPress::errors,    &ReducedPress::sizes};
 }
 
+bool contacts_fit(const std::vector<Contact>& contacts, std::size_t parts)
+{
+    return std::ranges::all_of(contacts, [&](const Contact& c) { return c.part_a < parts && c.part_b < parts; });
+}
+
+bool machine_fits(const Machine& machine, const heat::FunctionalLayout& layout)
+{
+    const auto parts = machine.parts.size();
+    const auto share_fits = [&](const SurfaceShare& share) { return share.part < parts; };
+    return parts == layout.parts && machine.interfaces.size() == layout.interfaces &&
+           contacts_fit(machine.interfaces, parts) && contacts_fit(machine.bonds, parts) &&
+           std::ranges::all_of(machine.surfaces, [&](const MeshSurface& surface) {
+               return std::ranges::all_of(surface.figures.parts, share_fits);
+           });
+}
+
+// Corners are none, or four of which two may be mirror images.
+bool chain_fits(const ReducedChain& chain, std::size_t adjoints, std::size_t split, std::size_t parts)
+{
+    const auto& gaps = chain.gaps;
+    const auto bearings = static_cast<std::size_t>(std::max(chain.figures.bearings, 0));
+    return chain.figures.bearings >= 0 && chain.first_gap == drift::dimension_count + bearings &&
+           chain.first_gap + gaps.corners.size() + gaps.clearances.size() <= adjoints &&
+           (gaps.corners.empty() || gaps.corners.size() == (gaps.mirrored ? 2U : 4U)) &&
+           split == (1 + bearings) * parts;
+}
+
+bool coefficient_fits(const reduce::FreeCoefficient& one, const heat::FunctionalLayout& layout)
+{
+    using enum reduce::FreeCoefficient::Kind;
+    const auto below = [&](std::size_t limit) {
+        return std::ranges::all_of(one.members, [&](std::size_t member) { return member < limit; });
+    };
+    return one.base.size() == one.members.size() && !one.base.empty() && one.kind >= film && one.kind <= ambient &&
+           (one.kind != film || below(layout.surfaces)) && (one.kind != side || below(2 * layout.interfaces)) &&
+           (one.kind != oil || below(layout.interfaces));
+}
+
+// A file with a right checksum may still not be what this program writes.
+bool is_sound(const ReducedPress& press)
+{
+    const auto& terms = press.terms->terms;
+    const auto& layout = terms.geometry.layout;
+    const auto observed = static_cast<std::size_t>(terms.observed.rows());
+    if (press.adjoints > observed || terms.parts.cols() != static_cast<Eigen::Index>(layout.parts))
+        return false;
+    const auto split = observed - press.adjoints;
+    const auto forces = press.frame ? press.frame->rods.size() + press.frame->bonds.size() : 0;
+    return machine_fits(press.machine, layout) &&
+           (press.chain ? chain_fits(*press.chain, press.adjoints, split, layout.parts) : split == 0) &&
+           (!press.frame || press.first_frame + forces <= press.adjoints) &&
+           std::ranges::all_of(press.box, [&](const auto& one) { return coefficient_fits(one, layout); });
+}
+
 }  // namespace
 
 void write_reduced(const std::filesystem::path& file, const ReducedPress& press)
@@ -120,6 +176,8 @@ ReducedPress read_reduced(const std::filesystem::path& file)
     } catch (const InputError& error) {
         reader.refuse(error.what());
     }
+    if (!is_sound(press))
+        reader.refuse("its numbers do not fit each other");
     press.states = static_cast<std::size_t>(press.terms->terms.uniform.size());
     return press;
 }

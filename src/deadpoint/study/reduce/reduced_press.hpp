@@ -53,7 +53,7 @@ struct ReducedPress {
 };
 
 /// What a reduced model cannot change of a case, as text: its bodies, parts, materials, contacts, surfaces, probes and
-/// chain. Operating points, loads, friction, oil, other heat, conductances and convection may differ.
+/// chain, other heat. Operating points, loads, friction, oil, conductances and convection may differ.
 std::string fixed_part(const casefile::Case& input);
 
 /// Writes a reduced press (docs/rom-file.md). @throws IoError

@@ -44,6 +44,10 @@ void run(Work& work, const ReducedPress& press, const Observer& study)
     PointObserver observer(study);
     try {
         work.result = run_reduced(*work.input, press, nullptr, ReducedDetail::figures, observer);
+        if (work.result->thermal.interrupted) {
+            work.result.reset();
+            return;
+        }
         const auto taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         work.outcome = {PointOutcome::State::done, {}, taken};
     } catch (const Error& error) {

@@ -31,12 +31,17 @@
 namespace deadpoint::study {
 namespace {
 
+// Lines of a case, each with the table in which it stands.
 std::vector<std::string> lines_of(const std::string& text)
 {
     std::vector<std::string> lines;
     std::istringstream in(text);
+    std::string table;
     for (std::string line; std::getline(in, line);)
-        lines.push_back(line);
+        if (line.starts_with("["))
+            lines.push_back(table = line);
+        else if (!line.empty())
+            lines.push_back(table + " " + line);
     return lines;
 }
 
@@ -55,6 +60,15 @@ void require_fit(const casefile::Case& input, const ReducedPress& press)
                     press.name, fmt::join(found, "\n    "), count > shown ? "\n    ..." : ""));
 }
 
+void require_same(const ReducedPress& press, const ReducedPress& large)
+{
+    if (press.case_hash != large.case_hash || press.fixed_part != large.fixed_part ||
+        press.unknowns != large.unknowns || press.adjoints != large.adjoints)
+        throw InputError(fmt::format("the large model '{}' belongs to another reduced press (case hash {} instead of "
+                                     "{})\n  help: make both again with 'deadpoint reduce', or remove that file",
+                                     press.large_file, large.case_hash, press.case_hash));
+}
+
 /// One run on a reduced model.
 class ReducedCaseRun {
 public:
@@ -71,7 +85,7 @@ public:
     RunResult run(const ReducedPress* large)
     {
         watch_.start("time steps");
-        reduce::ReducedRun run(press_.terms, split_.problem, press_.adjoints, press_.reference);
+        reduce::ReducedRun run(press_.terms, split_.problem, press_.adjoints, reference());
         result_.thermal = run.go({}, observer_);
         merge_surfaces();
         follow_gap(run);
@@ -82,6 +96,9 @@ public:
     }
 
 private:
+    /// Temperature without deformation [K].
+    [[nodiscard]] double reference() const { return input_.machine.initial_temperature; }
+
     void merge_surfaces()
     {
         std::vector<bool> outside(problem_.surfaces.size(), false);
@@ -132,10 +149,10 @@ private:
         reduced.outside = outside_of(press_.box, split_, press_.reference);
         for (const auto& text : reduced.outside)
             observer_.warn(fmt::format("outside the range of the reduced model: {}", text));
-        if (!large)
+        if (!large || result_.thermal.interrupted)
             return;
         watch_.start("estimate");
-        reduce::ReducedRun run(large->terms, split_.problem, large->adjoints, large->reference);
+        reduce::ReducedRun run(large->terms, split_.problem, large->adjoints, reference());
         const auto found = reduce::difference(result_.thermal, run.go({}, observer_),
                                               press_.chain ? static_cast<std::size_t>(drift::gap) : SIZE_MAX);
         reduced.estimate = StatedError{"this run, to the large model", found.temperature, found.gap};
@@ -170,6 +187,8 @@ private:
 
 std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress& press)
 {
+    if (fixed_part(input) == press.fixed_part)
+        return {};
     const auto own = lines_of(fixed_part(input)), built = lines_of(press.fixed_part);
     const std::multiset<std::string> of_case(own.begin(), own.end()), of_model(built.begin(), built.end());
     std::vector<std::string> result;
@@ -181,6 +200,8 @@ std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress
     std::ranges::set_difference(of_model, of_case, std::back_inserter(only));
     for (const auto& line : only)
         result.push_back("only in the model: " + line);
+    if (result.empty())
+        result.emplace_back("the same lines in another order");
     return result;
 }
 
@@ -188,6 +209,8 @@ RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, co
                       ReducedDetail detail, Observer& observer)
 {
     require_fit(input, press);
+    if (large)
+        require_same(press, *large);
     return ReducedCaseRun(input, press, detail, observer).run(large);
 }
 

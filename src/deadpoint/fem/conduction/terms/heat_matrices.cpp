@@ -77,21 +77,22 @@ void HeatMatrices::adopt(const HeatProblem& problem) { wanted_.films = film_coef
 bool HeatMatrices::set_laws(const std::vector<InterfaceLaw>& laws)
 {
     wanted_.joints = coefficients_of(laws);
-    if (wanted_ == present_)
+    if (!is_solid_ && wanted_ == present_)
         return false;
-    if (solid_ || !present_.joints.empty())
+    if (solid_ || !is_solid_)
         DEADPOINT_PETSC(MatCopy(solid(), stiffness_, SAME_NONZERO_PATTERN));
     joints_.add_to(stiffness_, wanted_.joints);
     for (std::size_t s = 0; s < film_terms_.size(); ++s)
         film_terms_[s].add_to(stiffness_, wanted_.films[s]);
     finish(stiffness_);
     present_ = wanted_;
+    is_solid_ = false;
     return true;
 }
 
 Mat HeatMatrices::solid()
 {
-    if (!solid_ && present_.joints.empty())
+    if (!solid_ && is_solid_)
         keep_solid();
     if (!solid_) {
         DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_SHARE_NONZERO_PATTERN, solid_.out()));

@@ -66,7 +66,8 @@ private:
     const std::vector<Material>& materials_;
     JointTerms joints_;
     std::vector<SparseTerm> film_terms_;
-    Coefficients wanted_, present_;  ///< present_ empty: K is K_solid
+    Coefficients wanted_, present_;
+    bool is_solid_ = true;  ///< K is K_solid
     OwnedMat mass_, solid_, stiffness_, films_, conduction_;
     int integrations_ = 0;
 };
