@@ -62,7 +62,7 @@ int reduce_case(const ReduceOptions& options, const OnRanks& ranks)
 
 void add_reduce(CLI::App& app, int& exit_code)
 {
-    auto* command = app.add_subcommand("reduce", "build a reduced model that computes a warm-up in milliseconds");
+    auto* command = app.add_subcommand("reduce", "build a reduced model of a few hundred states, for quick runs");
     const auto options = std::make_shared<ReduceOptions>();
     add_case_options(*command, *options);
     command->add_option("-o,--output", options->file, "the file of the reduced model")->required()->type_name("FILE");

@@ -226,7 +226,7 @@ void add_run(CLI::App& app, int& exit_code)
         ->type_name("VALUE");
     command
         ->add_option("--reduced", options->reduced,
-                     "compute with a reduced model that 'deadpoint reduce' built, in milliseconds")
+                     "compute with a reduced model that 'deadpoint reduce' built, without a mesh")
         ->type_name("FILE");
     add_checkpoint_options(*command, options->checkpoints);
     command->callback([options, &exit_code] {

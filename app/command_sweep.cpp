@@ -206,9 +206,6 @@ int sweep_reduced(const SweepOptions& options, const OnRanks& ranks)
     };
     how.take = [&](std::size_t point, const casefile::Case& input, const study::RunResult& run) {
         result.records[point] = report::record_of(input, run);
-        for (const auto& outside : run.reduced->outside) {
-            console.warn(fmt::format("outside the range of the reduced model: {}", outside));
-        }
     };
     result.outcomes = study::run_points_reduced(result.points, press, how, console);
     console.finish();

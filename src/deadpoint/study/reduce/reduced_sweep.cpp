@@ -13,17 +13,23 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace deadpoint::study {
 namespace {
 
 constexpr std::size_t points_at_a_time = 64;
 
-/// Keeps warnings of a point, of which a study shows those of outside ranges only once.
+/// Keeps the warnings of a point.
 class PointObserver : public Observer {
 public:
     explicit PointObserver(const Observer& study) : study_(study) {}
+    void warn(std::string_view text) override { warnings.emplace_back(text); }
     [[nodiscard]] bool cancelled() const override { return study_.cancelled(); }
+    std::vector<std::string> warnings;
 
 private:
     const Observer& study_;
@@ -34,6 +40,7 @@ struct Work {
     std::optional<casefile::Case> input;
     std::optional<RunResult> result;
     PointOutcome outcome;
+    std::vector<std::string> warnings;
 };
 
 void fail(Work& work, const Error& error) { work.outcome = {PointOutcome::State::failed, error.what(), 0}; }
@@ -53,6 +60,7 @@ void run(Work& work, const ReducedPress& press, const Observer& study)
     } catch (const Error& error) {
         fail(work, error);
     }
+    work.warnings = std::move(observer.warnings);
 }
 
 }  // namespace
@@ -61,6 +69,7 @@ std::vector<PointOutcome> run_points_reduced(const std::vector<SweepPoint>& poin
                                              const ReducedSweep& sweep, Observer& observer)
 {
     std::vector<PointOutcome> outcomes(points.size());
+    std::set<std::string> told;  // most points warn of the same
     observer.stage("points");
     for (std::size_t first = 0; first < points.size() && !observer.cancelled(); first += points_at_a_time) {
         std::vector<Work> works(std::min(points_at_a_time, points.size() - first));
@@ -78,6 +87,9 @@ std::vector<PointOutcome> run_points_reduced(const std::vector<SweepPoint>& poin
             outcomes[first + k] = works[k].outcome;
             if (works[k].outcome.state == PointOutcome::State::failed)
                 observer.warn(fmt::format("point {} failed: {}", points[first + k].name, works[k].outcome.reason));
+            for (const auto& warning : works[k].warnings)
+                if (told.insert(warning).second)
+                    observer.warn(fmt::format("point {}: {}", points[first + k].name, warning));
             if (works[k].result)
                 sweep.take(first + k, *works[k].input, *works[k].result);
         }

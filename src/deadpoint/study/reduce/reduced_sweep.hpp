@@ -28,7 +28,8 @@ struct ReducedSweep {
 };
 
 /// Runs points on a reduced model, some at a time, and keeps none of them. A point that fails is recorded with its
-/// reason, and the others go on. After Observer::cancelled() the others are left.
+/// reason, and the others go on. A warning is passed on with the first point that gives it. After Observer::cancelled()
+/// the others are left.
 /// @return as the points
 std::vector<PointOutcome> run_points_reduced(const std::vector<SweepPoint>& points, const ReducedPress& press,
                                              const ReducedSweep& sweep, Observer& observer);
