@@ -9,7 +9,9 @@
 #include "ranks.hpp"
 
 #include <filesystem>
+#include <fmt/format.h>
 #include <memory>
+#include <string>
 #include <thread>
 
 using namespace deadpoint;
@@ -19,6 +21,7 @@ namespace {
 struct ReduceOptions : CaseOptions {
     std::string file;
     int full_runs = 2;
+    bool fields = false;
 };
 
 /// The name of the large model's file beside that of the small one: press.rom, press.large.rom.
@@ -35,6 +38,16 @@ void write(const std::filesystem::path& file, study::Reduction& reduction)
     study::write_reduced(file, reduction.small);
 }
 
+std::string text_of_fields(const ReduceOptions& options)
+{
+    if (!options.fields) {
+        return {};
+    }
+    const auto file = study::fields_file(options.file);
+    return fmt::format("the fields of its states are in {} ({:.1f} MB)\n", file.filename().string(),
+                       1e-6 * static_cast<double>(std::filesystem::file_size(file)));
+}
+
 int reduce_case(const ReduceOptions& options, const OnRanks& ranks)
 {
     const auto read = read_case(options, ranks.console);
@@ -49,12 +62,15 @@ int reduce_case(const ReduceOptions& options, const OnRanks& ranks)
     auto wanted = study::reduce_options(press.input());
     wanted.build.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency())) / fem::ranks();
     wanted.full_runs = options.full_runs;
+    if (options.fields) {
+        wanted.fields_file = study::fields_file(options.file).string();
+    }
     auto reduction = press.reduce(wanted, ranks.console);
     ranks.console.finish();
     on_first_rank(ranks.first, [&] { write(options.file, reduction); });
     if (ranks.first)
-        print_out("{}\nthe reduced model is in {}, its large model beside it in {}\n", report::reduce_text(reduction),
-                  options.file, large_file(options.file).filename().string());
+        print_out("{}\nthe reduced model is in {}, its large model beside it in {}\n{}", report::reduce_text(reduction),
+                  options.file, large_file(options.file).filename().string(), text_of_fields(options));
     return 0;
 }
 
@@ -70,6 +86,10 @@ void add_reduce(CLI::App& app, int& exit_code)
         ->add_option("--full-runs", options->full_runs,
                      "full runs to compare with: the case itself, then coefficients drawn from their ranges")
         ->check(CLI::Range(0, 1000));
+    command->add_flag(
+        "--fields", options->fields,
+        "also store the fields of the states, for 3-D fields of runs: 4 bytes for each temperature of the "
+        "mesh and each state, 100 MB for the shipped press");
     command->callback([options, &exit_code] {
         exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return reduce_case(*options, ranks); });
     });

@@ -6,6 +6,8 @@
 #include "deadpoint/report/page/page.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
 #include "deadpoint/report/text/run_text.hpp"
+#include "deadpoint/study/fields/field_options.hpp"
+#include "deadpoint/study/fields/lift_fields.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
@@ -76,7 +78,7 @@ study::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOpti
 
 /// Without a mesh. The large model beside the file tells the error.
 study::RunResult compute_reduced(const casefile::Case& input, const study::ReducedPress& press,
-                                 const std::filesystem::path& file, Console& console)
+                                 const std::filesystem::path& file, study::ReducedStates* states, Console& console)
 {
     const auto large = file.parent_path() / press.large_file;
     std::optional<study::ReducedPress> other;
@@ -88,7 +90,7 @@ study::RunResult compute_reduced(const casefile::Case& input, const study::Reduc
         console.warn(fmt::format("'{}' is missing, so the error of this run is not estimated", large.string()));
     }
     auto result = casefile::with_places(input, [&] {
-        return study::run_reduced(input, press, other ? &*other : nullptr, study::ReducedDetail::all, console);
+        return study::run_reduced(input, press, other ? &*other : nullptr, study::ReducedDetail::all, console, states);
     });
     result.reduced->file = file.filename().string();
     return result;
@@ -130,19 +132,46 @@ void refuse_beside_reduced(const RunOptions& options)
     }
 }
 
+bool wants_fields(const casefile::Case& input) { return input.output.fields || !input.output.stress.empty(); }
+
+/// The press of a reduced model with its mesh, after the fields of a run were lifted onto it.
+std::unique_ptr<study::Press> lift_fields(const casefile::Case& input, const RunOptions& options, double size_scale,
+                                          const study::ReducedStates& states, const std::string& folder,
+                                          study::RunResult& result, Console& console)
+{
+    auto meshed = std::make_unique<study::Press>(input, size_scale);
+    meshed->mesh(console);
+    result.timings.emplace_back("mesh", meshed->mesh_seconds());
+    const study::FieldOptions wanted{input.output.fields ? folder : std::string{}, file_comments(input, console)};
+    meshed->lift(study::fields_file(options.reduced).string(), states, wanted, result, console);
+    meshed->drop_model();
+    return meshed;
+}
+
+/// Every rank computes the same; together they lift the fields.
 int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
 {
     refuse_beside_reduced(options);
-    if (!ranks.first) {
-        return 0;
-    }
     auto& console = ranks.console;
     const auto read = read_case(options, console);
     const auto press = study::read_reduced(options.reduced);
-    const auto folder = start_folder(options, read, console);
-    const auto result = compute_reduced(read.value, press, options.reduced, console);
+    const bool lifts = wants_fields(read.value) && std::filesystem::exists(study::fields_file(options.reduced));
+    std::unique_ptr<ResultFolder> folder;
+    const auto path = start_folder(
+        ranks.first, [&] { return start_folder(options, read, console); }, folder);
+    study::ReducedStates states;
+    auto result = compute_reduced(read.value, press, options.reduced, lifts ? &states : nullptr, console);
+    std::unique_ptr<study::Press> meshed;
+    if (lifts) {
+        ranks.agree = false;
+        meshed = lift_fields(read.value, options, press.size_scale, states, path, result, console);
+    }
     console.finish();
-    report::write_run_files(folder->path(), read.value, press.machine, result, console.warnings());
+    if (!folder) {
+        return result.thermal.interrupted ? interrupted_exit_code : 0;
+    }
+    report::write_run_files(folder->path(), read.value, meshed ? meshed->machine(console) : press.machine, result,
+                            console.warnings());
     report::write_manifest(folder->path());
     const bool has_page = add_page(*folder, console);
     commit(*folder, console);
@@ -150,6 +179,10 @@ int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
     const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
     print_out("{}\nresults{} are in {}\n", report::run_text(read.value, result, detail),
               result.thermal.interrupted ? " up to the interruption" : "", where);
+    if (wants_fields(read.value) && !lifts) {
+        print_out("there are no fields, since '{}' is missing; 'deadpoint reduce --fields' writes it\n",
+                  study::fields_file(options.reduced).string());
+    }
     if (has_page) {
         print_out("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
     }

@@ -3,7 +3,8 @@
 import struct
 from array import array
 
-KIND = b"deadpoint reduced press 1\n"
+KIND = b"deadpoint reduced press 2\n"
+FIELDS_KIND = b"deadpoint fields of a reduced press 1\n"
 
 
 class Reader:
@@ -102,14 +103,23 @@ def read_frame(r):
                     support_force=lambda: r.optional(r.f64))
 
 
-def read_rom(path, checksum=True):
+def opened(path, kind):
     with open(path, "rb") as file:
-        data = file.read()
-    r = Reader(data)
-    if r.raw(len(KIND)) != KIND:
-        raise ValueError("this is no reduced press")
+        r = Reader(file.read())
+    if r.raw(len(kind)) != kind:
+        raise ValueError("this is another kind of file")
+    return r
+
+
+def check_end(r, checksum):
+    if r.u64() != len(r.data) or (checksum and r.u64() != fnv1a(r.data[:-8])):
+        raise ValueError("the file was cut short or changed")
+
+
+def read_rom(path, checksum=True):
+    r = opened(path, KIND)
     rom = r.fields(version="text", name="text", case_hash="text", fixed_part="text", large_file="text",
-                   machine=lambda: read_machine(r), cells="u64", unknowns="u64", adjoints="u64", reference="f64",
+                   machine=lambda: read_machine(r), size_scale="f64", cells="u64", unknowns="u64", adjoints="u64", reference="f64",
                    chain=lambda: r.optional(lambda: read_chain(r)), frame=lambda: r.optional(lambda: read_frame(r)),
                    first_frame="u64",
                    box=lambda: r.list(lambda: r.fields(name="text", kind="i32", members=lambda: r.list(r.u64),
@@ -121,13 +131,31 @@ def read_rom(path, checksum=True):
                    surface_area=lambda: r.numbers("d"), solid=lambda: r.numbers("d"),
                    joint_terms=lambda: r.list(r.matrix), films=lambda: r.list(r.matrix), functionals="matrix",
                    observed="matrix", part_states="matrix")
-    if r.u64() != len(data) or (checksum and r.u64() != fnv1a(data[:-8])):
-        raise ValueError("the file was cut short or changed")
+    check_end(r, checksum)
     return rom
 
 
-def main(path):
+def read_fields(path, checksum=True):
+    """The fields of the states: a list of numbers for each state."""
+    r = opened(path, FIELDS_KIND)
+    found = r.fields(version="text", model="text", mesh="text", fields=lambda: r.list(lambda: r.numbers("f")))
+    check_end(r, checksum)
+    return found
+
+
+def check_fields(path, rom):
+    found = read_fields(path)
+    sizes = {len(field) for field in found["fields"]}
+    if len(found["fields"]) != rom["part_states"]["rows"] or sizes != {rom["unknowns"]}:
+        raise ValueError("fields differ in number or size from states and unknowns")
+    if int(found["model"], 16) != fnv1a(rom["functionals"]["entries"].tobytes()):
+        raise ValueError("the fields belong to another model")
+
+
+def main(path, fields=None):
     rom = read_rom(path)
+    if fields:
+        check_fields(fields, rom)
     states = rom["part_states"]["rows"]
     for factor in rom["joint_terms"] + rom["films"]:
         if factor["rows"] not in (0, states):
@@ -139,4 +167,4 @@ def main(path):
 
 if __name__ == "__main__":
     import sys
-    main(sys.argv[1])
+    main(*sys.argv[1:])

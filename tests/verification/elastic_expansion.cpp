@@ -2,7 +2,7 @@
 #include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/fem/estimate/pod.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/pipeline/view_recorder.hpp"
+#include "deadpoint/study/fields/view_recorder.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 #include "deadpoint/study/translate/materials.hpp"

@@ -11,6 +11,7 @@
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/elastic/stress_recovery.hpp"
 #include "deadpoint/fem/estimate/error_estimate.hpp"
+#include "deadpoint/fem/reduction/field_file.hpp"
 #include "deadpoint/fem/reduction/heat_projector.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/fem/transfer/fitted_transfer.hpp"
@@ -254,6 +255,11 @@ std::unique_ptr<HeatProjector> Model::projector(const HeatProblem& problem, cons
 {
     return std::make_unique<HeatProjector>(implementation_->space, implementation_->materials, problem,
                                            ObservedAdjoints{observed, attribution});
+}
+
+StateFields Model::read_fields(const std::string& file, const std::string& model, std::size_t states) const
+{
+    return fem::read_fields(file, implementation_->space, model, states);
 }
 
 void Model::start_from(const std::string& file)

@@ -24,6 +24,7 @@ struct ThermalHistory;
 namespace deadpoint::fem {
 
 class HeatProjector;    // reduction/heat_projector.hpp
+class StateFields;      // reduction/field_file.hpp
 struct CheckpointPlan;  // checkpoint.hpp
 
 /// Finite elements on the whole machine: transient heat conduction with contact layers in joints,
@@ -83,6 +84,9 @@ public:
     /// @param observed  recorded besides the functionals of the heat balance, as heat() does
     std::unique_ptr<HeatProjector> projector(const HeatProblem& problem, const std::vector<Adjoint>& observed,
                                              Attribution attribution);
+    /// The fields of a reduced model's states, as HeatProjector::write_fields() wrote them. Errors as read_fields()
+    /// (reduction/field_file.hpp).
+    [[nodiscard]] StateFields read_fields(const std::string& file, const std::string& model, std::size_t states) const;
 
     /// Starts the assembled problem from a state that write_state() wrote, on any number of ranks.
     /// @throws IoError if the file cannot be read or is cut short; InputError if it belongs to another mesh

@@ -8,6 +8,7 @@
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 #include "deadpoint/fem/reduction/block_solver.hpp"
 #include "deadpoint/fem/reduction/columns.hpp"
+#include "deadpoint/fem/reduction/field_file.hpp"
 #include "deadpoint/fem/reduction/surface_terms.hpp"
 #include "deadpoint/fem/space/vectors.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
@@ -211,10 +212,12 @@ reduce::DenseTerms HeatProjector::project(const reduce::Truncation& truncation)
     return terms;
 }
 
-Field HeatProjector::lift(const Eigen::VectorXd& states) const
+void HeatProjector::write_fields(const std::string& file, const std::string& model) const
 {
-    const Eigen::VectorXd values = parts_->basis * states;
-    return {{values.begin(), values.end()}};
+    const auto& basis = parts_->basis;
+    fem::write_fields(
+        file, parts_->space, model, static_cast<std::size_t>(basis.cols()),
+        [&](std::size_t field) -> Eigen::VectorXd { return basis.col(static_cast<Eigen::Index>(field)); });
 }
 
 }  // namespace deadpoint::fem

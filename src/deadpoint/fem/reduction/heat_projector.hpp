@@ -4,6 +4,7 @@
 #include "deadpoint/reduce/offline/full_model.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace deadpoint {
@@ -39,8 +40,9 @@ public:
     [[nodiscard]] reduce::DenseTerms project(const reduce::Truncation& truncation) override;
     void combine(const Eigen::MatrixXd& combinations) override;
 
-    /// The field of states.
-    [[nodiscard]] Field lift(const Eigen::VectorXd& states) const;
+    /// Writes the fields of the basis (field_file.hpp). Collective.
+    /// @param model  reduce::mark_of() the terms on this basis @throws IoError
+    void write_fields(const std::string& file, const std::string& model) const;
 
 private:
     struct Parts;

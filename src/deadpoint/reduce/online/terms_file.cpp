@@ -1,5 +1,6 @@
 #include "deadpoint/reduce/online/terms_file.hpp"
 
+#include "deadpoint/core/hash.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
 
@@ -83,6 +84,12 @@ void restore(const StoredTerms& stored, DenseTerms& terms)
                                 {as_matrix(stored.joints[i + 3])}});
     for (const auto& film : stored.films)
         terms.films.push_back({as_matrix(film)});
+}
+
+std::string mark_of(const DenseTerms& terms)
+{
+    const auto numbers = as_stored(terms.functionals.transpose()).entries;
+    return stable_hash({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)});
 }
 
 }  // namespace deadpoint::reduce

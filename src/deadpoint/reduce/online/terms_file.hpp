@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -39,5 +40,9 @@ StoredTerms stored(const DenseTerms& terms);
 /// The terms again, as they were rounded. @param terms  with their geometry, which is kept
 /// @throws InputError if numbers of entries do not fit each other
 void restore(const StoredTerms& stored, DenseTerms& terms);
+
+/// A number of 16 hexadecimal digits that tells the states of terms from those of any others: a hash of their
+/// functionals as a file has them. It is the same before writing and after reading.
+std::string mark_of(const DenseTerms& terms);
 
 }  // namespace deadpoint::reduce

@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
@@ -86,6 +87,24 @@ void ModelParts::need_chain(const casefile::Case& input)
     auto functionals = chain->dimensions;
     functionals.insert(functionals.end(), gaps->functionals.begin(), gaps->functionals.end());
     adjoints = model->adjoints(functionals);
+}
+
+void ModelParts::note_sizes(RunResult& result) const
+{
+    const auto size = model->size();
+    result.cells = size.cells;
+    result.heat_unknowns = size.heat_unknowns;
+    if (chain || frame) {
+        result.deformation_cells = size.deformation_cells;
+        result.deformation_unknowns = size.deformation_unknowns;
+    }
+}
+
+void ModelParts::note_work(RunResult& result) const
+{
+    result.elastic_iterations = model->elastic_iterations();
+    result.ranks = fem::ranks();
+    result.peak_memory = fem::peak_memory();
 }
 
 }  // namespace deadpoint::study

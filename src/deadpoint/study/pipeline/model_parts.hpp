@@ -43,6 +43,10 @@ struct ModelParts {
     /// Creates unknowns, dimension chain and adjoints if they do not exist yet.
     void need_model(const casefile::Case& input, Stopwatch& watch, Observer& observer);
     void need_chain(const casefile::Case& input);
+    /// Numbers of cells and unknowns.
+    void note_sizes(RunResult& result) const;
+    /// Iterations of the deformation, ranks and memory so far.
+    void note_work(RunResult& result) const;
 
     /// The machine with the mesh of the deformation.
     [[nodiscard]] const Machine& deformed() const { return own_deformation ? *own_deformation : machine; }

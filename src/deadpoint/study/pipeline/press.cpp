@@ -144,7 +144,15 @@ RunResult Press::run(const RunOptions& options, Observer& observer)
 
 Reduction Press::reduce(const ReduceOptions& options, Observer& observer)
 {
-    return casefile::with_places(input_, [&] { return model(observer).reduce(input_, options, observer); });
+    auto result = casefile::with_places(input_, [&] { return model(observer).reduce(input_, options, observer); });
+    result.small.size_scale = result.large.size_scale = size_scale_;
+    return result;
+}
+
+void Press::lift(const std::string& file, const ReducedStates& run, const FieldOptions& options, RunResult& result,
+                 Observer& observer)
+{
+    casefile::with_places(input_, [&] { model(observer).lift(input_, file, run, options, result, observer); });
 }
 
 void Press::drop_model() { model_.reset(); }

@@ -21,6 +21,8 @@ struct Machine;
 namespace deadpoint::study {
 
 class SharedModel;
+struct FieldOptions;
+struct ReducedStates;
 struct ReduceOptions;
 struct Reduction;
 struct RunOptions;
@@ -67,6 +69,9 @@ public:
     RunResult run(const RunOptions& options, Observer& observer);
     /// Builds a reduced model of the case, as SharedModel::reduce(). Collective.
     Reduction reduce(const ReduceOptions& options, Observer& observer);
+    /// The fields of a run of the case on a reduced model, as SharedModel::lift(). Collective.
+    void lift(const std::string& file, const ReducedStates& run, const FieldOptions& options, RunResult& result,
+              Observer& observer);
     /// Frees the model of prepare() and run(); the meshes stay.
     void drop_model();
 

@@ -14,12 +14,12 @@
 #include "deadpoint/study/drift/drift_causes.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/study/fields/lift_fields.hpp"
+#include "deadpoint/study/fields/run_fields.hpp"
 #include "deadpoint/study/laws/friction.hpp"
-#include "deadpoint/study/pipeline/field_writer.hpp"
 #include "deadpoint/study/pipeline/model_parts.hpp"
 #include "deadpoint/study/pipeline/run_warnings.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
-#include "deadpoint/study/pipeline/view_recorder.hpp"
 #include "deadpoint/study/reduce/reduce.hpp"
 #include "deadpoint/study/result/histories.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
@@ -30,25 +30,11 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <iterator>
-#include <map>
 #include <numeric>
+#include <optional>
 
 namespace deadpoint::study {
 namespace {
-
-using ExactFields = std::map<double, fem::Field>;
-
-// For checkpoints: as the view rounds them, but where they were handed on for more than the view.
-std::vector<fem::HandedField> handed_on(const ViewRecorder& view, const ExactFields& exact)
-{
-    auto result = view.kept();
-    std::erase_if(result, [&](const fem::HandedField& field) { return exact.contains(field.time); });
-    for (const auto& [time, field] : exact)
-        result.push_back({time, std::span<const double>(field.owned)});
-    std::ranges::sort(result, {}, &fem::HandedField::time);
-    return result;
-}
 
 /// One run on a shared model: its computations in order, and its intermediate data.
 class CaseRun {
@@ -71,7 +57,7 @@ public:
         make_view();
         if (options_.on_finish)
             options_.on_finish({parts_.machine, *parts_.model, problem_, parts_.chain_or_none(), play_, parts_.adjoints,
-                                kept_, reference()});
+                                fields_->kept(), reference()});
         follow_clearances();
         finish();
         return std::move(result_);
@@ -83,27 +69,19 @@ private:
 
     void note_sizes()
     {
-        const auto size = parts_.model->size();
-        result_.cells = size.cells;
-        result_.heat_unknowns = size.heat_unknowns;
+        parts_.note_sizes(result_);
         if (parts_.chain)
             result_.sensitivity = parts_.chain->sensitivity;
         if (parts_.frame)
             result_.frame = parts_.frame->start();
-        if (parts_.chain || parts_.frame) {
-            result_.deformation_cells = size.deformation_cells;
-            result_.deformation_unknowns = size.deformation_unknowns;
-        }
     }
 
     void choose_times()
     {
-        written_times_ = problem_.field_times;
-        viewed_times_ = options_.view ? view_times(problem_.segments) : std::vector<double>{};
-        std::vector<double> shown_times;
-        std::ranges::set_union(written_times_, viewed_times_, std::back_inserter(shown_times));
-        problem_.field_times.clear();
-        std::ranges::set_union(shown_times, options_.kept_times, std::back_inserter(problem_.field_times));
+        FieldTimes times(problem_, options_.view, options_.kept_times);
+        problem_.field_times = times.all;
+        fields_.emplace(input_, parts_, std::move(times),
+                        FieldOptions{options_.field_folder, options_.comments, keeps()});
     }
 
     void assemble()
@@ -119,11 +97,9 @@ private:
         watch_.start("time steps");
         const double end = std::accumulate(problem_.segments.begin(), problem_.segments.end(), 0.0,
                                            [](double sum, const auto& segment) { return sum + segment.duration; });
-        FieldWriter writer(input_, parts_.machine, *parts_.model, parts_.chain_or_none(), parts_.frame_or_none(),
-                           parts_.adjoints, options_.field_folder, options_.comments);
         const fem::CheckpointPlan checkpoints{options_.checkpoint_file, casefile::case_hash(input_),
                                               options_.checkpoint_interval, options_.resume,
-                                              [&] { return handed_on(view_, exact_); }};
+                                              [&] { return fields_->handed_on(); }};
         double field_seconds = 0;
         result_.thermal = parts_.model->heat(
             parts_.adjoints, reference(),
@@ -131,7 +107,7 @@ private:
             [&](double time) { observer_.progress(time / end, fmt::format("t = {:.2f} h", time / 3600)); },
             [&](double time, const fem::Field& field) {
                 const double before = watch_.seconds();
-                take_field(time, field, writer);
+                fields_->take(time, field, result_);
                 field_seconds += watch_.seconds() - before;
             },
             keeps() ? &checkpoints : nullptr);
@@ -142,20 +118,6 @@ private:
     }
 
     [[nodiscard]] bool keeps() const { return !options_.checkpoint_file.empty(); }
-
-    void take_field(double time, const fem::Field& field, FieldWriter& writer)
-    {
-        const bool viewed = std::ranges::binary_search(viewed_times_, time);
-        const bool written = std::ranges::binary_search(written_times_, time);
-        if (viewed)
-            view_.add(time, field);
-        if (std::ranges::binary_search(options_.kept_times, time))
-            kept_.emplace_back(time, field);
-        if (written)
-            writer.write(time, field, result_);
-        if (keeps() && (written || !viewed))
-            exact_.emplace(time, field);
-    }
 
     /// Computes the dimension chain over time and its contributions.
     void follow_gap()
@@ -179,15 +141,10 @@ private:
 
     void make_view()
     {
-        if (view_.empty())
+        if (!fields_->has_view())
             return;
         watch_.start("view");
-        CloseJoints close;
-        if (parts_.chain)
-            close = [&, shares = shares_at(result_.thermal.time.size() - 1)](const fem::Displacement& u) {
-                return close_joints(parts_.machine, *parts_.model, *parts_.chain, u, shares).motions;
-            };  // the shares at the end hold at all times, since the view is linear in the temperature
-        result_.view = view_.finish(parts_.machine, *parts_.model, reference(), close);
+        fields_->make_view(result_);
         watch_.stop();
     }
 
@@ -212,9 +169,7 @@ private:
         }
         static_cast<Histories&>(result_) =
             name_histories(input_, parts_.machine, problem_, result_.thermal, result_.symmetry_factor);
-        result_.elastic_iterations = parts_.model->elastic_iterations();
-        result_.ranks = fem::ranks();
-        result_.peak_memory = fem::peak_memory();
+        parts_.note_work(result_);
         result_.timings = watch_.times();
         warn_about(result_.thermal, problem_, observer_);
         for (const auto& warning : material_warnings(input_, parts_.machine, result_.thermal))
@@ -229,10 +184,7 @@ private:
     Stopwatch watch_;
     drift::BearingPlay play_;
     HeatProblem problem_;
-    std::vector<double> written_times_, viewed_times_;
-    ExactFields exact_;  ///< for checkpoints
-    ViewRecorder view_;
-    std::vector<std::pair<double, fem::Field>> kept_;  ///< for RunOptions::on_finish
+    std::optional<RunFields> fields_;
 };
 
 }  // namespace
@@ -274,6 +226,12 @@ RunResult SharedModel::run(const casefile::Case& input, const RunOptions& option
 Reduction SharedModel::reduce(const casefile::Case& input, const ReduceOptions& options, Observer& observer)
 {
     return reduce_case(*implementation_, input, options, observer);
+}
+
+void SharedModel::lift(const casefile::Case& input, const std::string& file, const ReducedStates& run,
+                       const FieldOptions& options, RunResult& result, Observer& observer)
+{
+    lift_fields(*implementation_, input, file, run, options, result, observer);
 }
 
 std::string shared_part(const casefile::Case& input)

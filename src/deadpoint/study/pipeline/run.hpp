@@ -28,6 +28,8 @@ struct BearingPlay;
 namespace deadpoint::study {
 
 struct ChainModel;
+struct FieldOptions;
+struct ReducedStates;
 struct ReduceOptions;
 struct Reduction;
 struct RunResult;
@@ -81,6 +83,9 @@ public:
     RunResult run(const casefile::Case& input, const RunOptions& options, Observer& observer);
     /// Builds a reduced model of the case. Errors as run(), and as reduce_case().
     Reduction reduce(const casefile::Case& input, const ReduceOptions& options, Observer& observer);
+    /// The fields of a run on a reduced model, as lift_fields().
+    void lift(const casefile::Case& input, const std::string& file, const ReducedStates& run,
+              const FieldOptions& options, RunResult& result, Observer& observer);
 
 private:
     struct Implementation;

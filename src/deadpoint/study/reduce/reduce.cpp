@@ -12,6 +12,7 @@
 #include "deadpoint/reduce/offline/build.hpp"
 #include "deadpoint/reduce/offline/difference.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
+#include "deadpoint/reduce/online/terms_file.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/pipeline/model_parts.hpp"
@@ -207,6 +208,8 @@ Reduction reduce_case(ModelParts& parts, const casefile::Case& input, const Redu
                            stated("as in the case, to the large model", models.at_base)};
     for (const auto& [states, error] : models.by_size)
         result.small.sizes.push_back({states, error.temperature, error.gap});
+    if (!options.fields_file.empty())
+        full->write_fields(options.fields_file, reduce::mark_of(models.small->terms));
     if (options.full_runs > 0)
         compare_with_full_runs(parts, build_options, as_stated.problem, nominal.problem, models, options.full_runs,
                                result, observer);

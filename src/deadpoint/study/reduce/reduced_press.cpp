@@ -83,17 +83,18 @@ constexpr auto members(const ErrorOfSize*)
 
 namespace {
 
-constexpr std::string_view kind = "deadpoint reduced press 1\n";
+constexpr std::string_view kind = "deadpoint reduced press 2\n";
 constexpr const char* help = "make it again with 'deadpoint reduce CASE -o FILE'";
 
 // All but the terms, in the order of the file.
 constexpr auto head(const ReducedPress*)
 {
-    return std::tuple{
-        &ReducedPress::version,     &ReducedPress::name,      &ReducedPress::case_hash, &ReducedPress::fixed_part,
-        &ReducedPress::large_file,  &ReducedPress::machine,   &ReducedPress::cells,     &ReducedPress::unknowns,
-        &ReducedPress::adjoints,    &ReducedPress::reference, &ReducedPress::chain,     &ReducedPress::frame,
-        &ReducedPress::first_frame, &ReducedPress::box,       &ReducedPress::errors,    &ReducedPress::sizes};
+    return std::tuple{&ReducedPress::version,    &ReducedPress::name,        &ReducedPress::case_hash,
+                      &ReducedPress::fixed_part, &ReducedPress::large_file,  &ReducedPress::machine,
+                      &ReducedPress::size_scale, &ReducedPress::cells,       &ReducedPress::unknowns,
+                      &ReducedPress::adjoints,   &ReducedPress::reference,   &ReducedPress::chain,
+                      &ReducedPress::frame,      &ReducedPress::first_frame, &ReducedPress::box,
+                      &ReducedPress::errors,     &ReducedPress::sizes};
 }
 
 bool contacts_fit(const std::vector<Contact>& contacts, std::size_t parts)
@@ -151,6 +152,11 @@ bool is_sound(const ReducedPress& press)
 }
 
 }  // namespace
+
+std::filesystem::path fields_file(const std::filesystem::path& file)
+{
+    return file.parent_path() / (file.stem().string() + ".fields" + file.extension().string());
+}
 
 void write_reduced(const std::filesystem::path& file, const ReducedPress& press)
 {

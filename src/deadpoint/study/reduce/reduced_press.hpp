@@ -38,6 +38,7 @@ struct ReducedPress {
     std::string fixed_part;  ///< of that case: fixed_part()
     std::string large_file;  ///< name of the file beside this one with the large model; empty in that file itself
     Machine machine;         ///< without its mesh
+    double size_scale = 1;   ///< on all cell sizes of the case
     std::size_t cells = 0;
     std::size_t unknowns = 0;
     std::size_t adjoints = 0;  ///< observed functionals that runs record with slopes
@@ -55,6 +56,9 @@ struct ReducedPress {
 /// What a reduced model cannot change of a case, as text: its bodies, parts, materials, contacts, surfaces, probes and
 /// chain, other heat. Operating points, loads, friction, oil, conductances and convection may differ.
 std::string fixed_part(const casefile::Case& input);
+
+/// The file beside that of a reduced press with the fields of its states: press.rom, press.fields.rom.
+std::filesystem::path fields_file(const std::filesystem::path& file);
 
 /// Writes a reduced press (docs/rom-file.md). @throws IoError
 void write_reduced(const std::filesystem::path& file, const ReducedPress& press);

@@ -9,10 +9,13 @@
 #include "deadpoint/reduce/offline/difference.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
+#include "deadpoint/reduce/online/terms_file.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
 #include "deadpoint/study/drift/drift_causes.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
+#include "deadpoint/study/fields/lift_fields.hpp"
+#include "deadpoint/study/fields/run_fields.hpp"
 #include "deadpoint/study/pipeline/model_parts.hpp"
 #include "deadpoint/study/pipeline/run_warnings.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
@@ -82,16 +85,25 @@ public:
         split_.problem.field_times.clear();
     }
 
-    RunResult run(const ReducedPress* large)
+    RunResult run(const ReducedPress* large, ReducedStates* states)
     {
+        reduce::ReducedHooks hooks;
+        if (states) {
+            states->model = reduce::mark_of(press_.terms->terms);
+            states->count = press_.states;
+            split_.problem.field_times = FieldTimes(problem_, true).all;
+            hooks.on_field = [&](double time, const reduce::States& at) {
+                states->states.push_back({time, {at.begin(), at.end()}});
+            };
+        }
         watch_.start("time steps");
         reduce::ReducedRun run(press_.terms, split_.problem, press_.adjoints, reference());
-        result_.thermal = run.go({}, observer_);
+        result_.thermal = run.go(hooks, observer_);
         merge_surfaces();
         follow_gap(run);
         estimate(large);
         watch_.stop();
-        finish();
+        finish(states != nullptr);
         return std::move(result_);
     }
 
@@ -158,12 +170,13 @@ private:
         reduced.estimate = StatedError{"this run, to the large model", found.temperature, found.gap};
     }
 
-    void finish()
+    void finish(bool fields_follow)
     {
         if (press_.frame) {
             result_.frame = press_.frame;
             read_courses(result_.thermal, press_.first_frame, *result_.frame);
-            warn_about_frame(input_, result_.thermal, *result_.frame, observer_);
+            if (!fields_follow)
+                warn_about_frame(input_, result_.thermal, *result_.frame, observer_);
         }
         static_cast<Histories&>(result_) =
             name_histories(input_, press_.machine, problem_, result_.thermal, result_.symmetry_factor);
@@ -206,12 +219,12 @@ std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress
 }
 
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const ReducedPress* large,
-                      ReducedDetail detail, Observer& observer)
+                      ReducedDetail detail, Observer& observer, ReducedStates* states)
 {
     require_fit(input, press);
     if (large)
         require_same(press, *large);
-    return ReducedCaseRun(input, press, detail, observer).run(large);
+    return ReducedCaseRun(input, press, detail, observer).run(large, states);
 }
 
 }  // namespace deadpoint::study

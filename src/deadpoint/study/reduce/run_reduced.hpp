@@ -14,6 +14,7 @@ struct Case;
 namespace deadpoint::study {
 
 struct ReducedPress;
+struct ReducedStates;
 struct RunResult;
 
 enum class ReducedDetail {
@@ -21,10 +22,12 @@ enum class ReducedDetail {
     figures  ///< for studies: no causes, no vibration of the crankshaft
 };
 
-/// @param large  the large model for the estimate of the error; null: no estimate
+/// @param large   the large model for the estimate of the error; null: no estimate
+/// @param states  given those at the times of the fields, for lift_fields(), which then also warns of the frame; null:
+///                no fields follow
 /// @throws CaseError as a full run; InputError if the model was built for another press
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const ReducedPress* large,
-                      ReducedDetail detail, Observer& observer);
+                      ReducedDetail detail, Observer& observer, ReducedStates* states = nullptr);
 
 /// How a case differs from the one a model was built for, in what the model cannot change; a line for each difference.
 std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress& press);

@@ -1,4 +1,4 @@
-#include "deadpoint/study/pipeline/view_recorder.hpp"
+#include "deadpoint/study/fields/view_recorder.hpp"
 
 #include "deadpoint/exchange/decimated_surface.hpp"
 #include "deadpoint/exchange/heat.hpp"

@@ -1,4 +1,4 @@
-#include "deadpoint/study/pipeline/field_writer.hpp"
+#include "deadpoint/study/fields/field_writer.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/drift/play.hpp"

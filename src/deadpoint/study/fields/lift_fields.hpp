@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace deadpoint {
+class Observer;
+}
+namespace deadpoint::casefile {
+struct Case;
+}
+
+/// The fields of a run on a reduced model.
+namespace deadpoint::study {
+
+struct FieldOptions;
+struct ModelParts;
+struct RunResult;
+
+/// States of a run at the time of a field.
+struct StatesAt {
+    double time = 0;  ///< [s]
+    std::vector<double> states;
+};
+
+/// A run on a reduced model that is over, as far as its fields need it.
+struct ReducedStates {
+    std::string model;             ///< reduce::mark_of() its terms
+    std::size_t count = 0;         ///< number of states
+    std::vector<StatesAt> states;  ///< at FieldTimes::all of the run, up to its end
+};
+
+/// Lifts the temperature of a run from its states and does with it what a full run does with its own: field files with
+/// the deformation, stress and openings, and the page's view. Collective.
+/// @param parts   of the mesh on which the model was reduced
+/// @param file    of the states' fields (docs/rom-file.md)
+/// @param result  of the run; sizes, timings and what follows from fields are added
+/// @throws as a full run before its time steps; IoError and InputError as fem::read_fields()
+void lift_fields(ModelParts& parts, const casefile::Case& input, const std::string& file, const ReducedStates& run,
+                 const FieldOptions& options, RunResult& result, Observer& observer);
+
+}  // namespace deadpoint::study

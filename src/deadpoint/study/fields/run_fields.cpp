@@ -1,0 +1,76 @@
+#include "deadpoint/study/fields/run_fields.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/drift/play.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/fem/conduction/checkpoint.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/crank_play.hpp"
+#include "deadpoint/study/pipeline/model_parts.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace deadpoint::study {
+namespace {
+
+std::vector<double> united(const std::vector<double>& these, const std::vector<double>& those)
+{
+    std::vector<double> result;
+    std::ranges::set_union(these, those, std::back_inserter(result));
+    return result;
+}
+
+}  // namespace
+
+FieldTimes::FieldTimes(const HeatProblem& problem, bool view, const std::vector<double>& kept_times)
+    : written(problem.field_times), viewed(view ? view_times(problem.segments) : std::vector<double>{}),
+      kept(kept_times), all(united(united(written, viewed), kept))
+{}
+
+RunFields::RunFields(const casefile::Case& input, ModelParts& parts, FieldTimes times, const FieldOptions& options)
+    : input_(input), parts_(parts), times_(std::move(times)), checkpoints_(options.checkpoints),
+      reference_(input.machine.initial_temperature),
+      writer_(input, parts.machine, *parts.model, parts.chain_or_none(), parts.frame_or_none(), parts.adjoints,
+              options.folder, options.comments)
+{}
+
+void RunFields::take(double time, const fem::Field& field, RunResult& result)
+{
+    const bool viewed = std::ranges::binary_search(times_.viewed, time);
+    const bool written = std::ranges::binary_search(times_.written, time);
+    if (viewed)
+        view_.add(time, field);
+    if (std::ranges::binary_search(times_.kept, time))
+        kept_.emplace_back(time, field);
+    if (written)
+        writer_.write(time, field, result);
+    if (checkpoints_ && (written || !viewed))
+        exact_.emplace(time, field);
+}
+
+std::vector<fem::HandedField> RunFields::handed_on() const
+{
+    auto result = view_.kept();
+    std::erase_if(result, [&](const fem::HandedField& field) { return exact_.contains(field.time); });
+    for (const auto& [time, field] : exact_)
+        result.push_back({time, std::span<const double>(field.owned)});
+    std::ranges::sort(result, {}, &fem::HandedField::time);
+    return result;
+}
+
+void RunFields::make_view(RunResult& result)
+{
+    CloseJoints close;
+    if (const auto* chain = parts_.chain_or_none()) {
+        const auto growths = play_growths(chain->figures(), result.thermal, result.thermal.time.size() - 1);
+        close = [&, chain, shares = play_shares(crank_play(input_), growths)](const fem::Displacement& u) {
+            return close_joints(parts_.machine, *parts_.model, *chain, u, shares).motions;
+        };  // the shares at the end hold at all times, since the view is linear in the temperature
+    }
+    result.view = view_.finish(parts_.machine, *parts_.model, reference_, close);
+}
+
+}  // namespace deadpoint::study
