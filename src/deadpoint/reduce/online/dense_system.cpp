@@ -5,6 +5,7 @@
 #include "deadpoint/heat/run.hpp"
 #include "deadpoint/heat/system.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/online/conduction_terms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -166,33 +167,9 @@ void DenseSystem::widen(const Vector& temperature, std::vector<double>& lowest, 
     }
 }
 
-std::vector<PackedTerm> DenseSystem::terms_of(const std::vector<InterfaceLaw>& laws) const
-{
-    std::vector<PackedTerm> result;
-    const auto add = [&](double coefficient, std::size_t term) {
-        if (coefficient != 0)
-            result.push_back({coefficient, &prepared_->packed[term]});
-    };
-    for (std::size_t i = 0; i < laws.size(); ++i) {
-        const double a = laws[i].film_a, b = laws[i].film_b, oil = laws[i].oil, all = a + b + oil;
-        const auto& joint = terms_.joints[i];
-        if ((laws[i].turns_fully ? joint.turning : joint.between).is_missing())
-            throw InputError(laws[i].turns_fully ? "a joint turns fully that did not when its terms were made"
-                                                 : "a joint does not turn fully that did when its terms were made");
-        add(a * oil / all, 4 * i);
-        add(b * oil / all, 4 * i + 1);
-        add(a * b / all, 4 * i + (laws[i].turns_fully ? 3 : 2));
-    }
-    for (std::size_t s = 0; s < terms_.films.size(); ++s)
-        if (const auto& c = problem_->surfaces[s];
-            c.kind == SurfaceCondition::Kind::film && !heat::follows_temperature(c))
-            add(c.coefficient, 4 * laws.size() + s);
-    return result;
-}
-
 void DenseSystem::set_laws(const std::vector<InterfaceLaw>& laws, const std::vector<heat::Loads>& source_loads)
 {
-    if (auto sum = terms_of(laws); sum != sum_ || stiffness_.size() == 0) {
+    if (auto sum = conduction_terms(*prepared_, *problem_, laws); sum != sum_ || stiffness_.size() == 0) {
         sum_ = std::move(sum);
         stiffness_ = lower_sum(terms_.solid, sum_);
         reduced_ = false;

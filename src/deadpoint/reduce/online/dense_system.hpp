@@ -122,7 +122,6 @@ public:
 
 private:
     using Row = Eigen::Index;
-    [[nodiscard]] std::vector<PackedTerm> terms_of(const std::vector<InterfaceLaw>& laws) const;
     [[nodiscard]] Row surface_row(std::size_t surface) const;
     /// Rows of PreparedTerms::deviations of the films that follow the temperature.
     struct Run {

@@ -1,8 +1,5 @@
 #include "deadpoint/reduce/online/shifted_solver.hpp"
 
-#include "deadpoint/heat/system.hpp"
-
-#include <cmath>
 #include <utility>
 
 namespace deadpoint::reduce {
@@ -14,10 +11,7 @@ constexpr std::size_t most_shifts = 32;  // step sizes change by factors of two:
 
 void ShiftedSolver::set_matrix(const Eigen::MatrixXd& matrix)
 {
-    tridiagonal_.compute(matrix);
-    basis_ = tridiagonal_.matrixQ();
-    diagonal_ = tridiagonal_.diagonal();
-    beside_ = tridiagonal_.subDiagonal();
+    form_ = TridiagonalForm(matrix);
     loads_.resize(matrix.rows(), 0);
     shifted_.clear();
     present_ = nullptr;
@@ -25,7 +19,7 @@ void ShiftedSolver::set_matrix(const Eigen::MatrixXd& matrix)
 
 void ShiftedSolver::set_loads(const Eigen::MatrixXd& loads)
 {
-    loads_.noalias() = basis_.transpose() * loads;
+    loads_.noalias() = form_.basis.transpose() * loads;
     shifted_.clear();
     present_ = nullptr;
 }
@@ -43,36 +37,16 @@ void ShiftedSolver::set_shift(double d)
 
 ShiftedSolver::Shifted ShiftedSolver::factored(double d) const
 {
-    const Eigen::Index n = diagonal_.size();
-    Shifted result{Eigen::VectorXd(n), Eigen::VectorXd(n), loads_, {}};
-    double pivot = 0;
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const double beside = i > 0 ? d * beside_[i - 1] : 0;
-        result.below[i] = i > 0 ? beside / pivot : 0;
-        pivot = 1 + d * diagonal_[i] - result.below[i] * beside;
-        if (!(pivot > 0) || !std::isfinite(pivot))
-            throw heat::NotFinite(
-                "the matrix of a stage is not positive definite, or holds a value that is not finite");
-        result.pivots[i] = 1 / pivot;
-    }
+    Shifted result{ShiftedFactor(form_, d), loads_, {}};
+    const auto& [below, pivots] = result.factor;
     auto& solved = result.solved;
-    for (Eigen::Index i = 1; i < n; ++i)
-        solved.row(i) -= result.below[i] * solved.row(i - 1);
-    solved.array().colwise() *= result.pivots.array();
-    for (Eigen::Index i = n - 2; i >= 0; --i)
-        solved.row(i) -= result.below[i + 1] * solved.row(i + 1);
+    for (Eigen::Index i = 1; i < below.size(); ++i)
+        solved.row(i) -= below[i] * solved.row(i - 1);
+    solved.array().colwise() *= pivots.array();
+    for (Eigen::Index i = below.size() - 2; i >= 0; --i)
+        solved.row(i) -= below[i + 1] * solved.row(i + 1);
     result.products.noalias() = loads_.transpose() * solved;
     return result;
-}
-
-void ShiftedSolver::solve_in_place(const Shifted& factor, Eigen::VectorXd& vector)
-{
-    const Eigen::Index n = vector.size();
-    for (Eigen::Index i = 1; i < n; ++i)
-        vector[i] -= factor.below[i] * vector[i - 1];
-    vector.array() *= factor.pivots.array();
-    for (Eigen::Index i = n - 2; i >= 0; --i)
-        vector[i] -= factor.below[i + 1] * vector[i + 1];
 }
 
 // Adds Z (1 - C L^T Z)^-1 C L^T x to x.
@@ -91,13 +65,13 @@ void ShiftedSolver::correct_with_others(const Eigen::VectorXd& of_loads, const E
 {
     const Eigen::Index own = of_loads.size(), more = of_others.size();
     RowMatrix loads(work_.size(), own + more);
-    Shifted factor{{}, {}, loads, {}};
+    Shifted factor{{}, loads, {}};
     loads.leftCols(own) = loads_.leftCols(own);
     factor.solved.leftCols(own) = present_->solved.leftCols(own);
     for (Eigen::Index k = 0; k < more; ++k) {
-        Eigen::VectorXd column = basis_.transpose() * others.col(k);
+        Eigen::VectorXd column = form_.basis.transpose() * others.col(k);
         loads.col(own + k) = column;
-        solve_in_place(*present_, column);
+        present_->factor.solve_in_place(column);
         factor.solved.col(own + k) = column;
     }
     factor.products = loads.transpose() * factor.solved;
@@ -109,13 +83,13 @@ void ShiftedSolver::correct_with_others(const Eigen::VectorXd& of_loads, const E
 void ShiftedSolver::solve(const Eigen::VectorXd& right, const Eigen::VectorXd& of_loads, const Eigen::MatrixXd& others,
                           const Eigen::VectorXd& of_others, Eigen::VectorXd& solution)
 {
-    work_.noalias() = basis_.transpose() * right;
-    solve_in_place(*present_, work_);
+    work_.noalias() = form_.basis.transpose() * right;
+    present_->factor.solve_in_place(work_);
     if (of_others.size() > 0)
         correct_with_others(of_loads, others, of_others);
     else if (of_loads.size() > 0)
         correct(loads_, *present_, of_loads);
-    solution.noalias() = basis_ * work_;
+    solution.noalias() = form_.basis * work_;
 }
 
 }  // namespace deadpoint::reduce

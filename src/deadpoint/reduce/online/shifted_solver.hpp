@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/reduce/online/tridiagonal.hpp"
+
 #include <Eigen/Dense>
 #include <map>
 
@@ -8,9 +10,8 @@ namespace deadpoint::reduce {
 
 /// Systems (1 + d K) x = b with a symmetric K >= 0 and any d >= 0, and terms of low rank beside.
 ///
-/// K = Q T Q^T with a tridiagonal T is computed once, for 4 n^3/3 operations and as many again for Q. Each d then costs
-/// the factors of a tridiagonal matrix, and each solve two products with Q: a run with a dozen step sizes needs no
-/// dozen Cholesky factors of n^3/3.
+/// K is brought to tridiagonal form Q T Q^T once. Each d then costs the factors of a tridiagonal matrix, and each solve
+/// two products with Q: a run with a dozen step sizes needs no dozen Cholesky factors of n^3/3.
 class ShiftedSolver {
 public:
     /// @param matrix  K, of which only the lower half is read
@@ -30,21 +31,18 @@ public:
 
 private:
     using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    /// 1 + d T = L D L^T, and the loads of all solves: in the basis of T.
+    /// The factors for one d, and the loads of all solves: in the basis of T.
     struct Shifted {
-        Eigen::VectorXd below, pivots;  ///< of L; 1 / D
-        RowMatrix solved;               ///< (1 + d T)^-1 loads
-        Eigen::MatrixXd products;       ///< loads^T solved
+        ShiftedFactor factor;
+        RowMatrix solved;          ///< (1 + d T)^-1 loads
+        Eigen::MatrixXd products;  ///< loads^T solved
     };
     [[nodiscard]] Shifted factored(double d) const;
-    static void solve_in_place(const Shifted& factor, Eigen::VectorXd& vector);
     void correct(const RowMatrix& loads, const Shifted& factor, const Eigen::VectorXd& coefficients);
     void correct_with_others(const Eigen::VectorXd& of_loads, const Eigen::MatrixXd& others,
                              const Eigen::VectorXd& of_others);
 
-    Eigen::Tridiagonalization<Eigen::MatrixXd> tridiagonal_;
-    Eigen::MatrixXd basis_;              ///< Q
-    Eigen::VectorXd diagonal_, beside_;  ///< of T
+    TridiagonalForm form_;
     RowMatrix loads_;                    ///< Q^T L
     std::map<double, Shifted> shifted_;  ///< by d
     const Shifted* present_ = nullptr;
