@@ -1,4 +1,4 @@
-#include "deadpoint/reduce/online/sensitivity.hpp"
+#include "deadpoint/reduce/sensitivity/sensitivity.hpp"
 
 #include "deadpoint/error.hpp"
 #include "subjects.hpp"
@@ -6,14 +6,19 @@
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <functional>
 #include <string>
+#include <utility>
 
 using doctest::Approx;
 using namespace deadpoint;
 using namespace deadpoint::reduce;
 using subjects::bearings;
+using subjects::enclosed_bearings;
+using subjects::oiled_bearings;
 using subjects::rods_with_break;
 using subjects::Subject;
+using subjects::warm_bearings;
 
 namespace {
 
@@ -49,7 +54,16 @@ std::vector<Eigen::VectorXd> repeated(const DenseTerms& terms, HeatProblem probl
     heat::HeatSources<DenseSystem> sources(system, problem);
     heat::StageSolver<DenseSystem> stages(system, sources);
     heat::Stepper<DenseSystem> stepper(system, sources, stages, {});
-    stepper.now().temperature = steps.front().start;
+    stepper.now().temperature.setZero();
+    for (Eigen::Index p = 0; p < terms.parts.cols(); ++p)
+        stepper.now().temperature += problem.initial_temperature(static_cast<int>(p), {}) * terms.parts.col(p);
+    std::vector<double> sumps, air;
+    for (const auto& circuit : problem.oil)
+        sumps.push_back(circuit.sump_start);
+    for (const auto& enclosure : problem.enclosures)
+        air.push_back(enclosure.start);
+    sources.oil.set_sumps(sumps);
+    sources.air.start_from(air);
     std::vector<Eigen::VectorXd> result;
     for (std::size_t k = 0; k < steps.size(); ++k) {
         const auto& record = steps[k].record;
@@ -74,20 +88,25 @@ double value_of(const DenseTerms& terms, Output output, const Eigen::VectorXd& s
     return terms.functionals.row(static_cast<Eigen::Index>(row)).dot(states);
 }
 
-/// Central differences of fourth order of the states by a coefficient, at the ends of the steps.
-std::vector<Eigen::VectorXd> differences(const Subject& subject, const RecordedRun& run, std::size_t coefficient)
+/// Central differences of fourth order of the states at the ends of the steps, by a coefficient of a problem.
+using ProblemAt = std::function<HeatProblem(double change)>;
+std::vector<Eigen::VectorXd> differences(const DenseTerms& terms, const RecordedRun& run, const ProblemAt& problem_at,
+                                         double step = 0.004)
 {
-    const double step = 0.004;
-    const auto with = [&](double change) {
-        auto values = subject.values;
-        values[coefficient] += change;
-        return repeated(subject.terms, subject.at(values), run.steps);
-    };
+    const auto with = [&](double change) { return repeated(terms, problem_at(change), run.steps); };
     const auto more = with(step), less = with(-step), much_more = with(2 * step), much_less = with(-2 * step);
     std::vector<Eigen::VectorXd> result;
     for (std::size_t k = 0; k < more.size(); ++k)
         result.emplace_back((8 * (more[k] - less[k]) - (much_more[k] - much_less[k])) / (12 * step));
     return result;
+}
+ProblemAt by_coefficient(const Subject& subject, std::size_t coefficient)
+{
+    return [&subject, coefficient](double change) {
+        auto values = subject.values;
+        values[coefficient] += change;
+        return subject.at(values);
+    };
 }
 
 /// Largest difference of a series to central differences, over the largest of them.
@@ -111,7 +130,7 @@ double largest_error(const Subject& subject)
     const auto found = forward(run, directions_of(subject), outputs);
     double result = 0;
     for (std::size_t k = 0; k < subject.box.size(); ++k) {
-        const auto expected = differences(subject, run, k);
+        const auto expected = differences(subject.terms, run, by_coefficient(subject, k));
         for (std::size_t o = 0; o < outputs.size(); ++o)
             result = std::max(result, error_of(found[k][o], run, outputs[o], expected));
     }
@@ -162,6 +181,125 @@ TEST_CASE("forward derivatives are those of runs with other coefficients and the
     CHECK(largest_error(bearings()) < 1e-7);
 }
 
+TEST_CASE("forward derivatives with oil circuits, their sumps, films that follow the temperature, and enclosed air")
+{
+    CHECK(largest_error(oiled_bearings(4000)) < 1e-6);
+    CHECK(largest_error(oiled_bearings(0)) < 1e-6);
+    CHECK(largest_error(warm_bearings()) < 1e-6);
+    CHECK(largest_error(enclosed_bearings()) < 1e-6);
+}
+
+/// A way to change a problem by a small amount, which need not be linear in it.
+using Change = std::function<void(HeatProblem&, double by)>;
+
+/// Largest error of the forward derivatives along a change, and of the gradients against them.
+void check_change(const Subject& subject, const Change& change)
+{
+    const auto base = subject.at(subject.values);
+    const ProblemAt problem_at = [&](double by) {
+        auto result = base;
+        change(result, by);
+        return result;
+    };
+    lumps::Quiet observer;
+    const auto run = record_run(std::make_shared<const PreparedTerms>(subject.terms), base, 293, observer);
+    const double small = 1e-4;
+    const std::vector<Direction> along{direction_between(problem_at(-small), problem_at(small), 2 * small)};
+    const auto outputs = outputs_of(subject.terms);
+    const auto found = forward(run, along, outputs);
+    const auto expected = differences(subject.terms, run, problem_at, 0.02);
+    const auto rows = run.history.time.size();
+    for (std::size_t o = 0; o < outputs.size(); ++o) {
+        CHECK(error_of(found[0][o], run, outputs[o], expected) < 1e-6);
+        for (const std::size_t row : {std::size_t{0}, rows / 2, rows - 1})
+            CHECK(gradient(run, along, outputs[o], row)[0] == Approx(found[0][o][row]).epsilon(1e-10));
+    }
+}
+
+TEST_CASE("derivatives by anything else that a heat problem says")
+{
+    const auto oiled = oiled_bearings(4000);
+    check_change(oiled, [](HeatProblem& p, double by) { p.oil[0].inlet_temperature += by; });
+    check_change(oiled, [](HeatProblem& p, double by) { p.segments[0].oil_flow[0] += by; });
+    check_change(oiled, [](HeatProblem& p, double by) { p.segments[2].oil_flow[1] *= 1 + by; });
+    check_change(oiled, [](HeatProblem& p, double by) { p.oil[1].sump_loss += by; });
+    check_change(oiled, [](HeatProblem& p, double by) { p.oil[1].sump_start += by; });
+    check_change(oiled, [](HeatProblem& p, double by) { p.segments[1].zoned_heat[0] *= 1 + by; });
+    check_change(oiled, [](HeatProblem& p, double by) { p.segments[2].body_heat[0] = lumps::steady(25 + by); });
+    check_change(oiled, [](HeatProblem& p, double by) { p.surfaces[2].flux = lumps::steady(50 * std::exp(by)); });
+    check_change(oiled, [](HeatProblem& p, double by) {
+        p.initial_temperature = [by](int part, const Vec3&) { return 293 + part * (1 + by); };
+    });
+    check_change(oiled_bearings(0), [](HeatProblem& p, double by) { p.oil[1].sump_loss += by; });
+    check_change(bearings(), [](HeatProblem& p, double by) {  // as a speed that changes a law of friction heat
+        p.segments[0].heat[0] = [by](double t) {
+            return LawValue{(80 - 0.5 * (t - 293)) * std::exp(3 * by), -0.5 * std::exp(3 * by), true};
+        };
+    });
+}
+
+TEST_CASE("derivatives by films that follow the temperature, and by what belongs to enclosed air")
+{
+    const auto warm = warm_bearings();
+    const auto by_factor = [](std::size_t surface) {
+        return
+            [surface](HeatProblem& p, double by) { p.surfaces[surface].laws = {subjects::natural_convection(1 + by)}; };
+    };
+    check_change(warm, by_factor(0));
+    check_change(warm, by_factor(2));
+    check_change(warm, [](HeatProblem& p, double by) { p.surfaces[0].emissivity *= 1 + by; });
+    check_change(warm, [](HeatProblem& p, double by) {
+        p.segments[0].ambient = [was = p.segments[0].ambient, by](double time) { return was(time) + by; };
+    });
+    const auto enclosed = enclosed_bearings();
+    check_change(enclosed, [](HeatProblem& p, double by) { p.surfaces[2].coefficient += by; });
+    check_change(enclosed, [](HeatProblem& p, double by) { p.enclosures[0].exchange += by; });
+    check_change(enclosed, [](HeatProblem& p, double by) { p.enclosures[1].start += by; });
+    check_change(enclosed,
+                 [](HeatProblem& p, double by) { p.segments[0].enclosure_power[1] = lumps::steady(20 + by); });
+    check_change(enclosed, [](HeatProblem& p, double by) {
+        for (auto& segment : p.segments)
+            segment.ambient = [was = segment.ambient, by](double time) { return was(time) + by; };
+    });
+}
+
+TEST_CASE("a factor on a film that follows the temperature acts on its convection and its radiation to the ambient")
+{
+    const auto warm = warm_bearings();
+    const auto run = run_of(warm);
+    const ScalarLayout layout(warm.problem);
+    const std::vector<Direction> along{{{{{layout.film(0), 1}}}, nullptr}};
+    const Output probe{Output::Kind::probe, 2};
+    const ProblemAt problem_at = [&](double by) {
+        auto problem = warm.at(warm.values);
+        problem.surfaces[0].laws = {subjects::natural_convection(1 + by)};
+        problem.surfaces[0].emissivity *= 1 + by;
+        return problem;
+    };
+    const auto expected = differences(warm.terms, run, problem_at, 0.02);
+    CHECK(error_of(forward(run, along, {probe})[0][0], run, probe, expected) < 1e-6);
+}
+
+TEST_CASE("the gradient of an objective over outputs and times is the weighted sum of their derivatives")
+{
+    const auto subject = rods_with_break();
+    const auto run = run_of(subject);
+    const auto along = directions_of(subject);
+    const std::vector<Output> outputs{{Output::Kind::probe, 1}, {Output::Kind::observed, 0}};
+    Eigen::MatrixXd weights(2, static_cast<Eigen::Index>(run.history.time.size()));
+    for (Eigen::Index row = 0; row < weights.cols(); ++row)
+        weights.col(row) << std::sin(row), 1e6 * std::cos(row);
+    const auto found = forward(run, along, outputs);
+    const auto back = gradient(run, along, outputs, weights);
+    for (std::size_t k = 0; k < along.size(); ++k) {
+        double expected = 0;
+        for (std::size_t o = 0; o < outputs.size(); ++o)
+            for (std::size_t row = 0; row < run.history.time.size(); ++row)
+                expected += weights(static_cast<Eigen::Index>(o), static_cast<Eigen::Index>(row)) * found[k][o][row];
+        CHECK(back[k] == Approx(expected).epsilon(1e-11));
+    }
+}
+
 TEST_CASE("with heat by ring temperatures, derivatives agree as far as Newton's method goes")
 {
     auto subject = bearings();
@@ -173,6 +311,10 @@ TEST_CASE("gradients are the forward derivatives, at every kind of output and an
 {
     CHECK(largest_mismatch(rods_with_break()) < 1e-12);
     CHECK(largest_mismatch(bearings()) < 1e-12);
+    CHECK(largest_mismatch(oiled_bearings(4000)) < 1e-11);
+    CHECK(largest_mismatch(oiled_bearings(0)) < 1e-11);
+    CHECK(largest_mismatch(warm_bearings()) < 1e-11);
+    CHECK(largest_mismatch(enclosed_bearings()) < 1e-11);
 }
 
 TEST_CASE("where a segment starts, derivatives are those of the end of the segment before")
@@ -224,31 +366,12 @@ TEST_CASE("one lump with one film: the derivative of the steps' own formula, and
     CHECK(found.front() == 0);
 }
 
-TEST_CASE("sensitivities name what they do not take")
+TEST_CASE("outputs and rows that a run does not have are refused")
 {
-    const auto message = [](const std::function<void(HeatProblem&)>& change) -> std::string {
-        auto subject = rods_with_break();
-        change(subject.problem);
-        try {
-            lumps::Quiet observer;
-            record_run(std::make_shared<const PreparedTerms>(subject.terms), subject.problem, 293, observer);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "none";
-    };
-    CHECK(message([](HeatProblem&) {}) == "none");
-    CHECK(message([](HeatProblem& p) {
-              p.oil.push_back({"main", {{0}}});
-          }).find("oil circuit 'main'") != std::string::npos);
-    CHECK(message([](HeatProblem& p) {
-              p.enclosures.push_back({"cabinet", 1, 1, 293});
-          }).find("enclosed air 'cabinet'") != std::string::npos);
-    CHECK(message([](HeatProblem& p) { p.surfaces[1].emissivity = 0.9; }).find("surface 'film'") != std::string::npos);
-    CHECK(message([](HeatProblem& p) { p.sources[0].share = 0; }).find("source 'row'") != std::string::npos);
     const auto run = run_of(rods_with_break());
     CHECK_THROWS_AS(gradient(run, {}, {Output::Kind::probe, 4}, 1), InputError);
     CHECK_THROWS_AS(gradient(run, {}, {Output::Kind::side_b, 1}, 1), InputError);
     CHECK_THROWS_AS(gradient(run, {}, {Output::Kind::observed, 1}, 1), InputError);
     CHECK_THROWS_AS(gradient(run, {}, {}, run.history.time.size()), InputError);
+    CHECK_THROWS_AS(gradient(run, {}, {{Output::Kind::probe, 0}}, Eigen::MatrixXd::Zero(1, 3)), InputError);
 }

@@ -3,6 +3,7 @@
 #include "deadpoint/reduce/offline/box.hpp"
 #include "rods.hpp"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -109,6 +110,128 @@ inline Subject bearings()
                   {"oil temperature", FreeCoefficient::Kind::oil_temperature, {}, {}, -10, 10},
                   {"ambient", FreeCoefficient::Kind::ambient, {}, {}, -10, 10}};
     result.values = {1.2, 0.7, 1.4, 0.8, 1.1, 0.9, 0.6, 1.5, 1.2, 0.9, 4, -3};
+    return result;
+}
+
+/// Oil of two circuits through the bearings: cooled in the first and second, and in the third from a sump. A stop has
+/// two interfaces, since the first bearing's oil also reaches a fourth one.
+/// @param sump_capacity  0: the sump follows at once [J/K]
+inline Subject oiled_bearings(double sump_capacity)
+{
+    Subject result = bearings();
+    auto& problem = result.problem;
+    problem.oil = {{"cooled", {{0}, {1}}, true, 295, 0, 0, 0},
+                   {"from a sump", {{2}, {}, {3}}, false, 0, sump_capacity, 1.5, 291}};
+    auto law = problem.interfaces[2];
+    law.source = 1;
+    law.heat_part = -1;
+    law.load_zone = {};
+    law.heat_weight = 0.4;
+    problem.interfaces.push_back(law);
+    problem.segments[0].oil_flow = {12, 9};
+    problem.segments[0].duration = 400;
+    problem.segments.push_back(problem.segments[0]);
+    problem.segments[1].oil_flow = {20, 0};  // the second pump stands still
+    problem.segments[1].duration = 200;
+    problem.segments.push_back(problem.segments[0]);
+    problem.segments[2].duration = 200;
+    problem.fixed_step = 20;
+    problem.time_tolerance = 1e-6;  // so that oil and joints agree to rounding
+    auto& terms = result.terms;
+    const auto& from = terms.geometry.layout;
+    auto layout = from;
+    layout.interfaces = 4;
+    RowMatrix functionals = RowMatrix::Zero(static_cast<Eigen::Index>(layout.count()), terms.uniform.size());
+    const auto rows = [](std::size_t count) { return static_cast<Eigen::Index>(count); };
+    functionals.topRows(6) = terms.functionals.topRows(6);
+    functionals.middleRows(rows(layout.zone(0, false)), 6) = terms.functionals.middleRows(rows(from.zone(0, false)), 6);
+    functionals.bottomRows(rows(layout.count() - layout.part(0))) =
+        terms.functionals.bottomRows(rows(from.count() - from.part(0)));
+    functionals(rows(layout.mean(3, false)), 4) = 1 / terms.uniform[4];
+    functionals(rows(layout.mean(3, true)), 0) = 1 / terms.uniform[0];
+    terms.functionals = functionals;
+    terms.geometry.layout = layout;
+    terms.geometry.interface_names.emplace_back("joint 3");
+    terms.geometry.interface_area.push_back(0.015);
+    const Eigen::VectorXd a = std::sqrt(0.015) * Eigen::VectorXd::Unit(5, 4) / terms.uniform[4];
+    const Eigen::VectorXd b = std::sqrt(0.015) * Eigen::VectorXd::Unit(5, 0) / terms.uniform[0];
+    terms.joints.push_back({{a}, {b}, {a - b}, {}});
+    result.box.push_back({"4", FreeCoefficient::Kind::side, {6, 7}, {900}, 0.1, 10});
+    result.box.push_back({"oil 4", FreeCoefficient::Kind::oil, {3}, {220}, 0, 5});
+    result.values.insert(result.values.end(), {1.3, 0.8});
+    return result;
+}
+
+/// A film over two lumps, so that its temperature has a variance.
+inline void spread(DenseTerms& terms, std::size_t surface, int first, double area, int second, double more)
+{
+    const auto n = terms.uniform.size();
+    const auto lump = [&](int k) -> Eigen::VectorXd { return Eigen::VectorXd::Unit(n, k) / terms.uniform[k]; };
+    Eigen::MatrixXd factor(n, 2);
+    factor << std::sqrt(area) * lump(first), std::sqrt(more) * lump(second);
+    terms.films[surface].factor = factor;
+    terms.functionals.row(static_cast<Eigen::Index>(terms.geometry.layout.surface(surface))) =
+        (area * lump(first) + more * lump(second)).transpose();
+    terms.geometry.surface_area[surface] = area + more;
+}
+
+/// As natural convection: 1.8 |T - T_air|^0.3, smooth at zero [W/m2/K].
+inline deadpoint::FilmLawAt natural_convection(double factor)
+{
+    return {[factor](double air) -> deadpoint::FilmLaw {
+        return [=](double surface) {
+            const double rise = surface - air, square = rise * rise + 4;
+            return deadpoint::LawValue{factor * 1.8 * std::pow(square, 0.15),
+                                       factor * 1.8 * 0.3 * rise * std::pow(square, -0.85), true};
+        };
+    }};
+}
+
+/// The bearings with films that follow the temperature: natural convection and radiation, both over two lumps, of which
+/// two surfaces radiate to each other.
+inline Subject warm_bearings()
+{
+    Subject result = bearings();
+    auto& problem = result.problem;
+    problem.surfaces[2] = lumps::film(0);
+    for (auto& surface : problem.surfaces)
+        surface.laws = {natural_convection(1)};
+    problem.surfaces[0].emissivity = 0.7;
+    problem.surfaces[1].emissivity = 0.8;
+    problem.surfaces[2].emissivity = 0.5;
+    problem.segments[0].ambient = [](double time) { return 293 + 4 * std::sin(time / 200); };
+    problem.radiation = {{{1, 2}, {0.06, 0.1, 0.1, 0.03}}};  // rows sum to emissivity times area
+    spread(result.terms, 0, 4, 0.4, 3, 0.3);
+    spread(result.terms, 1, 1, 0.12, 0, 0.08);
+    spread(result.terms, 2, 2, 0.13, 1, 0.13);
+    problem.fixed_step = 30;
+    result.box.erase(result.box.begin(), result.box.begin() + 2);
+    result.values.erase(result.values.begin(), result.values.begin() + 2);
+    return result;
+}
+
+/// Warm bearings in two cabinets, one of which is heated; a film of constant coefficient gives heat to one, and natural
+/// convection to both.
+inline Subject enclosed_bearings()
+{
+    Subject result = warm_bearings();
+    auto& problem = result.problem;
+    problem.radiation.clear();
+    problem.surfaces[0].enclosure = 0;
+    problem.surfaces[0].emissivity = 0;
+    problem.surfaces[1].enclosure = 1;
+    problem.surfaces[1].emissivity = 0;
+    problem.surfaces[1].ambient = {};
+    problem.surfaces[2] = lumps::film(9);
+    problem.surfaces[2].enclosure = 0;
+    problem.enclosures = {{"crank", 300, 2, 293}, {"motor", 150, 1.5, 295}};
+    problem.segments[0].enclosure_power = {{}, lumps::steady(20)};
+    problem.segments.push_back(problem.segments[0]);
+    problem.segments[1].duration = 300;
+    problem.segments[1].enclosure_power.clear();
+    for (auto& surface : problem.surfaces)
+        if (!surface.laws.empty())
+            surface.laws.push_back(natural_convection(0.6));
     return result;
 }
 

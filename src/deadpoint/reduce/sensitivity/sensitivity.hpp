@@ -3,6 +3,7 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/heat/balance.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
+#include "deadpoint/reduce/sensitivity/direction.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -22,12 +23,13 @@ class Observer;
 /// Weights l_1 on T_1 give those on T_0, and what the step adds to the gradient, by the transposed step:
 ///   (1 - d J_1)^T y_2 = l_1,    (1 - d J_m)^T y_1 = bdf_middle y_2,    l_0 = (1 + d J_0)^T y_1 - bdf_now y_2,
 ///   d (y_1 . (f'_0 + f'_m) + y_2 . f'_1).
+/// T has the states and the inner values of the heat balance (linearised_heat.hpp): sumps and enclosed air with their
+/// capacities in place of 1, all others by equations that hold at each of the three times.
 /// Both are the derivatives of the steps as they are, with their lengths held. They take the equations of the stages as
-/// solved: where a heat law is curved or depends on its rings, Newton's method leaves 1e-5 of the heat (see
-/// heat/stage_solver.hpp), which they do not know of. The first slope of a segment is that of its own laws.
+/// solved: Newton's method leaves 1e-5 of the heat where a heat law is curved or depends on its rings, and 1e-3 of a
+/// step's tolerance in temperatures of circulating oil (see heat/stage_solver.hpp), which they do not know of. The
+/// first slope of a segment is that of its own laws.
 namespace deadpoint::reduce {
-
-struct FreeCoefficient;
 
 /// An accepted step with its states.
 struct RecordedStep {
@@ -43,12 +45,6 @@ struct RecordedRun {
     std::vector<RecordedStep> steps;
 };
 
-/// A way in which a problem changes.
-struct Direction {
-    HeatProblem changed;
-    double by = 1;  ///< difference of the coefficient between both problems
-};
-
 /// A scalar of the history.
 struct Output {
     enum class Kind { probe, side_a, side_b, observed };
@@ -58,25 +54,22 @@ struct Output {
 
 /// Runs a problem and records it.
 /// @param reference  temperature at which observed functionals are zero [K]
-/// @throws InputError if the problem has oil circuits, enclosed air, films that follow the temperature, a source with
-///         a share of zero, or does not fit the terms; other errors as ReducedRun
+/// @throws InputError if the problem does not fit the terms; other errors as ReducedRun
 RecordedRun record_run(std::shared_ptr<const PreparedTerms> terms, const HeatProblem& problem, double reference,
                        Observer& observer);
 
-/// The direction of each coefficient of a box. The problem's coefficients are linear in each value of a box.
-/// @param problem  without the values
-std::vector<Direction> directions(const HeatProblem& problem, const std::vector<FreeCoefficient>& box,
-                                  const std::vector<double>& values);
-
 /// Derivatives of outputs at all rows of the history: [direction][output][row] [unit of the output per unit of the
 /// coefficient]. One run forward serves all outputs.
-/// @param directions  from the run's problem; they may differ in conductances, coefficients of oil and its temperature,
-///                    coefficients of films, temperatures that films face, and shares of sources, each linear in the
-///                    coefficient
+/// @param directions  from the run's problem
 std::vector<std::vector<std::vector<double>>> forward(const RecordedRun& run, const std::vector<Direction>& directions,
                                                       const std::vector<Output>& outputs);
 
-/// Derivatives of one output at one row of the history, per direction. One run backward serves all directions.
+/// Derivatives of an objective per direction. One run backward serves all directions.
+/// @param weights  derivatives of the objective by each output (row) at each row of the history (column)
+std::vector<double> gradient(const RecordedRun& run, const std::vector<Direction>& directions,
+                             const std::vector<Output>& outputs, const Eigen::MatrixXd& weights);
+
+/// The same of one output at one row of the history.
 std::vector<double> gradient(const RecordedRun& run, const std::vector<Direction>& directions, Output output,
                              std::size_t row);
 
