@@ -19,18 +19,33 @@ std::vector<double> numbers(const std::filesystem::path& file)
     return values;
 }
 
+void run_on(int ranks, const std::string& line)
+{
+    const std::string command =
+        std::string(DEADPOINT_MPIRUN) + " -n " + std::to_string(ranks) + " --oversubscribe --bind-to none " + line;
+    CAPTURE(command);
+    REQUIRE(std::system(command.c_str()) == 0);
+}
+
 // @param ending  of the file to read: "" for temperatures, ".causes"
 std::vector<double> solve(const std::string& name, int ranks, const std::string& overrides,
                           const std::string& ending = "")
 {
     const ScratchFolder folder;
     const auto file = folder.path / "figures.txt";
-    const std::string command = std::string(DEADPOINT_MPIRUN) + " -n " + std::to_string(ranks) +
-                                " --oversubscribe --bind-to none " + DEADPOINT_SOLVE + " " +
-                                DEADPOINT_VERIFICATION_CASES + "/" + name + ".toml " + file.string() + " " + overrides;
-    CAPTURE(command);
-    REQUIRE(std::system(command.c_str()) == 0);
+    run_on(ranks, std::string(DEADPOINT_SOLVE) + " " + DEADPOINT_VERIFICATION_CASES + "/" + name + ".toml " +
+                      file.string() + " " + overrides);
     return numbers(file.string() + ending);
+}
+
+// Of a reduced starter press.
+std::vector<double> reduced(int ranks)
+{
+    const ScratchFolder folder;
+    const auto file = folder.path / "figures.txt";
+    run_on(ranks, std::string(DEADPOINT_REDUCE) + " " + DEADPOINT_VERIFICATION_CASES +
+                      "/../../../cases/starter/case.toml " + file.string() + " 3");
+    return numbers(file);
 }
 
 // Temperatures and gap of one rank and of several, to 1e-6 of the largest rise above the start.
@@ -131,6 +146,22 @@ TEST_CASE("two ranks give what one gives: enclosed air")
 TEST_CASE("two ranks refine to the same meshes")
 {
     check_agreement("hot-patch", 293.15, "numerics.accuracy=\"0.5 K\" numerics.solver_tolerance=1e-9");
+}
+
+TEST_CASE("two ranks build the reduced press of one")
+{
+    constexpr std::size_t large_states = 1, small_states = 2, gap = 3, errors = 4;
+    const auto one = reduced(1), two = reduced(2);
+    REQUIRE(one.size() == errors + 2 * (3 + 1));
+    REQUIRE(two.size() == one.size());
+    CHECK(two[0] == 2);
+    CHECK(two[large_states] == one[large_states]);
+    CHECK(two[small_states] == one[small_states]);
+    CHECK(std::abs(one[gap]) > 10);
+    // Rounding decides which directions of a term are cut at 1e-5 and 1e-3 of the largest: 2e-4 was found.
+    CHECK(std::abs(two[gap] - one[gap]) < 1e-3);
+    for (std::size_t i = errors; i < one.size(); ++i)
+        CHECK(std::abs(two[i] - one[i]) < 1e-3);
 }
 
 TEST_CASE("a checkpoint of two ranks is gone on from by one, two and three")

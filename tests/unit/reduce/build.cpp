@@ -1,6 +1,7 @@
 #include "deadpoint/reduce/offline/build.hpp"
 
 #include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/reduce/offline/training.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "deadpoint/reduce/online/terms_file.hpp"
 #include "rods.hpp"
@@ -46,13 +47,13 @@ TEST_CASE("a reduced model answers as the full one, with coefficients it never s
 {
     rods::RodModel full;
     const auto models = built(full);
-    CHECK(models.small->terms.uniform.size() <= 20);
+    CHECK(models.small.terms->terms.uniform.size() <= 20);
     const auto terms = prepared(rods::full_terms());
     for (const auto& problem : new_problems()) {
         const auto exact = run_on(terms, problem);
-        const auto small = difference(run_on(models.small, problem), exact, 0);
+        const auto small = difference(run_on(models.small.terms, problem), exact, 0);
         const auto large = difference(run_on(models.large, problem), exact, 0);
-        const auto estimate = difference(run_on(models.small, problem), run_on(models.large, problem), 0);
+        const auto estimate = difference(run_on(models.small.terms, problem), run_on(models.large, problem), 0);
         CHECK(small.temperature < 0.1);   // twice what was asked for in the test runs of the build
         CHECK(large.temperature < 1e-3);  // its fields span nearly all 60 states of the full model
         CHECK(std::abs(estimate.temperature - small.temperature) <= large.temperature + 1e-12);
@@ -67,11 +68,11 @@ TEST_CASE("the small model is the smallest that is accurate enough")
     lumps::Quiet observer;
     options.temperature = options.gap = 0;
     const auto finest = build(full, rods::problem(), rods::box(), options, observer);
-    CHECK(finest.small->terms.uniform.size() == 20);
+    CHECK(finest.small.terms->terms.uniform.size() == 20);
     CHECK(full.basis.cols() == 20);
     CHECK((full.basis.transpose() * full.basis - Eigen::MatrixXd::Identity(20, 20)).norm() < 1e-9);
-    REQUIRE(finest.by_size.size() == 1);
-    CHECK(finest.by_size[0].second.temperature == finest.in_box.temperature);
+    REQUIRE(finest.small.by_size.size() == 1);
+    CHECK(finest.small.by_size[0].second.temperature == finest.small.in_box.temperature);
 }
 
 TEST_CASE("heat is conserved, and causes sum to the gap")
@@ -80,10 +81,10 @@ TEST_CASE("heat is conserved, and causes sum to the gap")
     const auto models = built(full);
     for (const auto& problem : new_problems()) {
         lumps::Quiet observer;
-        ReducedRun run(models.small, problem, 1, 293);
+        ReducedRun run(models.small.terms, problem, 1, 293);
         const auto history = run.go({}, observer);
         CHECK(history.energy.mismatch() < 1e-9);
-        const auto causes = run.causes(models.small->terms.observed.row(0).transpose(), history.time.size() - 1);
+        const auto causes = run.causes(models.small.terms->terms.observed.row(0).transpose(), history.time.size() - 1);
         const auto sum = [](const std::vector<double>& values) {
             return std::accumulate(values.begin(), values.end(), 0.0);
         };
@@ -105,13 +106,14 @@ TEST_CASE("terms survive their way into a file")
 {
     rods::RodModel full;
     const auto models = built(full);
-    const auto kept = stored(models.small->terms);
+    const auto kept = stored(models.small.terms->terms);
     DenseTerms again;
-    again.geometry = models.small->terms.geometry;
+    again.geometry = models.small.terms->terms.geometry;
     restore(kept, again);
-    CHECK((again.solid - models.small->terms.solid).norm() < 1e-12 * models.small->terms.solid.norm());
+    CHECK((again.solid - models.small.terms->terms.solid).norm() < 1e-12 * models.small.terms->terms.solid.norm());
     const auto problem = new_problems()[3];
-    const auto difference_by_rounding = difference(run_on(prepared(again), problem), run_on(models.small, problem), 0);
+    const auto difference_by_rounding =
+        difference(run_on(prepared(again), problem), run_on(models.small.terms, problem), 0);
     CHECK(difference_by_rounding.temperature < 1e-3);  // 300 K times the rounding of 32 bits, some ten times
     CHECK(difference_by_rounding.gap < 1e-9);
 

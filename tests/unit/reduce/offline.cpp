@@ -1,11 +1,17 @@
 #include "deadpoint/reduce/offline/box.hpp"
 #include "deadpoint/reduce/offline/gram.hpp"
+#include "deadpoint/reduce/offline/in_parallel.hpp"
 #include "deadpoint/reduce/offline/low_rank.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
 #include "rods.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <stdexcept>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using doctest::Approx;
 using namespace deadpoint;
@@ -131,4 +137,27 @@ TEST_CASE("values of a box change a problem")
     CHECK(problem.sources[0].share == 0.7);
     CHECK(problem.segments[0].ambient(0) == 293);
     CHECK(problem.segments[0].ambient(1e6) == Approx(288));
+}
+
+TEST_CASE("work in parallel is done once each, by fewer threads where the system gives no more")
+{
+    std::vector<std::atomic<int>> calls(50);
+    in_parallel(3, calls.size(), [&](std::size_t k) { ++calls[k]; });
+    for (const auto& one : calls)
+        CHECK(one == 1);
+    CHECK_THROWS_AS(in_parallel(2, 9, [](std::size_t k) { k == 5 ? throw std::runtime_error("5") : void(); }),
+                    std::runtime_error);
+
+    const pid_t child = fork();  // whose limit of addresses leaves no room for the stack of a thread
+    if (child == 0) {
+        const rlimit limit{1, 1};
+        setrlimit(RLIMIT_AS, &limit);
+        int done = 0;
+        in_parallel(4, 20, [&](std::size_t) { ++done; });
+        _exit(done == 20 ? 0 : 1);
+    }
+    int status = -1;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
 }

@@ -3,8 +3,8 @@
 #include "../heat/lumps.hpp"
 #include "deadpoint/reduce/offline/build.hpp"
 #include "deadpoint/reduce/offline/full_model.hpp"
-#include "deadpoint/reduce/offline/gram.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
+#include "deadpoint/reduce/offline/ranks.hpp"
 
 #include <utility>
 #include <vector>
@@ -90,17 +90,14 @@ public:
             append(factor.solve(load_of(load)));
     }
     void add_part(std::size_t part) override { append(terms_.parts.col(static_cast<Eigen::Index>(part))); }
-    std::size_t orthonormalise(double least) override
-    {
-        basis *= orthonormal_combinations(basis.transpose() * basis, least);
-        basis *= orthonormal_combinations(basis.transpose() * basis, 0);
-        return static_cast<std::size_t>(basis.cols());
-    }
+    [[nodiscard]] Eigen::MatrixXd gram() override { return basis.transpose() * basis; }
     [[nodiscard]] DenseTerms project(const Truncation& truncation) override
     {
         return combined(terms_, basis, truncation);
     }
     void combine(const Eigen::MatrixXd& combinations) override { basis *= combinations; }
+    void correct(const Eigen::MatrixXd& combinations) override { combine(combinations); }
+    [[nodiscard]] const Ranks& ranks() const override { return ranks_; }
 
     Eigen::MatrixXd basis = full_terms().uniform;
 
@@ -134,6 +131,7 @@ private:
         basis.rightCols(1) = field;
     }
     DenseTerms terms_ = full_terms();
+    Ranks ranks_;
 };
 
 inline BuildOptions options()

@@ -1,25 +1,27 @@
 #include "deadpoint/fem/reduction/columns.hpp"
 
-#include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/session.hpp"
 
+#include <algorithm>
 #include <petscblaslapack.h>
 
 namespace deadpoint::fem {
 namespace {
 
+using Columns = Eigen::Ref<const Eigen::MatrixXd>;
+
 // left (transposed, if it says so) times right.
-void multiply(const char* transposed, const Eigen::MatrixXd& left, const Eigen::MatrixXd& right,
-              Eigen::MatrixXd& product)
+void multiply(const char* transposed, const Eigen::MatrixXd& left, const Columns& right, Eigen::MatrixXd& product)
 {
     const auto size = [](Eigen::Index n) { return static_cast<PetscBLASInt>(std::max<Eigen::Index>(n, 1)); };
     const auto rows = size(product.rows()), columns = size(product.cols()), inner = size(right.rows());
-    const auto left_stride = size(left.rows());
+    const auto left_stride = size(left.rows()), right_stride = size(right.outerStride());
     const double one = 1, zero = 0;
     if (product.size() == 0 || right.rows() == 0)
         product.setZero();
     else
-        BLASgemm_(transposed, "N", &rows, &columns, &inner, &one, left.data(), &left_stride, right.data(), &inner,
-                  &zero, product.data(), &rows);
+        BLASgemm_(transposed, "N", &rows, &columns, &inner, &one, left.data(), &left_stride, right.data(),
+                  &right_stride, &zero, product.data(), &rows);
 }
 
 OwnedVec vector_like(Mat matrix)
@@ -33,14 +35,16 @@ OwnedVec vector_like(Mat matrix)
 
 void sum_over_ranks(Eigen::MatrixXd& matrix)
 {
-    MPI_Allreduce(MPI_IN_PLACE, matrix.data(), static_cast<int>(matrix.size()), MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+    const auto size = static_cast<int>(matrix.size());
+    MPI_Reduce(rank() == 0 ? MPI_IN_PLACE : matrix.data(), matrix.data(), size, MPI_DOUBLE, MPI_SUM, 0,
+               PETSC_COMM_WORLD);
+    MPI_Bcast(matrix.data(), size, MPI_DOUBLE, 0, PETSC_COMM_WORLD);
 }
 
-Eigen::MatrixXd inner_products(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+Eigen::MatrixXd product_of_transposed(const Eigen::MatrixXd& a, const Columns& b)
 {
     Eigen::MatrixXd result(a.cols(), b.cols());
     multiply("T", a, b, result);
-    sum_over_ranks(result);
     return result;
 }
 

@@ -6,14 +6,16 @@
 #include "deadpoint/fem/conduction/heat_system.hpp"
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
+#include "deadpoint/fem/reduction/basis_fields.hpp"
 #include "deadpoint/fem/reduction/block_solver.hpp"
 #include "deadpoint/fem/reduction/columns.hpp"
 #include "deadpoint/fem/reduction/field_file.hpp"
+#include "deadpoint/fem/reduction/mpi_ranks.hpp"
 #include "deadpoint/fem/reduction/surface_terms.hpp"
 #include "deadpoint/fem/space/vectors.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
-#include "deadpoint/reduce/offline/gram.hpp"
 
+#include <tuple>
 #include <utility>
 
 namespace deadpoint::fem {
@@ -29,52 +31,37 @@ HeatProblem with_constant_films(HeatProblem problem)
     return problem;
 }
 
-// The observed functionals, a column for each: adjoints, then those that are split, part by part.
-Eigen::MatrixXd columns_of(const ObservedAdjoints& observed, const std::vector<std::uint32_t>& part_of,
-                           std::size_t parts)
-{
-    const auto rows = static_cast<Eigen::Index>(part_of.size());
-    const auto count = observed.adjoints.size();
-    const auto split = static_cast<std::size_t>(observed.attribution.count);
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(count + split * parts));
-    for (std::size_t k = 0; k < count; ++k)
-        columns.col(static_cast<Eigen::Index>(k)) =
-            Eigen::Map<const Eigen::VectorXd>(observed.adjoints[k].owned.data(), rows);
-    for (std::size_t k = 0; k < split; ++k) {
-        const auto& weights = observed.adjoints[static_cast<std::size_t>(observed.attribution.first) + k].owned;
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            columns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(count + k * parts + part_of[i])) =
-                weights[i];
-    }
-    return columns;
-}
-
 }  // namespace
 
 struct HeatProjector::Parts {
     Parts(const Discretisation& space_, const std::vector<Material>& materials, const HeatProblem& problem_,
-          const ObservedAdjoints& recorded)
-        : space(space_), problem(with_constant_films(problem_)), system(space, materials, problem),
-          observed(columns_of(recorded, system.part_of_unknown(), space.machine.parts.size())),
-          adjoints(static_cast<Eigen::Index>(recorded.adjoints.size()))
+          const ObservedAdjoints& observed_)
+        : space(space_), problem(with_constant_films(problem_)), system(space, materials, problem), observed(observed_),
+          fields(space.last - space.first)
     {
         system.set_laws(problem.interfaces, {});
-        basis = Eigen::MatrixXd::Ones(space.last - space.first, 1);
+        append(Eigen::VectorXd::Ones(fields.rows()));
     }
     [[nodiscard]] Eigen::MatrixXd loads(const std::vector<std::size_t>& which) const;
     [[nodiscard]] Eigen::MatrixXd solved(double shift, const Eigen::MatrixXd& loads);
-    void append(const Eigen::MatrixXd& columns);
-    [[nodiscard]] Eigen::MatrixXd on_parts() const;
-    [[nodiscard]] reduce::RowMatrix functionals() const;
+    void append(const Eigen::VectorXd& field);
+    void append_solution(const Eigen::VectorXd& field);
+    [[nodiscard]] Eigen::VectorXd on_part(std::size_t part) const;
+    [[nodiscard]] Eigen::Map<const Eigen::VectorXd> adjoint(std::size_t k) const;
+    [[nodiscard]] Eigen::MatrixXd functionals() const;
+    [[nodiscard]] Eigen::MatrixXd observed_functionals() const;
+    void add_split(std::size_t adjoint, Eigen::Ref<Eigen::MatrixXd> rows) const;
+    [[nodiscard]] Eigen::MatrixXd parts();
     [[nodiscard]] std::size_t layout_count() const { return system.geometry().layout.count(); }
 
     const Discretisation& space;
     HeatProblem problem;  ///< whose coefficients the system has
     HeatSystem system;
-    Eigen::MatrixXd observed;
-    Eigen::Index adjoints;
+    ObservedAdjoints observed;
+    MpiRanks ranks;
     std::unique_ptr<BlockSolver> solver;
-    Eigen::MatrixXd basis;
+    BasisFields fields;
+    Eigen::MatrixXd correction;  ///< combinations of the fields that are the basis
 };
 
 HeatProjector::HeatProjector(const Discretisation& space, const std::vector<Material>& materials,
@@ -84,10 +71,7 @@ HeatProjector::HeatProjector(const Discretisation& space, const std::vector<Mate
 
 HeatProjector::~HeatProjector() = default;
 
-std::size_t HeatProjector::load_count() const
-{
-    return parts_->layout_count() + static_cast<std::size_t>(parts_->adjoints);
-}
+std::size_t HeatProjector::load_count() const { return parts_->layout_count() + parts_->observed.adjoints.size(); }
 
 bool HeatProjector::has_load(std::size_t load) const
 {
@@ -96,18 +80,23 @@ bool HeatProjector::has_load(std::size_t load) const
     if (load < count)
         entries[0] = static_cast<double>(parts_->system.functionals()[load].local.size());
     else
-        entries[0] = parts_->observed.col(static_cast<Eigen::Index>(load - count)).lpNorm<1>();
+        entries[0] = parts_->adjoint(load - count).lpNorm<1>();
     sum_over_ranks(entries);
     return entries[0] > 0;
 }
 
+Eigen::Map<const Eigen::VectorXd> HeatProjector::Parts::adjoint(std::size_t k) const
+{
+    return {observed.adjoints[k].owned.data(), fields.rows()};
+}
+
 Eigen::MatrixXd HeatProjector::Parts::loads(const std::vector<std::size_t>& which) const
 {
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(basis.rows(), static_cast<Eigen::Index>(which.size()));
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(fields.rows(), static_cast<Eigen::Index>(which.size()));
     for (std::size_t k = 0; k < which.size(); ++k) {
         auto column = columns.col(static_cast<Eigen::Index>(k));
         if (which[k] >= layout_count()) {
-            column = observed.col(static_cast<Eigen::Index>(which[k] - layout_count()));
+            column = adjoint(which[k] - layout_count());
             continue;
         }
         const auto& functional = system.functionals()[which[k]];
@@ -139,11 +128,17 @@ Eigen::MatrixXd HeatProjector::Parts::solved(double shift, const Eigen::MatrixXd
     return result;
 }
 
-void HeatProjector::Parts::append(const Eigen::MatrixXd& columns)
+void HeatProjector::Parts::append(const Eigen::VectorXd& field)
 {
-    const auto before = basis.cols();
-    basis.conservativeResize(Eigen::NoChange, before + columns.cols());
-    basis.rightCols(columns.cols()) = columns;
+    fields.append(field.cast<float>());
+    correction = Eigen::MatrixXd::Identity(fields.count(), fields.count());
+}
+
+void HeatProjector::Parts::append_solution(const Eigen::VectorXd& field)
+{
+    std::vector<double> sum{field.sum()};
+    sum_over_ranks(sum);
+    append(field.array() - sum[0] / static_cast<double>(space.total));
 }
 
 void HeatProjector::add_solutions(const HeatProblem& at, double shift, const std::vector<std::size_t>& loads)
@@ -151,73 +146,109 @@ void HeatProjector::add_solutions(const HeatProblem& at, double shift, const std
     auto& matrices = parts_->system.matrices();
     matrices.adopt(at);
     matrices.set_laws(at.interfaces);
-    parts_->append(parts_->solved(shift, parts_->loads(loads)));
+    const auto solutions = parts_->solved(shift, parts_->loads(loads));
+    for (const auto& solution : solutions.colwise())
+        parts_->append_solution(solution);
 }
 
-// Fields of 1 on a part and 0 elsewhere.
-Eigen::MatrixXd HeatProjector::Parts::on_parts() const
+// The field of 1 on a part and 0 elsewhere.
+Eigen::VectorXd HeatProjector::Parts::on_part(std::size_t part) const
 {
     const auto& part_of = system.part_of_unknown();
-    Eigen::MatrixXd columns =
-        Eigen::MatrixXd::Zero(basis.rows(), static_cast<Eigen::Index>(space.machine.parts.size()));
+    Eigen::VectorXd field = Eigen::VectorXd::Zero(fields.rows());
     for (std::size_t i = 0; i < part_of.size(); ++i)
-        columns(static_cast<Eigen::Index>(i), part_of[i]) = 1;
-    return columns;
+        field[static_cast<Eigen::Index>(i)] = part_of[i] == part ? 1 : 0;
+    return field;
 }
 
-void HeatProjector::add_part(std::size_t part)
-{
-    parts_->append(parts_->on_parts().col(static_cast<Eigen::Index>(part)));
-}
+void HeatProjector::add_part(std::size_t part) { parts_->append(parts_->on_part(part)); }
 
-std::size_t HeatProjector::orthonormalise(double least)
+Eigen::MatrixXd HeatProjector::gram()
 {
-    const Mat mass = parts_->system.matrices().mass();
-    auto& basis = parts_->basis;
-    basis = combined(basis, reduce::orthonormal_combinations(inner_products(basis, times(mass, basis)), least));
-    basis = combined(basis, reduce::orthonormal_combinations(inner_products(basis, times(mass, basis)), 0));
-    return static_cast<std::size_t>(basis.cols());
+    parts_->solver.reset();  // all solutions are there
+    const auto& correction = parts_->correction;
+    return correction.transpose() * projected(parts_->system.matrices().mass(), parts_->fields) * correction;
 }
 
 void HeatProjector::combine(const Eigen::MatrixXd& combinations)
 {
-    parts_->basis = combined(parts_->basis, combinations);
+    parts_->fields.combine(parts_->correction * combinations);
+    parts_->correction = Eigen::MatrixXd::Identity(combinations.cols(), combinations.cols());
 }
 
-reduce::RowMatrix HeatProjector::Parts::functionals() const
+void HeatProjector::correct(const Eigen::MatrixXd& combinations) { parts_->correction *= combinations; }
+
+const reduce::Ranks& HeatProjector::ranks() const { return parts_->ranks; }
+
+// A row for each functional of the layout, of the fields.
+Eigen::MatrixXd HeatProjector::Parts::functionals() const
 {
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(layout_count()), basis.cols());
-    for (std::size_t k = 0; k < layout_count(); ++k) {
-        const auto& functional = system.functionals()[k];
-        for (std::size_t i = 0; i < functional.local.size(); ++i)
-            rows.row(static_cast<Eigen::Index>(k)) += functional.weight[i] * basis.row(functional.local[i]);
-    }
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(layout_count()), fields.count());
+    for (std::size_t k = 0; k < layout_count(); ++k)
+        rows.row(static_cast<Eigen::Index>(k)) = fields.evaluate(system.functionals()[k]).transpose();
     sum_over_ranks(rows);
     return rows;
 }
 
+// The shares of an adjoint by part, a row for each.
+void HeatProjector::Parts::add_split(std::size_t adjoint, Eigen::Ref<Eigen::MatrixXd> rows) const
+{
+    const auto& part_of = system.part_of_unknown();
+    const auto& weights = observed.adjoints[adjoint].owned;
+    for (Eigen::Index field = 0; field < fields.count(); ++field)
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            rows(part_of[i], field) += weights[i] * static_cast<double>(fields[field][static_cast<Eigen::Index>(i)]);
+}
+
+// A row for each observed functional, of the fields: adjoints, then those that are split, part by part.
+Eigen::MatrixXd HeatProjector::Parts::observed_functionals() const
+{
+    const auto count = observed.adjoints.size(), parts = space.machine.parts.size();
+    const auto split = static_cast<std::size_t>(observed.attribution.count);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count + split * parts), fields.count());
+    for (std::size_t k = 0; k < count; ++k)
+        rows.row(static_cast<Eigen::Index>(k)) = fields.inner_products(adjoint(k)).transpose();
+    for (std::size_t k = 0; k < split; ++k)
+        add_split(static_cast<std::size_t>(observed.attribution.first) + k,
+                  rows.middleRows(static_cast<Eigen::Index>(count + k * parts), static_cast<Eigen::Index>(parts)));
+    sum_over_ranks(rows);
+    return rows;
+}
+
+// Inner products of the fields with those of 1 on a part, a column for each.
+Eigen::MatrixXd HeatProjector::Parts::parts()
+{
+    const auto count = space.machine.parts.size();
+    Eigen::MatrixXd columns(fields.count(), static_cast<Eigen::Index>(count));
+    for (std::size_t part = 0; part < count; ++part)
+        columns.col(static_cast<Eigen::Index>(part)) =
+            fields.inner_products(times(system.matrices().mass(), on_part(part)));
+    sum_over_ranks(columns);
+    return columns;
+}
+
 reduce::DenseTerms HeatProjector::project(const reduce::Truncation& truncation)
 {
-    auto& matrices = parts_->system.matrices();
-    const auto& basis = parts_->basis;
+    auto& it = *parts_;
+    auto& matrices = it.system.matrices();
     reduce::DenseTerms terms;
-    terms.geometry = parts_->system.geometry();
-    const Eigen::MatrixXd solid = inner_products(basis, times(matrices.solid(), basis));
+    terms.geometry = it.system.geometry();
+    const Eigen::MatrixXd solid = it.correction.transpose() * projected(matrices.solid(), it.fields) * it.correction;
     terms.solid = (solid + solid.transpose()) / 2;
-    terms.functionals = parts_->functionals();
-    terms.observed = inner_products(parts_->observed, basis);
-    terms.parts = inner_products(basis, times(matrices.mass(), parts_->on_parts()));
+    terms.functionals = it.functionals() * it.correction;
+    terms.observed = it.observed_functionals() * it.correction;
+    terms.parts = it.correction.transpose() * it.parts();
     terms.uniform = terms.parts.rowwise().sum();
-    project_surfaces(parts_->space, matrices, basis, truncation, terms);
+    project_surfaces(it.space, matrices, it.fields, it.correction, truncation, terms);
     return terms;
 }
 
 void HeatProjector::write_fields(const std::string& file, const std::string& model) const
 {
-    const auto& basis = parts_->basis;
-    fem::write_fields(
-        file, parts_->space, model, static_cast<std::size_t>(basis.cols()),
-        [&](std::size_t field) -> Eigen::VectorXd { return basis.col(static_cast<Eigen::Index>(field)); });
+    const auto& [fields, correction] = std::tie(parts_->fields, parts_->correction);
+    fem::write_fields(file, parts_->space, model, static_cast<std::size_t>(correction.cols()), [&](std::size_t field) {
+        return fields.combination(correction.col(static_cast<Eigen::Index>(field)));
+    });
 }
 
 }  // namespace deadpoint::fem

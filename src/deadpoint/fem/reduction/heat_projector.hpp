@@ -19,12 +19,14 @@ class Discretisation;
 
 /// What a run of the reduced model records besides the functionals of the heat balance.
 struct ObservedAdjoints {
-    std::vector<Adjoint> adjoints;
+    const std::vector<Adjoint>& adjoints;  ///< outlive the projector
     Attribution attribution{-1};
 };
 
 /// The finite elements of a machine for the reduction (reduce/offline/full_model.hpp). Up to `largest_heat_factor`
 /// unknowns a sparse factor of each operator solves for blocks of loads, else multigrid for one load after the other.
+/// Fields have single precision: 4 bytes for each unknown and field. Solutions are kept without their mean over the
+/// unknowns, which the uniform field has, so that rounding is small beside what they add to it.
 class HeatProjector final : public reduce::FullModel {
 public:
     /// @param problem  with constant convection coefficients (its laws and emissivities are not read)
@@ -36,9 +38,11 @@ public:
     [[nodiscard]] bool has_load(std::size_t load) const override;
     void add_solutions(const HeatProblem& at, double shift, const std::vector<std::size_t>& loads) override;
     void add_part(std::size_t part) override;
-    std::size_t orthonormalise(double least) override;
-    [[nodiscard]] reduce::DenseTerms project(const reduce::Truncation& truncation) override;
+    [[nodiscard]] Eigen::MatrixXd gram() override;
     void combine(const Eigen::MatrixXd& combinations) override;
+    void correct(const Eigen::MatrixXd& combinations) override;
+    [[nodiscard]] reduce::DenseTerms project(const reduce::Truncation& truncation) override;
+    [[nodiscard]] const reduce::Ranks& ranks() const override;
 
     /// Writes the fields of the basis (field_file.hpp). Collective.
     /// @param model  reduce::mark_of() the terms on this basis @throws IoError

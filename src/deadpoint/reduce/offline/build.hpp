@@ -2,13 +2,10 @@
 
 #include "deadpoint/reduce/offline/box.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
-#include "deadpoint/reduce/offline/difference.hpp"
 #include "deadpoint/reduce/offline/full_model.hpp"
+#include "deadpoint/reduce/offline/small_model.hpp"
 
-#include <cstddef>
 #include <memory>
-#include <utility>
-#include <vector>
 
 namespace deadpoint {
 class Observer;
@@ -18,9 +15,8 @@ namespace deadpoint::reduce {
 
 /// A reduced model of two sizes. The large one says how far the small one is off.
 struct BuiltModels {
-    std::shared_ptr<const PreparedTerms> large, small;
-    RunDifference at_base, in_box;  ///< of the small model to the large one: at the problem's own values, anywhere
-    std::vector<std::pair<std::size_t, RunDifference>> by_size;  ///< number of states, largest difference in the box
+    std::shared_ptr<const PreparedTerms> large;
+    SmallModel small;
 };
 
 /// Builds a reduced model in two stages.
@@ -33,8 +29,5 @@ struct BuiltModels {
 /// @param base  with constant convection coefficients; its operation is trained, half of the runs with a pause
 BuiltModels build(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
                   Observer& observer);
-
-/// A problem with values drawn from the box, and its operation: half of them with a pause of half an hour.
-HeatProblem drawn_problem(const HeatProblem& base, const Box& box, Draws& draws);
 
 }  // namespace deadpoint::reduce

@@ -11,6 +11,7 @@ struct HeatProblem;
 
 namespace deadpoint::reduce {
 
+class Ranks;
 struct Truncation;
 
 /// A machine by finite elements, as the reduction needs it: its matrices M and K(p) act on bases of temperature fields.
@@ -30,13 +31,17 @@ public:
     virtual void add_solutions(const HeatProblem& at, double shift, const std::vector<std::size_t>& loads) = 0;
     /// Adds a field to the basis: uniform on a part and zero elsewhere.
     virtual void add_part(std::size_t part) = 0;
-    /// Makes the basis orthonormal in M. Its first field is uniform. Fields whose part that is new is below `least` of
-    /// them are dropped. @return number of fields
-    virtual std::size_t orthonormalise(double least) = 0;
-    /// The terms on the basis, which is orthonormal. All functionals are there.
-    [[nodiscard]] virtual DenseTerms project(const Truncation& truncation) = 0;
-    /// Replaces the basis by combinations of its fields. @param combinations a column for each
+    /// Inner products in M of the basis, whose first field is uniform.
+    [[nodiscard]] virtual Eigen::MatrixXd gram() = 0;
+    /// Replaces the basis by combinations of its fields, to the precision in which the model keeps fields.
+    /// @param combinations  a column for each, at most as many as there are fields
     virtual void combine(const Eigen::MatrixXd& combinations) = 0;
+    /// The same to double precision, for combinations that hardly change the fields.
+    virtual void correct(const Eigen::MatrixXd& combinations) = 0;
+    /// The terms on the basis, which is orthonormal in M. All functionals are there.
+    [[nodiscard]] virtual DenseTerms project(const Truncation& truncation) = 0;
+    /// The processes over which the machine is distributed.
+    [[nodiscard]] virtual const Ranks& ranks() const = 0;
 };
 
 }  // namespace deadpoint::reduce

@@ -1,8 +1,11 @@
 #include "deadpoint/reduce/offline/in_parallel.hpp"
 
+#include "deadpoint/reduce/offline/ranks.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -21,14 +24,24 @@ void in_parallel(int threads, std::size_t count, const std::function<void(std::s
         }
     };
     std::vector<std::thread> helpers;
-    for (std::size_t t = 1; t < failed.size(); ++t)
-        helpers.emplace_back(serve, t);
+    try {
+        for (std::size_t t = 1; t < failed.size(); ++t)
+            helpers.emplace_back(serve, t);
+    } catch (const std::system_error&) {
+        // the threads that are there do all of it
+    }
     serve(0);
     for (auto& helper : helpers)
         helper.join();
     for (const auto& error : failed)
         if (error)
             std::rethrow_exception(error);
+}
+
+void in_parallel(const Ranks& ranks, int threads, std::size_t count, const std::function<void(std::size_t)>& work)
+{
+    const auto own = static_cast<std::size_t>(ranks.rank()), all = static_cast<std::size_t>(ranks.count());
+    in_parallel(threads, (count + all - 1 - own) / all, [&](std::size_t k) { work(own + k * all); });
 }
 
 }  // namespace deadpoint::reduce

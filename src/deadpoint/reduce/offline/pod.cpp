@@ -2,6 +2,7 @@
 
 #include "deadpoint/reduce/offline/build_options.hpp"
 #include "deadpoint/reduce/offline/low_rank.hpp"
+#include "deadpoint/reduce/offline/ranks.hpp"
 
 #include <algorithm>
 
@@ -29,6 +30,8 @@ LowRankTerm combined(const LowRankTerm& term, const Eigen::MatrixXd& combination
 }  // namespace
 
 void Moments::add(const Eigen::MatrixXd& states) { sum_.selfadjointView<Eigen::Lower>().rankUpdate(states); }
+
+void Moments::sum_over(const Ranks& ranks) { ranks.sum(sum_); }
 
 Eigen::MatrixXd most_frequent(const Moments& moments, const Moments& duals, double dual_share,
                               const Eigen::VectorXd& uniform, Eigen::Index count)

@@ -10,7 +10,8 @@ public:
     explicit Moments(Eigen::Index states) : sum_(Eigen::MatrixXd::Zero(states, states)) {}
     /// @param states  a column for each
     void add(const Eigen::MatrixXd& states);
-    void add(const Moments& others) { sum_ += others.sum_; }
+    /// Of all ranks. Collective.
+    void sum_over(const Ranks& ranks);
     [[nodiscard]] const Eigen::MatrixXd& sum() const { return sum_; }
 
 private:

@@ -11,6 +11,7 @@
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/offline/build.hpp"
 #include "deadpoint/reduce/offline/difference.hpp"
+#include "deadpoint/reduce/offline/training.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "deadpoint/reduce/online/terms_file.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
@@ -91,7 +92,7 @@ public:
             parts_.model->heat(parts_.adjoints, options_.reference, attribution_of(parts_), silent_, [](double) {}, {});
         parts_.model->release_heat();
         large.widen(to_full(models.large, problem, full));
-        small.widen(to_full(models.small, problem, full));
+        small.widen(to_full(models.small.terms, problem, full));
     }
 
 private:
@@ -204,16 +205,16 @@ Reduction reduce_case(ModelParts& parts, const casefile::Case& input, const Redu
     result.small.box = free_coefficients(nominal, parts.machine, options.ranges, input.machine.initial_temperature);
     result.large = result.small;
     auto models = reduce::build(*full, nominal.problem, result.small.box, build_options, observer);
-    result.small.errors = {stated("anywhere in the box, to the large model", models.in_box),
-                           stated("as in the case, to the large model", models.at_base)};
-    for (const auto& [states, error] : models.by_size)
+    result.small.errors = {stated("anywhere in the box, to the large model", models.small.in_box),
+                           stated("as in the case, to the large model", models.small.at_base)};
+    for (const auto& [states, error] : models.small.by_size)
         result.small.sizes.push_back({states, error.temperature, error.gap});
     if (!options.fields_file.empty())
-        full->write_fields(options.fields_file, reduce::mark_of(models.small->terms));
+        full->write_fields(options.fields_file, reduce::mark_of(models.small.terms->terms));
     if (options.full_runs > 0)
         compare_with_full_runs(parts, build_options, as_stated.problem, nominal.problem, models, options.full_runs,
                                result, observer);
-    give_terms(result.small, std::move(models.small));
+    give_terms(result.small, std::move(models.small.terms));
     give_terms(result.large, std::move(models.large));
     return result;
 }

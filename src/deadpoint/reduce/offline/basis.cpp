@@ -1,0 +1,72 @@
+#include "deadpoint/reduce/offline/basis.hpp"
+
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/offline/build_options.hpp"
+#include "deadpoint/reduce/offline/full_model.hpp"
+#include "deadpoint/reduce/offline/gram.hpp"
+#include "deadpoint/reduce/offline/ranks.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <utility>
+
+namespace deadpoint::reduce {
+namespace {
+
+constexpr int sets_at_base = 4;  // of the problem's own values
+constexpr unsigned long long solve_seed = 1;
+
+// Of the k-th set: evenly in its logarithm, and every eighth one slow enough for the steady state.
+double shift_of(int k)
+{
+    constexpr double slowest = 1e-5, fastest = 0.5, steady = 1e-7;
+    const double place = std::fmod((k + 1) * (std::numbers::phi - 1), 1.0);
+    return k % 8 == 7 ? steady : slowest * std::pow(fastest / slowest, place);
+}
+
+std::vector<std::size_t> shuffled_loads(const FullModel& full, Draws& draws)
+{
+    std::vector<std::size_t> loads;
+    for (std::size_t load = 0; load < full.load_count(); ++load)
+        if (full.has_load(load))
+            loads.push_back(load);
+    for (std::size_t k = loads.size(); k > 1; --k)
+        std::swap(loads[k - 1], loads[static_cast<std::size_t>(draws.next() * static_cast<double>(k))]);
+    return loads;
+}
+
+}  // namespace
+
+void add_fields(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
+                Observer& observer)
+{
+    Draws draws(solve_seed);
+    const auto loads = shuffled_loads(full, draws);
+    std::size_t next = 0;
+    for (int set = 0; set < options.sets; ++set) {
+        auto problem = base;
+        const auto values = draws.values(box);
+        if (set >= sets_at_base)
+            set_values(problem, box, values);
+        std::vector<std::size_t> chosen;
+        for (int k = 0; k < options.loads_per_set; ++k)
+            chosen.push_back(loads[next++ % loads.size()]);
+        full.add_solutions(problem, shift_of(set), chosen);
+        observer.progress((set + 1.0) / options.sets, fmt::format("{} fields", next));
+    }
+}
+
+// Twice, since the first inner products do not resolve what fields add to each other.
+void orthonormalise(FullModel& full, double least)
+{
+    const auto found = [&](double smallest) {
+        const Eigen::MatrixXd gram = full.gram();
+        return on_first(full.ranks(), [&] { return orthonormal_combinations(gram, smallest); });
+    };
+    full.combine(found(least));
+    full.correct(found(0));
+}
+
+}  // namespace deadpoint::reduce

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "deadpoint/reduce/offline/box.hpp"
+#include "deadpoint/reduce/offline/difference.hpp"
+
+#include <Eigen/Dense>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+/// The third stage of a build: the number of states.
+namespace deadpoint::reduce {
+
+struct BuildOptions;
+struct PreparedTerms;
+class Ranks;
+
+struct SmallModel {
+    std::shared_ptr<const PreparedTerms> terms;
+    RunDifference at_base, in_box;  ///< to the large model: at the problem's own values, anywhere
+    std::vector<std::pair<std::size_t, RunDifference>> by_size;  ///< number of states, largest difference in the box
+};
+
+/// The smallest of a series of sizes that is accurate enough in warm-ups that were not used for training, else the
+/// largest. Collective.
+/// @param combinations  of states of the large model, most important first, a column for each
+SmallModel choose_small(const std::shared_ptr<const PreparedTerms>& large, const Eigen::MatrixXd& combinations,
+                        const HeatProblem& base, const Box& box, const BuildOptions& options, const Ranks& ranks);
+
+}  // namespace deadpoint::reduce

@@ -1,0 +1,145 @@
+#include "deadpoint/reduce/offline/training.hpp"
+
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/offline/build_options.hpp"
+#include "deadpoint/reduce/offline/in_parallel.hpp"
+#include "deadpoint/reduce/offline/ranks.hpp"
+#include "deadpoint/reduce/online/dense_system.hpp"
+#include "deadpoint/reduce/online/reduced_run.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <numbers>
+#include <thread>
+
+namespace deadpoint::reduce {
+namespace {
+
+constexpr double pause = 1800;  // [s]
+constexpr unsigned long long training_seed = 2;
+
+using Terms = std::shared_ptr<const PreparedTerms>;
+
+class Silent : public Observer {};
+
+HeatSegment at_rest(HeatSegment segment)
+{
+    segment.duration = pause;
+    std::ranges::fill(segment.heat, LawTable());
+    segment.ring_heat.clear();
+    segment.zoned_heat.assign(segment.zoned_heat.size(), 0.0);
+    return segment;
+}
+
+void insert_pause(HeatProblem& problem, double place)
+{
+    auto longest = std::ranges::max_element(problem.segments, {}, &HeatSegment::duration);
+    auto before = *longest, rest = at_rest(*longest);
+    before.duration *= place;
+    longest->duration -= before.duration;
+    problem.segments.insert(longest, {std::move(before), std::move(rest)});
+}
+
+void add_swing(HeatProblem& problem, double phase)
+{
+    constexpr double kelvin = 3, period = 7200;
+    for (auto& segment : problem.segments)
+        segment.ambient = [course = segment.ambient, phase](double time) {
+            return course(time) + kelvin * (std::sin(2 * std::numbers::pi * (time / period + phase)) -
+                                            std::sin(2 * std::numbers::pi * phase));
+        };
+}
+
+// The states after each step, a column for each.
+Eigen::MatrixXd states_of_run(const Terms& terms, const HeatProblem& problem, const BuildOptions& options)
+{
+    std::vector<States> states;
+    Silent observer;
+    ReducedRun(terms, problem, options.adjoints, options.reference)
+        .go({[&](double, const States& at) { states.push_back(at); }, {}}, observer);
+    Eigen::MatrixXd columns(terms->terms.uniform.size(), static_cast<Eigen::Index>(states.size()));
+    for (std::size_t k = 0; k < states.size(); ++k)
+        columns.col(static_cast<Eigen::Index>(k)) = states[k];
+    return columns;
+}
+
+// States of the dual problem, dz/dt = -K z backward from E_SW's weights, by implicit Euler steps of two minutes to
+// four hours that double; each counts alike.
+Eigen::MatrixXd dual_states(const Terms& terms, const HeatProblem& problem, const BuildOptions& options)
+{
+    constexpr int steps = 8;
+    DenseSystem system(terms, problem, options.reference);
+    system.set_laws(
+        problem.segments.front().interfaces.empty() ? problem.interfaces : problem.segments.front().interfaces, {});
+    Eigen::MatrixXd columns(terms->terms.uniform.size(), steps);
+    States state = terms->terms.observed.row(static_cast<Eigen::Index>(options.dual_row)).transpose(), next = state;
+    double length = 120;
+    for (int k = 0; k < steps; ++k, length *= 2) {
+        system.build(length, state, {});
+        system.solve(state, next, {}, {}, "the dual of E_SW");
+        columns.col(k) = state = next;
+    }
+    columns.colwise().normalize();
+    return columns;
+}
+
+Moments moments_of(Eigen::Index states, const std::vector<HeatProblem>& problems, const Ranks& ranks, int threads,
+                   Observer& observer, const std::function<Eigen::MatrixXd(const HeatProblem&)>& columns)
+{
+    std::vector<Eigen::MatrixXd> found(problems.size());
+    std::atomic<std::size_t> done{0};
+    const auto caller = std::this_thread::get_id();
+    in_parallel(ranks, threads, problems.size(), [&](std::size_t k) {
+        found[k] = columns(problems[k]);
+        ++done;
+        if (std::this_thread::get_id() == caller)
+            observer.progress(static_cast<double>(done * ranks.count()) / static_cast<double>(problems.size()),
+                              fmt::format("{} of {} runs", done * ranks.count(), problems.size()));
+    });
+    Moments moments(states);
+    for (const auto& block : found)
+        if (block.size() > 0)
+            moments.add(block);
+    moments.sum_over(ranks);
+    return moments;
+}
+
+}  // namespace
+
+HeatProblem drawn_problem(const HeatProblem& base, const Box& box, Draws& draws)
+{
+    auto problem = base;
+    set_values(problem, box, draws.values(box));
+    add_swing(problem, draws.next());
+    const double place = draws.next();
+    if (draws.next() < 0.5)
+        insert_pause(problem, 0.2 + 0.6 * place);
+    return problem;
+}
+
+std::vector<HeatProblem> drawn_problems(const HeatProblem& base, const Box& box, unsigned long long seed, int count)
+{
+    Draws draws(seed);
+    std::vector<HeatProblem> problems;
+    for (int k = 0; k < count; ++k)
+        problems.push_back(drawn_problem(base, box, draws));
+    return problems;
+}
+
+Training train(const Terms& large, const HeatProblem& base, const Box& box, const BuildOptions& options,
+               const Ranks& ranks, Observer& observer)
+{
+    const auto states = large->terms.uniform.size();
+    const auto problems = drawn_problems(base, box, training_seed, options.training_runs);
+    const auto moments = [&](const auto& columns) {
+        return moments_of(states, problems, ranks, options.threads, observer,
+                          [&](const HeatProblem& problem) { return columns(large, problem, options); });
+    };
+    return {moments(states_of_run), options.has_dual ? moments(dual_states) : Moments(states)};
+}
+
+}  // namespace deadpoint::reduce

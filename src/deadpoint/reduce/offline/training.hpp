@@ -1,0 +1,36 @@
+#pragma once
+
+#include "deadpoint/reduce/offline/box.hpp"
+#include "deadpoint/reduce/offline/pod.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace deadpoint {
+class Observer;
+}
+
+/// The second stage of a build: the states that occur in warm-ups.
+namespace deadpoint::reduce {
+
+struct BuildOptions;
+struct PreparedTerms;
+class Ranks;
+
+/// Second moments of states, over all training runs.
+struct Training {
+    Moments states;  ///< of the runs, after each step
+    Moments duals;   ///< of the dual problem of E_SW; zero where there is none
+};
+
+/// Computes the training runs of the large model, shared out over ranks and threads. Collective.
+/// @param base  with constant convection coefficients
+Training train(const std::shared_ptr<const PreparedTerms>& large, const HeatProblem& base, const Box& box,
+               const BuildOptions& options, const Ranks& ranks, Observer& observer);
+
+/// A problem with values drawn from the box, and its operation: half of them with a pause of half an hour.
+HeatProblem drawn_problem(const HeatProblem& base, const Box& box, Draws& draws);
+/// Several of them. The same seed draws the same ones.
+std::vector<HeatProblem> drawn_problems(const HeatProblem& base, const Box& box, unsigned long long seed, int count);
+
+}  // namespace deadpoint::reduce
