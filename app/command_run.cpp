@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/page.hpp"
@@ -29,9 +30,10 @@ using report::ResultFolder;
 namespace {
 
 struct RunOptions : ResultOptions {
-    std::string from;      ///< result folder whose final temperatures are the start
-    std::string accuracy;  ///< numerics.accuracy, overrides the case's
-    std::string reduced;   ///< file of a reduced model to compute with
+    std::string from;       ///< result folder whose final temperatures are the start
+    std::string accuracy;   ///< numerics.accuracy, overrides the case's
+    std::string reduced;    ///< file of a reduced model to compute with
+    bool full_run = false;  ///< computes the case in full too, for the error of the reduced run
     CheckpointOptions checkpoints;
 };
 
@@ -134,21 +136,62 @@ void refuse_beside_reduced(const RunOptions& options)
 
 bool wants_fields(const casefile::Case& input) { return input.output.fields || !input.output.stress.empty(); }
 
-/// The press of a reduced model with its mesh, after the fields of a run were lifted onto it.
-std::unique_ptr<study::Press> lift_fields(const casefile::Case& input, const RunOptions& options, double size_scale,
-                                          const study::ReducedStates& states, const std::string& folder,
-                                          study::RunResult& result, Console& console)
+/// Lifts the fields of a reduced run onto the mesh of its press.
+void lift_fields(const RunOptions& options, study::Press& press, const study::ReducedStates& states,
+                 const std::string& folder, study::RunResult& result, Console& console)
 {
-    auto meshed = std::make_unique<study::Press>(input, size_scale);
-    meshed->mesh(console);
-    result.timings.emplace_back("mesh", meshed->mesh_seconds());
+    const auto& input = press.input();
     const study::FieldOptions wanted{input.output.fields ? folder : std::string{}, file_comments(input, console)};
-    meshed->lift(study::fields_file(options.reduced).string(), states, wanted, result, console);
-    meshed->drop_model();
-    return meshed;
+    press.lift(study::fields_file(options.reduced).string(), states, wanted, result, console);
 }
 
-/// Every rank computes the same; together they lift the fields.
+/// Passes progress on, but no warnings: the reduced run has given them.
+class Progress : public Observer {
+public:
+    explicit Progress(Observer& to) : to_(to) {}
+    void stage(std::string_view name) override { to_.stage(fmt::format("full run: {}", name)); }
+    void progress(double fraction, std::string_view detail) override { to_.progress(fraction, detail); }
+    [[nodiscard]] bool cancelled() const override { return to_.cancelled(); }
+
+private:
+    Observer& to_;
+};
+
+/// Computes the case in full and states how far the reduced run is off.
+void compare_with_full(const study::ReducedPress& reduced, study::Press& press, study::RunResult& result,
+                       Console& console)
+{
+    auto bare = press.input();
+    bare.output.fields = bare.output.causes = false;
+    press.take(std::move(bare));
+    Progress progress(console);
+    const auto full = press.run({}, progress);
+    if (full.thermal.interrupted) {
+        console.warn("the full run was stopped, so the error of this run to it is not known");
+        return;
+    }
+    result.reduced->full_run = study::difference_to_full(result, reduced, full);
+}
+
+/// What a reduced run asks of the mesh.
+std::unique_ptr<study::Press> use_mesh(const casefile::Case& input, const RunOptions& options,
+                                       const study::ReducedPress& reduced, const study::ReducedStates* states,
+                                       const std::string& folder, study::RunResult& result, Console& console)
+{
+    auto press = std::make_unique<study::Press>(input, reduced.size_scale);
+    press->mesh(console);
+    result.timings.emplace_back("mesh", press->mesh_seconds());
+    if (states) {
+        lift_fields(options, *press, *states, folder, result, console);
+    }
+    if (options.full_run && !result.thermal.interrupted) {
+        compare_with_full(reduced, *press, result, console);
+    }
+    press->drop_model();
+    return press;
+}
+
+/// Every rank computes the same; together they use the mesh.
 int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
 {
     refuse_beside_reduced(options);
@@ -162,9 +205,9 @@ int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
     study::ReducedStates states;
     auto result = compute_reduced(read.value, press, options.reduced, lifts ? &states : nullptr, console);
     std::unique_ptr<study::Press> meshed;
-    if (lifts) {
+    if (lifts || options.full_run) {
         ranks.agree = false;
-        meshed = lift_fields(read.value, options, press.size_scale, states, path, result, console);
+        meshed = use_mesh(read.value, options, press, lifts ? &states : nullptr, path, result, console);
     }
     console.finish();
     if (!folder) {
@@ -257,10 +300,14 @@ void add_run(CLI::App& app, int& exit_code)
         ->add_option("--accuracy", options->accuracy,
                      "refine until the rises (0.1K) or the gap (0.2um) change by less; as numerics.accuracy")
         ->type_name("VALUE");
+    auto* reduced = command
+                        ->add_option("--reduced", options->reduced,
+                                     "compute with a reduced model that 'deadpoint reduce' built, without a mesh")
+                        ->type_name("FILE");
     command
-        ->add_option("--reduced", options->reduced,
-                     "compute with a reduced model that 'deadpoint reduce' built, without a mesh")
-        ->type_name("FILE");
+        ->add_flag("--full-run", options->full_run,
+                   "with --reduced: also compute the case in full, for the error of this very run")
+        ->needs(reduced);
     add_checkpoint_options(*command, options->checkpoints);
     command->callback([options, &exit_code] {
         exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return run_case(*options, ranks); });

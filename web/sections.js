@@ -246,7 +246,7 @@ function comparisonSection(run) {
 
 // How far a run on a reduced model is off.
 function reducedParts(reduced) {
-    const errors = [reduced.estimate, ...(reduced.errors ?? [])].filter(Boolean);
+    const errors = [reduced.full_run, reduced.estimate, ...(reduced.errors ?? [])].filter(Boolean);
     return [make("h3", {}, "Error of the reduced model"),
         make("p", {}, `This run was computed on a reduced model of ${reduced.states} states (${reduced.model}). Largest differences `
             + "after the first minute, of probes and sides of joints, and of the gap:"),

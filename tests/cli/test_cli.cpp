@@ -663,8 +663,17 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
         CHECK_MESSAGE(fs::exists(quick + "/" + name), name);
 
     fs::remove(folder / "press.fields.rom");
-    const auto bare = deadpoint("run " + press + " --reduced " + model + " -o " + (folder / "bare"));
+    const auto bare = deadpoint("run " + press + " --reduced " + model + " --full-run -o " + (folder / "bare"));
     CHECK(bare.code == 0);
+    CHECK(has(bare.out, "um: this run, to a full run\n"));
+    const auto compared = content(folder / "bare/summary.json");
+    const auto of_full = compared.substr(compared.find("\"full_run\""));
+    // the largest difference at any time, so at least that at the end; 60 states are off by some 0.1 um
+    const double at_end = std::abs(number(compared, "final_E_SW") - number(exact, "final_E_SW"));
+    CHECK(number(of_full, "E_SW_um") > at_end - 1e-6);
+    CHECK(number(of_full, "E_SW_um") < 0.5);
+    CHECK(number(of_full, "temperature_K") < 0.2);
+    CHECK(has(content(folder / "bare/report.html"), "this run, to a full run"));
     CHECK(has(bare.out, "'deadpoint reduce --fields' writes it"));
     CHECK(!fs::exists(folder / "bare/fields.pvd"));
 
@@ -683,6 +692,7 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     refused(press + " --reduced " + model + " --size 2", 2, "--reduced computes without a mesh");
     refused(press + " --reduced " + model + " --set 'parts.bed.material=steel'", 2, "only in this case");
     refused(press + " --reduced " + (folder / "none.rom"), 5, "none.rom");
+    refused(press + " --full-run", 2, "--reduced");
     fs::resize_file(folder / "press.large.rom", 1000);
     refused(press + " --reduced " + model, 5, "press.large.rom");
 

@@ -283,6 +283,8 @@ nlohmann::ordered_json reduced_json(const study::ReducedResult& reduced)
     nlohmann::ordered_json json{{"model", reduced.file}, {"states", reduced.states}};
     if (reduced.estimate)
         json["estimate"] = error_json(*reduced.estimate);
+    if (reduced.full_run)
+        json["full_run"] = error_json(*reduced.full_run);
     for (const auto& error : reduced.errors)
         json["errors"].push_back(error_json(error));
     if (!reduced.outside.empty())

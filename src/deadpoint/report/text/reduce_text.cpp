@@ -35,6 +35,8 @@ std::string reduced_run_text(const study::ReducedResult& reduced)
 {
     std::string text =
         fmt::format("computed on a reduced model of {} states; its error, after the first minute:\n", reduced.states);
+    if (reduced.full_run)
+        text += error_line(*reduced.full_run);
     if (reduced.estimate)
         text += error_line(*reduced.estimate);
     for (const auto& error : reduced.errors)

@@ -72,6 +72,13 @@ void require_same(const ReducedPress& press, const ReducedPress& large)
                                      press.large_file, large.case_hash, press.case_hash));
 }
 
+StatedError stated(const std::string& of, const ThermalHistory& run, const ThermalHistory& other,
+                   const ReducedPress& press)
+{
+    const auto found = reduce::difference(run, other, press.chain ? static_cast<std::size_t>(drift::gap) : SIZE_MAX);
+    return {of, found.temperature, found.gap};
+}
+
 /// One run on a reduced model.
 class ReducedCaseRun {
 public:
@@ -165,9 +172,7 @@ private:
             return;
         watch_.start("estimate");
         reduce::ReducedRun run(large->terms, split_.problem, large->adjoints, reference());
-        const auto found = reduce::difference(result_.thermal, run.go({}, observer_),
-                                              press_.chain ? static_cast<std::size_t>(drift::gap) : SIZE_MAX);
-        reduced.estimate = StatedError{"this run, to the large model", found.temperature, found.gap};
+        reduced.estimate = stated("this run, to the large model", result_.thermal, run.go({}, observer_), press_);
     }
 
     void finish(bool fields_follow)
@@ -225,6 +230,11 @@ RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, co
     if (large)
         require_same(press, *large);
     return ReducedCaseRun(input, press, detail, observer).run(large, states);
+}
+
+StatedError difference_to_full(const RunResult& reduced, const ReducedPress& press, const RunResult& full)
+{
+    return stated("this run, to a full run", reduced.thermal, full.thermal, press);
 }
 
 }  // namespace deadpoint::study

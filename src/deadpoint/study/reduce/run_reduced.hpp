@@ -16,6 +16,7 @@ namespace deadpoint::study {
 struct ReducedPress;
 struct ReducedStates;
 struct RunResult;
+struct StatedError;
 
 enum class ReducedDetail {
     all,     ///< as a full run
@@ -28,6 +29,9 @@ enum class ReducedDetail {
 /// @throws CaseError as a full run; InputError if the model was built for another press
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const ReducedPress* large,
                       ReducedDetail detail, Observer& observer, ReducedStates* states = nullptr);
+
+/// Difference of a finished reduced run to a full run of the same case, after the first minute.
+StatedError difference_to_full(const RunResult& reduced, const ReducedPress& press, const RunResult& full);
 
 /// How a case differs from the one a model was built for, in what the model cannot change; a line for each difference.
 std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress& press);

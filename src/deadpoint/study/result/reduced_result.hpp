@@ -27,6 +27,7 @@ struct ReducedResult {
     std::size_t states = 0;
     std::vector<StatedError> errors;      ///< as measured when the model was built
     std::optional<StatedError> estimate;  ///< of this run: the large model less this one
+    std::optional<StatedError> full_run;  ///< of this run: a full run less this one, where one was asked for
     std::vector<std::string> outside;     ///< coefficients outside the range for which it was built
 };
 
