@@ -104,6 +104,11 @@ public:
     int solve(const Vector& right, Vector& solution, const heat::LowRank<Vector>& low_rank, heat::SolveTolerance,
               const std::string& what);
     [[nodiscard]] std::vector<heat::Term> terms() const { return {}; }
+    /// Of K in the last build(); null if a film follows the temperature.
+    [[nodiscard]] std::shared_ptr<const TridiagonalForm> tridiagonal() const
+    {
+        return follows_ ? nullptr : solver_.form();
+    }
 
     // the adjoint of the steps
     void begin_adjoint();

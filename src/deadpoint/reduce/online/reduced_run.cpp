@@ -68,6 +68,8 @@ const ThermalHistory& ReducedRun::go(const ReducedHooks& hooks, Observer& observ
     return run.go(inner, observer);
 }
 
+std::shared_ptr<const TridiagonalForm> ReducedRun::tridiagonal() const { return parts_->system.tridiagonal(); }
+
 HeatCauses ReducedRun::causes(const States& weights, std::size_t row)
 {
     auto& adjoint = parts_->adjoint;

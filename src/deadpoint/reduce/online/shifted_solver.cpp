@@ -11,7 +11,7 @@ constexpr std::size_t most_shifts = 32;  // step sizes change by factors of two:
 
 void ShiftedSolver::set_matrix(const Eigen::MatrixXd& matrix)
 {
-    form_ = TridiagonalForm(matrix);
+    form_ = std::make_shared<const TridiagonalForm>(matrix);
     loads_.resize(matrix.rows(), 0);
     shifted_.clear();
     present_ = nullptr;
@@ -19,7 +19,7 @@ void ShiftedSolver::set_matrix(const Eigen::MatrixXd& matrix)
 
 void ShiftedSolver::set_loads(const Eigen::MatrixXd& loads)
 {
-    loads_.noalias() = form_.basis.transpose() * loads;
+    loads_.noalias() = form_->basis.transpose() * loads;
     shifted_.clear();
     present_ = nullptr;
 }
@@ -37,7 +37,7 @@ void ShiftedSolver::set_shift(double d)
 
 ShiftedSolver::Shifted ShiftedSolver::factored(double d) const
 {
-    Shifted result{ShiftedFactor(form_, d), loads_, {}};
+    Shifted result{ShiftedFactor(*form_, d), loads_, {}};
     const auto& [below, pivots] = result.factor;
     auto& solved = result.solved;
     for (Eigen::Index i = 1; i < below.size(); ++i)
@@ -69,7 +69,7 @@ void ShiftedSolver::correct_with_others(const Eigen::VectorXd& of_loads, const E
     loads.leftCols(own) = loads_.leftCols(own);
     factor.solved.leftCols(own) = present_->solved.leftCols(own);
     for (Eigen::Index k = 0; k < more; ++k) {
-        Eigen::VectorXd column = form_.basis.transpose() * others.col(k);
+        Eigen::VectorXd column = form_->basis.transpose() * others.col(k);
         loads.col(own + k) = column;
         present_->factor.solve_in_place(column);
         factor.solved.col(own + k) = column;
@@ -83,13 +83,13 @@ void ShiftedSolver::correct_with_others(const Eigen::VectorXd& of_loads, const E
 void ShiftedSolver::solve(const Eigen::VectorXd& right, const Eigen::VectorXd& of_loads, const Eigen::MatrixXd& others,
                           const Eigen::VectorXd& of_others, Eigen::VectorXd& solution)
 {
-    work_.noalias() = form_.basis.transpose() * right;
+    work_.noalias() = form_->basis.transpose() * right;
     present_->factor.solve_in_place(work_);
     if (of_others.size() > 0)
         correct_with_others(of_loads, others, of_others);
     else if (of_loads.size() > 0)
         correct(loads_, *present_, of_loads);
-    solution.noalias() = form_.basis * work_;
+    solution.noalias() = form_->basis * work_;
 }
 
 }  // namespace deadpoint::reduce

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <map>
+#include <memory>
 
 /// Internal to reduce/, since it shows Eigen.
 namespace deadpoint::reduce {
@@ -21,6 +22,7 @@ public:
     /// @throws heat::NotFinite if 1 + d K is not positive definite or not finite
     void set_shift(double d);
     [[nodiscard]] Eigen::Index loads() const { return loads_.cols(); }
+    [[nodiscard]] const std::shared_ptr<const TridiagonalForm>& form() const { return form_; }
 
     /// x = (1 + d K - L C L^T - N E N^T)^-1 right, with C and E diagonal:
     ///   x = A^-1 b + Z (1 - C L^T Z)^-1 C L^T A^-1 b,   Z = A^-1 L   (Woodbury's formula)
@@ -42,7 +44,7 @@ private:
     void correct_with_others(const Eigen::VectorXd& of_loads, const Eigen::MatrixXd& others,
                              const Eigen::VectorXd& of_others);
 
-    TridiagonalForm form_;
+    std::shared_ptr<const TridiagonalForm> form_;
     RowMatrix loads_;                    ///< Q^T L
     std::map<double, Shifted> shifted_;  ///< by d
     const Shifted* present_ = nullptr;

@@ -3,6 +3,8 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/reduce/online/conduction_terms.hpp"
 
+#include <utility>
+
 namespace deadpoint::reduce {
 namespace {
 
@@ -18,7 +20,7 @@ bool is_constant_film(const SurfaceCondition& condition)
 }  // namespace
 
 LinearisedHeat::LinearisedHeat(const PreparedTerms& terms, const HeatProblem& problem, std::size_t segment,
-                               const LinearisedHeat* like)
+                               std::shared_ptr<const TridiagonalForm> form, const LinearisedHeat* like)
     : prepared_(&terms), problem_(&problem), laws_(&problem.segments[segment]), segment_(segment),
       joints_(problem, terms.terms.geometry), films_(problem, terms.terms.geometry), self_(problem.sources.size(), 0.0)
 {
@@ -29,28 +31,28 @@ LinearisedHeat::LinearisedHeat(const PreparedTerms& terms, const HeatProblem& pr
         if (const double share = film_share(i); share > 0)
             self_[static_cast<std::size_t>(joints_.laws()[i].source)] +=
                 share * share / (joints_.area(i) * joints_.film_sum(i));
-    sum_ = conduction_terms(terms, problem, joints_.laws());
-    set_basis(like);
+    set_basis(std::move(form), like);
     add_loads();
 }
 
-void LinearisedHeat::set_basis(const LinearisedHeat* like)
+void LinearisedHeat::set_basis(std::shared_ptr<const TridiagonalForm> form, const LinearisedHeat* like)
 {
     const auto& terms = prepared_->terms;
-    if (like && like->sum_ == sum_ && like->inner_.films.empty() == inner_.films.empty()) {
-        stiffness_ = like->stiffness_;
-        form_ = like->form_;
-        functionals_ = like->functionals_;
-        return;
-    }
-    auto stiffness = lower_sum(terms.solid, sum_);
-    if (inner_.films.empty()) {
-        form_ = std::make_shared<const TridiagonalForm>(stiffness);
-        functionals_ = std::make_shared<const RowMatrix>(terms.functionals * form_->basis);
+    const bool is_linear = inner_.films.empty();
+    if (is_linear && form) {
+        form_ = std::move(form);
     } else {
-        stiffness_ = std::move(stiffness);
-        functionals_ = std::make_shared<const RowMatrix>(terms.functionals);
+        auto stiffness = lower_sum(terms.solid, conduction_terms(*prepared_, *problem_, joints_.laws()));
+        if (is_linear)
+            form_ = std::make_shared<const TridiagonalForm>(stiffness);
+        else
+            stiffness_ = std::move(stiffness);
     }
+    if (like && like->form_ == form_)
+        functionals_ = like->functionals_;
+    else
+        functionals_ =
+            std::make_shared<const RowMatrix>(form_ ? RowMatrix(terms.functionals * form_->basis) : terms.functionals);
 }
 
 void LinearisedHeat::add_loads()

@@ -51,9 +51,10 @@ struct LinearisedState {
 class LinearisedHeat {
 public:
     /// @param terms  they and the problem must outlive this
-    /// @param like   another segment; its tridiagonal form is shared where it is the same
+    /// @param form   of the segment's K; null: not known
+    /// @param like   another segment, which shares what is the same
     LinearisedHeat(const PreparedTerms& terms, const HeatProblem& problem, std::size_t segment,
-                   const LinearisedHeat* like = nullptr);
+                   std::shared_ptr<const TridiagonalForm> form = nullptr, const LinearisedHeat* like = nullptr);
     LinearisedHeat(const LinearisedHeat&) = delete;
 
     [[nodiscard]] const PreparedTerms& prepared() const { return *prepared_; }
@@ -94,7 +95,7 @@ public:
     [[nodiscard]] Eigen::MatrixXd conduct(const LinearisedState& at, const Eigen::MatrixXd& x) const;
 
 private:
-    void set_basis(const LinearisedHeat* like);
+    void set_basis(std::shared_ptr<const TridiagonalForm> form, const LinearisedHeat* like);
     void add_loads();
     void evaluate_films(LinearisedState& state) const;
     void add_sources(LinearisedState& state) const;
@@ -115,8 +116,7 @@ private:
     heat::FilmBalance films_;
     InnerLayout inner_;
     std::vector<double> self_;
-    std::vector<PackedTerm> sum_;  ///< of K, besides the solids
-    Eigen::MatrixXd stiffness_;    ///< lower half of K without following films; empty in tridiagonal form
+    Eigen::MatrixXd stiffness_;  ///< lower half of K without following films; empty in tridiagonal form
     std::shared_ptr<const TridiagonalForm> form_;
     std::shared_ptr<const RowMatrix> functionals_;
     Eigen::MatrixXd loads_;  ///< L, without loads that depend on the states

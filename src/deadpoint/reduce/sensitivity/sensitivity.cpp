@@ -114,12 +114,14 @@ void leave(const LinearisedHeat& heat, const Derivatives& now, Carried& to)
 /// A segment of a recorded run, linearised.
 class Segment {
 public:
-    Segment(const RecordedRun& run, const std::vector<Direction>& directions, std::size_t index,
+    /// @param some_step  of the segment
+    Segment(const RecordedRun& run, const std::vector<Direction>& directions, const RecordedStep& some_step,
             const LinearisedHeat* like)
-        : heat(*run.terms, run.problem, index, like), stages(heat), rates(heat, directions)
+        : heat(*run.terms, run.problem, some_step.record.segment, some_step.form, like), stages(heat),
+          rates(heat, directions)
     {
         for (std::size_t k = 0; k < run.steps.size(); ++k)
-            if (run.steps[k].record.segment == index) {
+            if (run.steps[k].record.segment == some_step.record.segment) {
                 if (count++ == 0)
                     first = k;
             }
@@ -165,8 +167,8 @@ public:
             write(now_.states, weights_, 0, run_.steps.front().record.row);
         std::unique_ptr<Segment> before;
         for (std::size_t k = 0; k < run_.steps.size();) {
-            const auto index = run_.steps[k].record.segment;
-            auto segment = std::make_unique<Segment>(run_, directions_, index, before ? &before->heat : nullptr);
+            auto segment =
+                std::make_unique<Segment>(run_, directions_, run_.steps[k], before ? &before->heat : nullptr);
             go(*segment);
             k += segment->count;
             before = std::move(segment);
@@ -251,8 +253,8 @@ public:
     {
         std::unique_ptr<Segment> after;
         for (std::size_t k = run_.steps.size(); k > 0;) {
-            const auto index = run_.steps[k - 1].record.segment;
-            auto segment = std::make_unique<Segment>(run_, directions_, index, after ? &after->heat : nullptr);
+            auto segment =
+                std::make_unique<Segment>(run_, directions_, run_.steps[k - 1], after ? &after->heat : nullptr);
             go(*segment);
             k -= segment->count;
             after = std::move(segment);
@@ -337,13 +339,14 @@ RecordedRun record_run(std::shared_ptr<const PreparedTerms> terms, const HeatPro
                        Observer& observer)
 {
     RecordedRun result{std::move(terms), problem, {}, {}};
+    const auto observed = static_cast<std::size_t>(result.terms->terms.observed.rows());
+    ReducedRun reduced(result.terms, problem, observed, reference);
     ReducedHooks hooks;
     hooks.on_stages = [&](const heat::StepRecord& record, const States& start, const States& middle,
                           const States& end) {
-        result.steps.push_back({record, start, middle, end});
+        result.steps.push_back({record, start, middle, end, reduced.tridiagonal()});
     };
-    const auto observed = static_cast<std::size_t>(result.terms->terms.observed.rows());
-    result.history = ReducedRun(result.terms, problem, observed, reference).go(hooks, observer);
+    result.history = reduced.go(hooks, observer);
     return result;
 }
 

@@ -31,10 +31,13 @@ class Observer;
 /// first slope of a segment is that of its own laws.
 namespace deadpoint::reduce {
 
+struct TridiagonalForm;
+
 /// An accepted step with its states.
 struct RecordedStep {
     heat::StepRecord record;
     Eigen::VectorXd start, middle, end;
+    std::shared_ptr<const TridiagonalForm> form;  ///< of K; null if a film follows the temperature
 };
 
 /// A finished run, with what its derivatives need.
