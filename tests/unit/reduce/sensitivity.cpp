@@ -223,6 +223,8 @@ TEST_CASE("derivatives by anything else that a heat problem says")
     check_change(oiled, [](HeatProblem& p, double by) { p.segments[0].oil_flow[0] += by; });
     check_change(oiled, [](HeatProblem& p, double by) { p.segments[2].oil_flow[1] *= 1 + by; });
     check_change(oiled, [](HeatProblem& p, double by) { p.oil[1].sump_loss += by; });
+    for (const std::size_t i : {0, 1, 3})  // as loads that move from one bearing to another
+        check_change(oiled, [i](HeatProblem& p, double by) { p.interfaces[i].heat_weight += by; });
     check_change(oiled, [](HeatProblem& p, double by) { p.oil[1].sump_start += by; });
     check_change(oiled, [](HeatProblem& p, double by) { p.segments[1].zoned_heat[0] *= 1 + by; });
     check_change(oiled, [](HeatProblem& p, double by) { p.segments[2].body_heat[0] = lumps::steady(25 + by); });
@@ -278,6 +280,40 @@ TEST_CASE("a factor on a film that follows the temperature acts on its convectio
     };
     const auto expected = differences(warm.terms, run, problem_at, 0.02);
     CHECK(error_of(forward(run, along, {probe})[0][0], run, probe, expected) < 1e-6);
+}
+
+TEST_CASE("relative directions are those of factors on what a problem has, and of whole degrees")
+{
+    const auto subject = bearings();
+    const auto run = run_of(subject);
+    const auto base = run.problem;
+    const std::vector<Output> outputs{{Output::Kind::probe, 0}, {Output::Kind::side_a, 1}};
+    for (const auto& coefficient : subject.box) {
+        CAPTURE(coefficient.name);
+        const bool is_degree = coefficient.kind == FreeCoefficient::Kind::oil_temperature ||
+                               coefficient.kind == FreeCoefficient::Kind::ambient;
+        auto of_base = coefficient;
+        for (std::size_t k = 0; k < of_base.base.size(); ++k) {
+            if (of_base.kind == FreeCoefficient::Kind::film)
+                of_base.base[k] = base.surfaces[of_base.members[k]].coefficient;
+            if (of_base.kind == FreeCoefficient::Kind::oil)
+                of_base.base[k] = base.interfaces[of_base.members[k]].oil;
+        }
+        const ProblemAt problem_at = [&](double by) {
+            auto problem = base;
+            if (coefficient.kind == FreeCoefficient::Kind::ambient) {  // set_values() lets it build up
+                problem.segments[0].ambient = [was = base.segments[0].ambient, by](double t) { return was(t) + by; };
+                problem.surfaces[1].ambient = [was = base.surfaces[1].ambient, by](double t) { return was(t) + by; };
+            } else {
+                set_values(problem, {of_base}, {is_degree ? by : 1 + by});
+            }
+            return problem;
+        };
+        const auto found = forward(run, {relative_direction(base, coefficient)}, outputs);
+        const auto expected = differences(subject.terms, run, problem_at);
+        for (std::size_t o = 0; o < outputs.size(); ++o)
+            CHECK(error_of(found[0][o], run, outputs[o], expected) < 1e-7);
+    }
 }
 
 TEST_CASE("the gradient of an objective over outputs and times is the weighted sum of their derivatives")

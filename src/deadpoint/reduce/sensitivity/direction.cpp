@@ -1,5 +1,6 @@
 #include "deadpoint/reduce/sensitivity/direction.hpp"
 
+#include "deadpoint/heat/films.hpp"
 #include "deadpoint/reduce/offline/box.hpp"
 
 #include <utility>
@@ -23,6 +24,56 @@ HeatProblem lasting_part(HeatProblem problem)
         segment.ring_heat.clear();
     }
     return problem;
+}
+
+const std::vector<InterfaceLaw>& laws_in(const HeatProblem& problem, std::size_t segment)
+{
+    const auto& own = problem.segments[segment].interfaces;
+    return own.empty() ? problem.interfaces : own;
+}
+
+// Of one member of a coefficient.
+std::pair<std::size_t, double> relative_change(const HeatProblem& problem, std::size_t segment,
+                                               FreeCoefficient::Kind kind, std::size_t member)
+{
+    const ScalarLayout layout(problem);
+    const auto& laws = laws_in(problem, segment);
+    switch (kind) {
+    case FreeCoefficient::Kind::film: {
+        const auto& surface = problem.surfaces[member];
+        return {layout.film(member), heat::follows_temperature(surface) ? 1 : surface.coefficient};
+    }
+    case FreeCoefficient::Kind::side: {
+        const bool side_b = member % 2 == 1;
+        const auto& law = laws[member / 2];
+        return {layout.joint(member / 2, side_b ? JointScalar::film_b : JointScalar::film_a),
+                side_b ? law.film_b : law.film_a};
+    }
+    case FreeCoefficient::Kind::oil:
+        return {layout.joint(member, JointScalar::oil), laws[member].oil > 0 ? laws[member].oil : 1};
+    default:
+        return {layout.share(member), problem.sources[member].share};
+    }
+}
+
+ScalarChanges relative_changes(const HeatProblem& problem, std::size_t segment, const FreeCoefficient& coefficient)
+{
+    const ScalarLayout layout(problem);
+    ScalarChanges result;
+    if (coefficient.kind == FreeCoefficient::Kind::ambient) {
+        result.emplace_back(layout.ambient(), 1);
+        for (std::size_t s = 0; s < layout.surfaces; ++s)
+            result.emplace_back(layout.faced(s), 1);
+    } else if (coefficient.kind == FreeCoefficient::Kind::oil_temperature) {
+        for (std::size_t i = 0; i < layout.interfaces; ++i)
+            result.emplace_back(layout.joint(i, JointScalar::oil_temperature), 1);
+        for (std::size_t k = 0; k < layout.circuits; ++k)
+            result.emplace_back(layout.inlet(k), 1);
+    } else {
+        for (const auto member : coefficient.members)
+            result.push_back(relative_change(problem, segment, coefficient.kind, member));
+    }
+    return result;
 }
 
 }  // namespace
@@ -52,6 +103,14 @@ std::vector<Direction> directions(const HeatProblem& problem, const Box& box, co
         else
             result.push_back({all_lasting(cheap_less, more, 1), nullptr});
     }
+    return result;
+}
+
+Direction relative_direction(const HeatProblem& problem, const FreeCoefficient& coefficient)
+{
+    Direction result;
+    for (std::size_t segment = 0; segment < problem.segments.size(); ++segment)
+        result.lasting.push_back(relative_changes(problem, segment, coefficient));
     return result;
 }
 

@@ -33,4 +33,9 @@ Direction direction_between(HeatProblem less, HeatProblem more, double by);
 std::vector<Direction> directions(const HeatProblem& problem, const std::vector<FreeCoefficient>& box,
                                   const std::vector<double>& values);
 
+/// The direction in which a coefficient of a box changes by as much as it has in this problem: films, conductances, oil
+/// and heat by a factor; oil that has no coefficient by 1 W/m2/K; temperatures of oil and ambient by 1 K throughout the
+/// run. A film that follows the temperature changes by a factor on all that it gives to its air and its ambient.
+Direction relative_direction(const HeatProblem& problem, const FreeCoefficient& coefficient);
+
 }  // namespace deadpoint::reduce

@@ -42,6 +42,7 @@ void add_joints(const ScalarLayout& layout, const std::vector<InterfaceLaw>& les
         result.add(layout.joint(i, film_b), less[i].film_b, more[i].film_b);
         result.add(layout.joint(i, oil), less[i].oil, more[i].oil);
         result.add(layout.joint(i, oil_temperature), less[i].oil_temperature, more[i].oil_temperature);
+        result.add(layout.weight(i), less[i].heat_weight, more[i].heat_weight);
     }
 }
 

@@ -49,7 +49,9 @@ struct ScalarLayout {
     [[nodiscard]] std::size_t power(std::size_t enclosure) const { return exchange(enclosures) + enclosure; }
     /// Of the segment, as sumps and enclosures face it [K].
     [[nodiscard]] std::size_t ambient() const { return power(enclosures); }
-    [[nodiscard]] std::size_t count() const { return ambient() + 1; }
+    /// InterfaceLaw::heat_weight, which shares a source's heat among its interfaces.
+    [[nodiscard]] std::size_t weight(std::size_t interface) const { return ambient() + 1 + interface; }
+    [[nodiscard]] std::size_t count() const { return weight(interfaces); }
 };
 
 /// Changes of scalars; all others do not change.

@@ -23,6 +23,23 @@ struct JointChange {
 
 double side_of(const InterfaceLaw& law, bool side_b) { return side_b ? law.film_b : law.film_a; }
 
+// Of more heat to the oil that reaches an interface [W].
+void add_oil_heat(std::size_t interface, double heat, const LinearisedHeat& linearised, RateEffect& result)
+{
+    const auto place = linearised.inner().oil_of[interface];
+    for (const auto& path : linearised.inner().oil) {
+        if (!(path.flow > 0))
+            continue;
+        for (std::size_t k = 0; k < path.stops.size(); ++k)
+            if (path.stops[k].place == place) {
+                if (path.feed == OilPath::Feed::sump)
+                    result.inner.emplace_back(path.stops.front().place, heat);
+                if (k + 1 < path.stops.size())
+                    result.inner.emplace_back(path.stops[k + 1].place, heat / path.flow);
+            }
+    }
+}
+
 /// The effects of a change of an interface's law.
 class JointEffect {
 public:
@@ -87,17 +104,7 @@ private:
                                     change_.oil * (oil_temperature_ - film)) /
                                    sum_;
         const double heat = area_ * (change_.oil * (film - oil_temperature_) + law_.oil * film_change);
-        for (const auto& path : heat_.inner().oil) {
-            if (!(path.flow > 0))
-                continue;
-            for (std::size_t k = 0; k < path.stops.size(); ++k)
-                if (path.stops[k].place == heat_.inner().oil_of[i_]) {
-                    if (path.feed == OilPath::Feed::sump)
-                        result_.inner.emplace_back(path.stops.front().place, heat);
-                    if (k + 1 < path.stops.size())
-                        result_.inner.emplace_back(path.stops[k + 1].place, heat / path.flow);
-                }
-        }
+        add_oil_heat(i_, heat, heat_, result_);
     }
 
     std::size_t i_;
@@ -211,6 +218,56 @@ RateEffect effect_of_zoned(std::size_t source, const LinearisedHeat& heat)
     return result;
 }
 
+// Of an interface's share of its source's heat alone, times a change of it.
+void add_heat_share(std::size_t i, double change, const LinearisedHeat& heat, const LinearisedState& at,
+                    RateEffect& result)
+{
+    const auto& law = heat.joints().laws()[i];
+    const auto& layout = heat.geometry().layout;
+    const auto r = static_cast<std::size_t>(law.source);
+    const double source_heat = change * at.balance.source_heat[r];
+    const double zoned = law.load_zone ? change * heat.problem().sources[r].share * heat.laws().zoned_heat[r] : 0;
+    if (law.heat_part >= 0) {
+        result.watts.emplace_back(layout.part(static_cast<std::size_t>(law.heat_part)), source_heat);
+        result.watts.emplace_back(layout.zone(i, false), zoned);
+        result.inner.emplace_back(InnerLayout::heat(r),
+                                  at.balance.source_slope[r] * change *
+                                      at.values[layout.part(static_cast<std::size_t>(law.heat_part))]);
+        return;
+    }
+    const double sum = heat.joints().film_sum(i), area = heat.joints().area(i);
+    double mean = law.oil / sum * at.balance.oil_temperature[i];
+    for (const bool side_b : {false, true}) {
+        const double share = heat.joints().side_share(i, side_b);
+        mean += share * at.values[layout.mean(i, side_b)];
+        result.watts.emplace_back(layout.mean(i, side_b), source_heat * share);
+        result.watts.emplace_back(layout.zone(i, side_b), zoned * share);
+    }
+    const double self_change = 2 * heat.film_share(i) / (area * sum);
+    result.inner.emplace_back(InnerLayout::heat(r),
+                              at.balance.source_slope[r] * (change * mean + self_change * source_heat));
+    if (heat.inner().oil_of[i] >= 0)
+        add_oil_heat(i, law.oil / sum * source_heat, heat, result);
+}
+
+// The shares of all interfaces of a source, weight times area over their sum, change with one weight.
+RateEffect effect_of_weight(std::size_t interface, const LinearisedHeat& heat, const LinearisedState& at)
+{
+    const auto& laws = heat.joints().laws();
+    RateEffect result;
+    if (laws[interface].source < 0)
+        return result;
+    double weighted_area = 0;
+    for (std::size_t i = 0; i < laws.size(); ++i)
+        if (laws[i].source == laws[interface].source)
+            weighted_area += laws[i].heat_weight * heat.joints().area(i);
+    const double change = heat.joints().area(interface) / weighted_area;
+    for (std::size_t i = 0; i < laws.size(); ++i)
+        if (laws[i].source == laws[interface].source)
+            add_heat_share(i, change * ((i == interface ? 1 : 0) - heat.joints().heat_share(i)), heat, at, result);
+    return result;
+}
+
 RateEffect effect_of_flow(std::size_t circuit, const LinearisedHeat& heat, const LinearisedState& at)
 {
     RateEffect result;
@@ -290,7 +347,9 @@ RateEffect effect_of(std::size_t scalar, const LinearisedHeat& heat, const Linea
     }
     if (scalar < layout.ambient())
         return {{}, {{heat.inner().air(scalar - layout.power(0)), 1}}};
-    return effect_of_ambient(heat);
+    if (scalar < layout.weight(0))
+        return effect_of_ambient(heat);
+    return effect_of_weight(scalar - layout.weight(0), heat, at);
 }
 
 std::vector<std::pair<std::size_t, double>> term_changes(std::size_t scalar, const LinearisedHeat& heat)

@@ -23,6 +23,8 @@ struct RateEffect {
 ///   ds_x = (dx - s_x dS) / S
 ///   dH_r = H_r' (phi dF - phi^2 H_r dS / (A S^2)) + (1 + self H_r') H_r dshare / share
 ///   dQ = A dg (T_f - T_oil) + g A dT_f,    S dT_f = dh_a (T_a - T_f) + dh_b (T_b - T_f) + dg (T_oil - T_f)
+/// and where phi itself changes, as the weights of a source's interfaces do,
+///   dH_r = H_r' dphi (F + 2 phi H_r / (A S)),      dQ = g H_r dphi / S
 /// where H_r' is the slope by the solids' part of the temperature of the source's contact layers, phi the share of the
 /// source's heat that enters this one, and F = (h_a T_a + h_b T_b + g T_oil) / S.
 RateEffect effect_of(std::size_t scalar, const LinearisedHeat& heat, const LinearisedState& at);
