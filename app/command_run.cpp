@@ -13,6 +13,7 @@
 #include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
+#include "deadpoint/study/reduce/run_sensitivities.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 #include "interrupt.hpp"
 #include "options/checkpoint_options.hpp"
@@ -30,9 +31,10 @@ using report::ResultFolder;
 namespace {
 
 struct RunOptions : ResultOptions {
-    std::string from;       ///< result folder whose final temperatures are the start
-    std::string accuracy;   ///< numerics.accuracy, overrides the case's
-    std::string reduced;    ///< file of a reduced model to compute with
+    std::string from;      ///< result folder whose final temperatures are the start
+    std::string accuracy;  ///< numerics.accuracy, overrides the case's
+    std::string reduced;   ///< file of a reduced model to compute with
+    bool sensitivities = false;
     bool full_run = false;  ///< computes the case in full too, for the error of the reduced run
     CheckpointOptions checkpoints;
 };
@@ -204,6 +206,11 @@ int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
         ranks.first, [&] { return start_folder(options, read, console); }, folder);
     study::ReducedStates states;
     auto result = compute_reduced(read.value, press, options.reduced, lifts ? &states : nullptr, console);
+    if (options.sensitivities && !result.thermal.interrupted) {
+        console.stage("sensitivities");
+        result.sensitivities =
+            casefile::with_places(read.value, [&] { return study::run_sensitivities(read.value, press, console); });
+    }
     std::unique_ptr<study::Press> meshed;
     if (lifts || options.full_run) {
         ranks.agree = false;
@@ -304,6 +311,10 @@ void add_run(CLI::App& app, int& exit_code)
                         ->add_option("--reduced", options->reduced,
                                      "compute with a reduced model that 'deadpoint reduce' built, without a mesh")
                         ->type_name("FILE");
+    command
+        ->add_flag("--sensitivities", options->sensitivities,
+                   "with --reduced: also derive the gap and the probes at the end by every free coefficient")
+        ->needs(reduced);
     command
         ->add_flag("--full-run", options->full_run,
                    "with --reduced: also compute the case in full, for the error of this very run")

@@ -150,11 +150,15 @@ function lineChart({ id, title, text, x, y, series, markNote, xTicks, zero = tru
         level);
 }
 
-/** Steps that add up to a sum, as horizontal bars. rows: [{ name, value }] in the order in which they are shown. */
-function waterfall({ id, title, text, unit, rows, total, note }) {
+/**
+ * Horizontal bars: steps that add up to a sum, or without `total` each from zero. rows: [{ name, value }] in the order in
+ * which they are shown.
+ */
+function waterfall({ id, title, text, unit, rows, total = null, note }) {
     let sum = 0;
-    const bars = rows.map((row) => ({ ...row, from: sum, to: sum += row.value }));
-    bars.push({ name: total, value: sum, from: 0, to: sum, total: true });
+    const bars = rows.map((row) => (total === null ? { ...row, from: 0, to: row.value }
+        : { ...row, from: sum, to: sum += row.value }));
+    if (total !== null) bars.push({ name: total, value: sum, from: 0, to: sum, total: true });
     const draw = (width) => {
         const longest = Math.max(...bars.map((bar) => bar.name.length));
         const left = Math.min(8 + 7 * longest, width * 0.42);
@@ -187,7 +191,7 @@ function waterfall({ id, title, text, unit, rows, total, note }) {
             drawing.append(svg("rect", { x: at(a), y: y + 4, width: Math.max(1, at(b) - at(a)), height: pitch - 8,
                 class: `bar ${bar.total ? "total" : closes ? "closes" : "opens"}`, fill: bar.total ? "#444444"
                     : closes ? "url(#hatched)" : "#0072b2", stroke: bar.total ? "#222222" : closes ? "#d55e00" : "#0072b2" }));
-            if (i + 1 < bars.length)
+            if (i + 1 < bars.length && total !== null)
                 drawing.append(svg("line", { x1: at(bar.to), x2: at(bar.to), y1: y + pitch - 4, y2: y + pitch + 4,
                     stroke: "#8a8a8a" }));
             const name = svg("text", { x: left - 8, y: y + pitch / 2 + 4, "text-anchor": "end",

@@ -78,7 +78,7 @@ const contents = make("nav", { "aria-label": "Sections" });
 function showRun(run) {
     current?.dispose();
     const stage = viewSection(run);
-    const sections = [stage?.section, driftSection(run), parallelSection(run),
+    const sections = [stage?.section, driftSection(run), sensitivitySection(run), parallelSection(run),
         clearanceSection(run), temperatureSection(run), heatSection(run), loadsSection(run),
         comparisonSection(run), trustSection(run), aboutSection(run)].filter(Boolean);
     detail.replaceChildren(make("div", {}, lead(run), facts(run)), ...sections);

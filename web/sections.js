@@ -165,6 +165,24 @@ function driftSection(run) {
                 fixed(line.y[line.y.length - 1], 1, true)])), falls, forceChart(run));
 }
 
+/** What a tenth more of a coefficient, or 1 K more of a temperature, changes. */
+function sensitivitySection(run) {
+    const found = run.summary?.sensitivities;
+    if (!found) return null;
+    const more = (row) => (row.unit === "degC" ? "+1 K" : "+10 %");
+    const rows = found.strongest.map((row) => ({ name: `${more(row)} ${words(row.coefficient)}`, value: row.E_SW_um,
+        probe: row.largest_probe_K, at: row.unit ? `${shown(row.value)} ${row.unit === "degC" ? "°C" : row.unit}` : "a factor" }));
+    const hasGap = rows.length > 0 && rows[0].value !== undefined;
+    return make("section", { id: "sensitivities" }, make("h2", {}, "What the result depends on"),
+        hasGap ? waterfall({ id: "sensitivity", title: `What moves the gap at the end, after ${duration(found.time_s)}`,
+            text: "The ten strongest coefficients. Each bar is the effect of a tenth more of this coefficient alone, or of 1 K more of "
+                + "a temperature, by the derivative of the run. Solid bars open the gap, hatched bars close it.",
+            unit: "µm", rows, note: null }) : null,
+        table(["", "value", ...(hasGap ? ["gap [µm]"] : []), "probe that changes most [K]"], rows.map((row) =>
+            [row.name, row.at, ...(hasGap ? [fixed(row.value, 2, true)] : []), fixed(row.probe, 2, true)])),
+        make("p", {}, "The file sensitivities.csv has all coefficients and probes."));
+}
+
 function loadsSection(run) {
     const { loads, joints, bearings } = run;
     if (!loads) return null;

@@ -683,6 +683,32 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     CHECK(has(hot.err, "outside the range of the reduced model: ambient"));
     CHECK(has(content(folder / "hot/history.csv"), "outside the range of the reduced model: ambient"));
 
+    // The change of E_SW by the derivatives is that of runs with 0.5 K more and less of ambient, to the errors of the
+    // time steps, which are chosen anew in each run.
+    const auto ambient = [&](const std::string& degrees, const std::string& more) {
+        const auto name = folder / ("ambient" + degrees);
+        const auto ran = deadpoint("run " + press + " --reduced " + model + " --set output.fields=false" +
+                                   " --set 'machine.ambient=" + degrees + " degC' -o " + name + more);
+        REQUIRE_MESSAGE(ran.code == 0, ran.err);
+        return ran.out;
+    };
+    const auto text = ambient("20", " --sensitivities");
+    ambient("20.5", "");
+    ambient("19.5", "");
+    CHECK(has(text, "what moves the gap at the end:"));
+    const auto sensitivities = content(folder / "ambient20/sensitivities.csv");
+    CHECK(has(sensitivities, "coefficient,value,unit,change,E_SW per unit [um],E_SW by change [um],"));
+    for (const auto* name : {"\noperation.speed,", "\noperation.force,", "\nfriction.", "\nsurfaces.", "\njoints."})
+        CHECK_MESSAGE(has(sensitivities, name), name);
+    const auto row = sensitivities.find("\nambient,20,degC,1,");
+    REQUIRE(row != std::string::npos);
+    const double derivative = std::stod(sensitivities.substr(row + 19));
+    const auto end = [&](const std::string& degrees) {
+        return number(content(folder / ("ambient" + degrees + "/summary.json")), "final_E_SW");
+    };
+    CHECK(std::abs(derivative - (end("20.5") - end("19.5"))) < 0.02 * std::abs(derivative));
+    CHECK(has(content(folder / "ambient20/report.html"), "\"strongest\""));
+
     const auto refused = [&](const std::string& more, int code, const std::string& reason) {
         const auto result = deadpoint("run " + more + " -o " + (folder / "refused"));
         CHECK(result.code == code);
@@ -693,6 +719,7 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     refused(press + " --reduced " + model + " --set 'parts.bed.material=steel'", 2, "only in this case");
     refused(press + " --reduced " + (folder / "none.rom"), 5, "none.rom");
     refused(press + " --full-run", 2, "--reduced");
+    refused(press + " --sensitivities", 2, "--reduced");
     fs::resize_file(folder / "press.large.rom", 1000);
     refused(press + " --reduced " + model, 5, "press.large.rom");
 

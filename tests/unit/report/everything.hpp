@@ -154,6 +154,8 @@ inline study::RunResult run_of_all(const casefile::Case& input)
                                           study::StatedError{"this run", 0.01, 1e-9},
                                           study::StatedError{"this run, to a full run", 0.02, 2e-9},
                                           {"ambient: 25 to 25"}};
+    result.sensitivities = study::Sensitivities{
+        20000, true, {"top"}, {{"friction.pin", 1, "", 0.1, -2e-5, {5}}, {"ambient", 20, "degC", 1, 1e-6, {0.5}}}};
     result.timings = {{"mesh", 1}};
     return result;
 }

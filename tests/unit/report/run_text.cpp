@@ -29,6 +29,7 @@ TEST_CASE("the short text of a run: gap, causes, warm-up and temperatures, and n
           "\nslider-crank, after 5 h 33 min\n\n"
           "  gap E_SW at the end: +10.0 um (+ opens); largest: +10.0 um after 5 h 33 min\n"
           "  by cause at the end: pin +1.0, motor +1.0, base +1.0 um\n"
+          "  what moves the gap at the end: +10 % friction.pin -2.00, +1 K ambient +1.00 um\n"
           "  not warm at the end: the gap still drifts by more than 1.00 um/h\n"
           "\n"
           "  probe  rise [K]  published [K]  95 % after\n"

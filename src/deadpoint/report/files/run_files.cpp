@@ -26,6 +26,7 @@
 #include "deadpoint/report/text/drift_summary_text.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
 #include "deadpoint/report/text/run_text.hpp"
+#include "deadpoint/report/text/sensitivities_text.hpp"
 #include "deadpoint/study/result/histories.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 #include "deadpoint/study/result/run_summary.hpp"
@@ -310,6 +311,8 @@ void add_solution(const casefile::Case& input, const Machine& machine, const Run
         json["accuracy"] = accuracy_json(*result.accuracy);
     if (result.reduced)
         json["reduced"] = reduced_json(*result.reduced);
+    if (result.sensitivities)
+        json["sensitivities"] = sensitivities_json(*result.sensitivities);
 }
 
 /// Dimension chain, friction, frame and the check of the adjoints, as far as the case has them.
@@ -375,6 +378,8 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
     write_json(folder / "summary.json", summary_json(input, machine, result, warnings));
     if (result.frame && !result.frame->stress.empty())
         write_stress(folder / "stress.csv", *result.frame, comments);
+    if (result.sensitivities)
+        write_sensitivities(folder / "sensitivities.csv", comments, *result.sensitivities);
     if (result.accuracy)
         write_accuracy_files(folder, *result.accuracy, comments);
     if (result.view)

@@ -20,7 +20,8 @@ namespace deadpoint::report {
 
 /// Writes into an existing folder: case.toml (resolved), history.csv, contributions.csv, gaps.csv, summary.json,
 /// temperatures.svg, drift.svg and contributions.svg; with loads also what write_loads_files writes, with
-/// stress also stress.csv, with a view also view.json, with causes of the drift also causes.csv.
+/// stress also stress.csv, with a view also view.json, with causes of the drift also causes.csv,
+/// with sensitivities also sensitivities.csv.
 /// @param warnings  of the whole run; they stand in every file
 /// @throws IoError if a file cannot be written
 void write_run_files(const std::filesystem::path& folder, const casefile::Case& input, const Machine& machine,

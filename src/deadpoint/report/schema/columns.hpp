@@ -58,6 +58,23 @@ inline constexpr Column share{"share", "share of E_SW after {time} s", "um",
 inline constexpr std::array all{cause, name, share};
 }  // namespace causes
 
+namespace sensitivities {
+inline constexpr Column coefficient{"coefficient", "coefficient", "",
+                                    "free coefficient of the reduced model, or operation.speed or operation.force"};
+inline constexpr Column value{"value", "value", "", "its value in the first segment; 1 for a factor on several values"};
+inline constexpr Column unit{"unit", "unit", "", "unit of the value; empty: a factor"};
+inline constexpr Column change{"change", "change", "",
+                               "change to which effects refer: a tenth of the value; 1 K for temperatures"};
+inline constexpr Column gap_per_unit{"gap_per_unit", "E_SW per unit", "um",
+                                     "derivative of E_SW at the end by the value, per unit of the value"};
+inline constexpr Column gap_effect{"gap_effect", "E_SW by change", "um", "that derivative times the change"};
+inline constexpr Column probe_per_unit{"probe_per_unit", "{probe} per unit", "K",
+                                       "derivative of the probe at the end by the value, per unit of the value"};
+inline constexpr Column probe_effect{"probe_effect", "{probe} by change", "K", "that derivative times the change"};
+inline constexpr std::array all{coefficient,  value,      unit,           change,
+                                gap_per_unit, gap_effect, probe_per_unit, probe_effect};
+}  // namespace sensitivities
+
 namespace gaps {
 inline constexpr Column corner{"corner_gap", "gap {corner}", "um",
                                "change of the gap at a corner of the slide; above zero it opens"};

@@ -39,6 +39,8 @@ std::vector<File> run_files()
         table("contributions.csv", "run", "contribution of each part to the change of the gap, over time",
               contributions::all),
         table("causes.csv", "run", "contribution of each heat source to the change of the gap", causes::all),
+        table("sensitivities.csv", "run --sensitivities",
+              "how the figures at the end depend on each coefficient, the strongest first", sensitivities::all),
         table("gaps.csv", "run", "corners and slopes of the slide, clearances and force over time", gaps::all),
         table("stress.csv", "run", "largest stress of each listed part, at the times of the fields", stress::all),
         table("accuracy.csv", "run --accuracy", "figures of each mesh", accuracy::all),

@@ -167,6 +167,17 @@ Keys reduced_keys()
                    {{"outside", "", "coefficients outside the range of the model, each with its value and range"}}});
 }
 
+Keys sensitivity_keys()
+{
+    return {{"time_s", "s", "time to which they refer, the end of the run"},
+            {"strongest/[]/coefficient", "", "as in sensitivities.csv; the ten with the largest effect on E_SW"},
+            {"strongest/[]/value", "{unit}", "its value in the first segment; 1 for a factor on several values"},
+            {"strongest/[]/unit", "", "unit of the value; empty: a factor"},
+            {"strongest/[]/change", "{unit}", "a tenth of the value; 1 K for temperatures"},
+            {"strongest/[]/E_SW_um", "um", "effect of this change on E_SW, by the derivative"},
+            {"strongest/[]/largest_probe_K", "K", "the same on the probe that changes most"}};
+}
+
 Keys frame_keys()
 {
     return {{"support_force_kN", "kN", "upward force on the feet, if weights act"},
@@ -246,6 +257,7 @@ Keys summary_keys()
           {"peak_memory_bytes", "byte", "peak memory of all processes together"}},
          below("accuracy", accuracy_keys()),
          below("reduced", reduced_keys()),
+         below("sensitivities", sensitivity_keys()),
          below("energy_J", energy_keys()),
          below("heat_flows_at_end", flow_keys()),
          {{"probe_rises_K/{probe}/{time}", "K", "rise after 0.5 h, 1 h, 2 h, 3 h and at the end"},

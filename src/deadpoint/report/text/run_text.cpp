@@ -13,6 +13,7 @@
 #include "deadpoint/report/text/drift_summary_text.hpp"
 #include "deadpoint/report/text/friction_text.hpp"
 #include "deadpoint/report/text/reduce_text.hpp"
+#include "deadpoint/report/text/sensitivities_text.hpp"
 #include "deadpoint/report/text/table.hpp"
 #include "deadpoint/study/result/histories.hpp"
 #include "deadpoint/study/result/run_result.hpp"
@@ -42,14 +43,19 @@ std::string warm_up_line(const Case& input, const RunSummary& summary)
     return fmt::format("  not warm at the end: the gap still drifts by more than {} um/h\n", rate);
 }
 
+std::string sensitivities_text(const RunResult& result)
+{
+    return result.sensitivities ? sensitivities_line(*result.sensitivities) : std::string{};
+}
+
 std::string gap_text(const Case& input, const RunResult& result, const RunSummary& summary)
 {
     if (!result.drift)
-        return {};
+        return sensitivities_text(result);
     return fmt::format("  gap E_SW at the end: {:+.1f} um (+ opens); largest: {:+.1f} um after {}\n",
                        micrometre * summary.final_gap, micrometre * summary.largest_gap,
                        duration_text(summary.largest_gap_time)) +
-           drift_causes_line(result.causes) + warm_up_line(input, summary) + "\n";
+           drift_causes_line(result.causes) + sensitivities_text(result) + warm_up_line(input, summary) + "\n";
 }
 
 std::string probes_text(const Case& input, const RunResult& result, const RunSummary& summary)

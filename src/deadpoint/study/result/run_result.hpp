@@ -9,6 +9,7 @@
 #include "deadpoint/study/result/friction_summary.hpp"
 #include "deadpoint/study/result/histories.hpp"
 #include "deadpoint/study/result/reduced_result.hpp"
+#include "deadpoint/study/result/sensitivities.hpp"
 #include "deadpoint/study/result/view_data.hpp"
 
 #include <memory>
@@ -47,6 +48,7 @@ struct RunResult : Histories {
     std::optional<ViewData> view;
     std::optional<AccuracyReport> accuracy;  ///< where the case asks for one
     std::optional<ReducedResult> reduced;    ///< of a run on a reduced model
+    std::optional<Sensitivities> sensitivities;
     long long cells = 0;
     long long heat_unknowns = 0;
     long long deformation_cells = 0;  ///< the same as cells, or those of its own mesh; 0 without deformation
