@@ -3,6 +3,7 @@
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/report/text/reduce_text.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/reduce/certificate_file.hpp"
 #include "deadpoint/study/reduce/reduce.hpp"
 #include "options/case_options.hpp"
 #include "output.hpp"
@@ -22,6 +23,7 @@ struct ReduceOptions : CaseOptions {
     std::string file;
     int full_runs = 2;
     bool fields = false;
+    bool certify = false;
 };
 
 /// The name of the large model's file beside that of the small one: press.rom, press.large.rom.
@@ -35,6 +37,11 @@ void write(const std::filesystem::path& file, study::Reduction& reduction)
     const auto large = large_file(file);
     reduction.small.large_file = large.filename().string();
     study::write_reduced(large, reduction.large);
+    const auto certificate = study::certificate_file(file);
+    if (reduction.residual)
+        study::write_certificate(certificate, reduction.large, *reduction.residual);
+    else
+        std::filesystem::remove(certificate);
     study::write_reduced(file, reduction.small);
 }
 
@@ -65,6 +72,7 @@ int reduce_case(const ReduceOptions& options, const OnRanks& ranks)
     if (options.fields) {
         wanted.fields_file = study::fields_file(options.file).string();
     }
+    wanted.build.certificate = options.certify;
     auto reduction = press.reduce(wanted, ranks.console);
     ranks.console.finish();
     on_first_rank(ranks.first, [&] { write(options.file, reduction); });
@@ -90,6 +98,8 @@ void add_reduce(CLI::App& app, int& exit_code)
         "--fields", options->fields,
         "also store the fields of the states, for 3-D fields of runs: 4 bytes for each temperature of the "
         "mesh and each state, 100 MB for the shipped press");
+    command->add_flag("--certify", options->certify,
+                      "also write what 'run --reduced --certify' needs to bound the error of a run");
     command->callback([options, &exit_code] {
         exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return reduce_case(*options, ranks); });
     });

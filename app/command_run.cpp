@@ -11,6 +11,7 @@
 #include "deadpoint/study/fields/lift_fields.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/reduce/certificate_file.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
 #include "deadpoint/study/reduce/run_sensitivities.hpp"
@@ -36,6 +37,7 @@ struct RunOptions : ResultOptions {
     std::string reduced;   ///< file of a reduced model to compute with
     bool sensitivities = false;
     bool full_run = false;  ///< computes the case in full too, for the error of the reduced run
+    bool certify = false;   ///< bounds the error of the reduced run
     CheckpointOptions checkpoints;
 };
 
@@ -80,10 +82,23 @@ study::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOpti
     return run;
 }
 
+std::shared_ptr<const reduce::ResidualTerms> certificate_of(const std::filesystem::path& press,
+                                                            const study::ReducedPress& large)
+{
+    const auto file = study::certificate_file(press);
+    if (!std::filesystem::exists(file)) {
+        throw InputError(fmt::format("there is no certificate '{}' of this reduced press\n  help: make it with "
+                                     "'deadpoint reduce CASE -o {} --certify'",
+                                     file.string(), press.string()));
+    }
+    return study::read_certificate(file, large);
+}
+
 /// Without a mesh. The large model beside the file tells the error.
 study::RunResult compute_reduced(const casefile::Case& input, const study::ReducedPress& press,
-                                 const std::filesystem::path& file, study::ReducedStates* states, Console& console)
+                                 const RunOptions& options, study::ReducedStates* states, Console& console)
 {
+    const std::filesystem::path file = options.reduced;
     const auto large = file.parent_path() / press.large_file;
     std::optional<study::ReducedPress> other;
     if (press.large_file.empty()) {
@@ -93,8 +108,16 @@ study::RunResult compute_reduced(const casefile::Case& input, const study::Reduc
     } else {
         console.warn(fmt::format("'{}' is missing, so the error of this run is not estimated", large.string()));
     }
+    std::shared_ptr<const reduce::ResidualTerms> residual;
+    if (options.certify) {
+        if (!other) {
+            throw InputError("--certify needs the large model beside the reduced press");
+        }
+        residual = certificate_of(file, *other);
+    }
     auto result = casefile::with_places(input, [&] {
-        return study::run_reduced(input, press, other ? &*other : nullptr, study::ReducedDetail::all, console, states);
+        return study::run_reduced(input, press, {other ? &*other : nullptr, residual.get()}, study::ReducedDetail::all,
+                                  console, states);
     });
     result.reduced->file = file.filename().string();
     return result;
@@ -205,7 +228,7 @@ int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
     const auto path = start_folder(
         ranks.first, [&] { return start_folder(options, read, console); }, folder);
     study::ReducedStates states;
-    auto result = compute_reduced(read.value, press, options.reduced, lifts ? &states : nullptr, console);
+    auto result = compute_reduced(read.value, press, options, lifts ? &states : nullptr, console);
     if (options.sensitivities && !result.thermal.interrupted) {
         console.stage("sensitivities");
         result.sensitivities =
@@ -243,6 +266,9 @@ int run_case(RunOptions options, const OnRanks& ranks)
 {
     if (!options.reduced.empty()) {
         return run_reduced_case(options, ranks);
+    }
+    if (options.certify) {
+        throw InputError("--certify bounds the error of a reduced run\n  help: give it with --reduced FILE");
     }
     auto& console = ranks.console;
     if (!options.accuracy.empty()) {
@@ -318,6 +344,10 @@ void add_run(CLI::App& app, int& exit_code)
     command
         ->add_flag("--full-run", options->full_run,
                    "with --reduced: also compute the case in full, for the error of this very run")
+        ->needs(reduced);
+    command
+        ->add_flag("--certify", options->certify,
+                   "with --reduced: bound the error at the end of the run; needs 'deadpoint reduce --certify'")
         ->needs(reduced);
     add_checkpoint_options(*command, options->checkpoints);
     command->callback([options, &exit_code] {

@@ -263,6 +263,13 @@ function comparisonSection(run) {
 }
 
 // How far a run on a reduced model is off.
+function certifiedText(certified) {
+    if (certified.refused) return `There is no certified bound: ${certified.refused}.`;
+    const probes = Object.values(certified.probes_K ?? {});
+    return `Certified: at the end of the run the gap is at most ${certified.E_SW_um.toPrecision(2)} µm from that of the full model`
+        + (probes.length ? `, probes at most ${Math.max(...probes).toPrecision(2)} K.` : ".");
+}
+
 function reducedParts(reduced) {
     const errors = [reduced.full_run, reduced.estimate, ...(reduced.errors ?? [])].filter(Boolean);
     return [make("h3", {}, "Error of the reduced model"),
@@ -270,6 +277,7 @@ function reducedParts(reduced) {
             + "after the first minute, of probes and sides of joints, and of the gap:"),
         table(["compared with", "temperature [K]", "gap [µm]"],
             errors.map((error) => [error.of, fixed(error.temperature_K, 3), fixed(error.E_SW_um, 3)])),
+        reduced.certified ? make("p", {}, certifiedText(reduced.certified)) : null,
         reduced.outside?.length ? make("p", {}, make("strong", {}, "Outside the range for which the model was built: "),
             reduced.outside.join("; ")) : null].filter(Boolean);
 }

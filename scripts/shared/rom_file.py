@@ -4,6 +4,7 @@ import struct
 from array import array
 
 KIND = b"deadpoint reduced press 2\n"
+CERTIFICATE_KIND = b"deadpoint certificate 1\n"
 FIELDS_KIND = b"deadpoint fields of a reduced press 1\n"
 
 
@@ -152,10 +153,27 @@ def check_fields(path, rom):
         raise ValueError("the fields belong to another model")
 
 
-def main(path, fields=None):
+def check_certificate(path, rom):
+    """Reads a certificate of the large model, and checks that its numbers fit each other and the model."""
+    r = opened(path, CERTIFICATE_KIND)
+    found = r.fields(version="text", model="text", states="u64", functionals="u64", observed="u64",
+                     factors=lambda: r.list(r.matrix), kept=lambda: r.list(r.u64), lowest=lambda: r.list(r.f64),
+                     root=lambda: r.numbers("f"), products=r.matrix)
+    check_end(r, checksum=False)  # of 35 MB, which takes Python half a minute
+    vectors = 2 * found["states"] + sum(found["kept"]) + found["functionals"] + found["observed"]
+    terms = len(rom["joint_terms"]) + len(rom["films"])
+    if len(found["root"]) != vectors * (vectors + 1) // 2 or {len(found[k]) for k in ("factors", "kept", "lowest")} != {terms}:
+        raise ValueError("a certificate has another number of values than vectors or terms")
+    if int(found["model"], 16) != fnv1a(rom["functionals"]["entries"].tobytes()):
+        raise ValueError("the certificate belongs to another model")
+
+
+def main(path, fields=None, certificate=None):
     rom = read_rom(path)
     if fields:
         check_fields(fields, rom)
+    if certificate:
+        check_certificate(certificate, rom)
     states = rom["part_states"]["rows"]
     for factor in rom["joint_terms"] + rom["films"]:
         if factor["rows"] not in (0, states):

@@ -620,8 +620,9 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     REQUIRE(deadpoint("init " + (folder / "press")).code == 0);
     const auto press = folder / "press/case.toml";
     const auto model = folder / "press.rom";
-    const auto made = deadpoint("reduce " + press +
-                                " --size 3 --fields --set reduce.states=60 --set reduce.gap='\"1 um\"' -o " + model);
+    const auto made =
+        deadpoint("reduce " + press +
+                  " --size 3 --fields --certify --set reduce.states=60 --set reduce.gap='\"1 um\"' -o " + model);
     REQUIRE(made.code == 0);
     CHECK(has(made.out, "the fields of its states are in press.fields.rom ("));
     CHECK(has(made.out, "as in the case, to a full run"));
@@ -631,8 +632,9 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     for (const auto* file : {"press.rom", "press.large.rom"})
         CHECK(std::system(("python3 -B " + std::string(DEADPOINT_SOURCE_DIR) + "/scripts/shared/rom_file.py " +
                            (folder / file) +
-                           (file == std::string("press.rom") ? " " + (folder / "press.fields.rom") : "") + " >" +
-                           (folder / "read"))
+                           (file == std::string("press.rom") ? " " + (folder / "press.fields.rom")
+                                                             : " '' " + (folder / "press.certificate.rom")) +
+                           " >" + (folder / "read"))
                               .c_str()) == 0);
     CHECK(has(content(folder / "read"), "37 free coefficients"));
 
@@ -677,6 +679,23 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     CHECK(has(bare.out, "'deadpoint reduce --fields' writes it"));
     CHECK(!fs::exists(folder / "bare/fields.pvd"));
 
+    // Films that follow the temperature have no certificate; constant ones have. The bound is that of the error.
+    const auto uncertain =
+        deadpoint("run " + press + " --reduced " + model + " --certify -o " + (folder / "uncertain"));
+    CHECK(uncertain.code == 0);
+    CHECK(has(uncertain.out, "no certified bound: the convection of surface 'air_frame' follows its temperature"));
+    const auto certain = deadpoint("run " + press + " --reduced " + model +
+                                   " --certify --full-run --set surfaces.air_frame.film.emissivity=0 --set "
+                                   "surfaces.air_moving.film.emissivity=0 -o " +
+                                   (folder / "certain"));
+    CHECK(certain.code == 0);
+    CHECK(has(certain.out, "at the end of the run: certified"));
+    const auto bounds = content(folder / "certain/summary.json");
+    const double bound = number(bounds.substr(bounds.find("\"certified\"")), "E_SW_um");
+    CHECK(bound >= number(bounds.substr(bounds.find("\"full_run\"")), "E_SW_um") - 0.02);  // that of any time
+    CHECK(bound < 5);                                                                      // of a warm-up of 50 um
+    CHECK(has(content(folder / "certain/report.html"), "Certified: at the end of the run"));
+
     const auto hot =
         deadpoint("run " + press + " --reduced " + model + " --set 'machine.ambient=45 degC' -o " + (folder / "hot"));
     CHECK(hot.code == 0);
@@ -720,6 +739,11 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     refused(press + " --reduced " + (folder / "none.rom"), 5, "none.rom");
     refused(press + " --full-run", 2, "--reduced");
     refused(press + " --sensitivities", 2, "--reduced");
+    refused(press + " --certify", 2, "--reduced");
+    fs::resize_file(folder / "press.certificate.rom", 1000);
+    refused(press + " --reduced " + model + " --certify", 5, "press.certificate.rom");
+    fs::remove(folder / "press.certificate.rom");
+    refused(press + " --reduced " + model + " --certify", 2, "there is no certificate");
     fs::resize_file(folder / "press.large.rom", 1000);
     refused(press + " --reduced " + model, 5, "press.large.rom");
 

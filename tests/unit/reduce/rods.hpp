@@ -1,8 +1,11 @@
 #pragma once
 
 #include "../heat/lumps.hpp"
+#include "deadpoint/reduce/certificate/residual_root.hpp"
+#include "deadpoint/reduce/certificate/residual_terms.hpp"
 #include "deadpoint/reduce/offline/build.hpp"
 #include "deadpoint/reduce/offline/full_model.hpp"
+#include "deadpoint/reduce/offline/low_rank.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
 #include "deadpoint/reduce/offline/ranks.hpp"
 
@@ -95,6 +98,39 @@ public:
     {
         return combined(terms_, basis, truncation);
     }
+    [[nodiscard]] ResidualTerms residual(const HeatProblem& lowest, const ResidualCut& cut) override
+    {
+        ResidualTerms result;
+        result.states = basis.cols();
+        result.lowest = coefficients_of(lowest, deadpoint::HeatSegment{});
+        Eigen::MatrixXd vectors(basis.rows(), 2 * basis.cols());
+        vectors << basis, terms_.solid * basis;
+        const auto add = [&](const Eigen::MatrixXd& columns) {
+            vectors.conservativeResize(Eigen::NoChange, vectors.cols() + columns.cols());
+            vectors.rightCols(columns.cols()) = columns;
+        };
+        for (const auto* term : terms_in_order()) {
+            auto& reduced = result.terms.emplace_back();
+            if (term->is_missing())
+                continue;
+            const Eigen::MatrixXd seen = basis.transpose() * term->factor;
+            reduced.factor = low_rank_factor(
+                [&](const Eigen::MatrixXd& columns) { return Eigen::MatrixXd(seen * (seen.transpose() * columns)); },
+                basis.cols(), cut.further);
+            const Eigen::VectorXd sizes = reduced.factor.colwise().squaredNorm().transpose();
+            reduced.kept = (sizes.array() > cut.kept * sizes.maxCoeff()).count();
+            add(term->factor * (seen.transpose() * reduced.kept_factor()) *
+                sizes.head(reduced.kept).cwiseInverse().asDiagonal());
+        }
+        add(terms_.functionals.transpose());
+        add(terms_.observed.transpose());
+        result.functionals = terms_.functionals.rows();
+        result.observed = terms_.observed.rows();
+        const Eigen::LLT<Eigen::MatrixXd> factor(terms_.solid + conduction_of(lowest));
+        result.root = residual_root(vectors.transpose() * factor.solve(vectors));
+        set_products(result);
+        return result;
+    }
     void combine(const Eigen::MatrixXd& combinations) override { basis *= combinations; }
     void correct(const Eigen::MatrixXd& combinations) override { combine(combinations); }
     [[nodiscard]] const Ranks& ranks() const override { return ranks_; }
@@ -102,6 +138,14 @@ public:
     Eigen::MatrixXd basis = full_terms().uniform;
 
 private:
+    [[nodiscard]] std::vector<const LowRankTerm*> terms_in_order() const
+    {
+        const auto& joint = terms_.joints[0];
+        std::vector<const LowRankTerm*> result{&joint.aa, &joint.bb, &joint.between, &joint.turning};
+        for (const auto& film : terms_.films)
+            result.push_back(&film);
+        return result;
+    }
     [[nodiscard]] Eigen::VectorXd load_of(std::size_t load) const
     {
         const auto count = terms_.geometry.layout.count();

@@ -153,6 +153,7 @@ inline study::RunResult run_of_all(const casefile::Case& input)
                                           {{"anywhere in the box", 0.1, 5e-8}},
                                           study::StatedError{"this run", 0.01, 1e-9},
                                           study::StatedError{"this run, to a full run", 0.02, 2e-9},
+                                          study::Certified{"reason", 2e-7, {{"A", 0.1}}},
                                           {"ambient: 25 to 25"}};
     result.sensitivities = study::Sensitivities{
         20000, true, {"top"}, {{"friction.pin", 1, "", 0.1, -2e-5, {5}}, {"ambient", 20, "degC", 1, 1e-6, {0.5}}}};

@@ -110,8 +110,9 @@ void GatheredTerm::combine(const Eigen::MatrixXd& combinations) { rows_ = combin
 
 Eigen::MatrixXd GatheredTerm::product(const Eigen::MatrixXd& columns) const
 {
-    const Eigen::MatrixXd on_unknowns = matrix_ * combined(rows_, columns);
-    return product_of_transposed(rows_, on_unknowns);
+    return product_of_transposed(rows_, image(columns));
 }
+
+Eigen::MatrixXd GatheredTerm::image(const Eigen::MatrixXd& columns) const { return matrix_ * combined(rows_, columns); }
 
 }  // namespace deadpoint::fem

@@ -23,6 +23,10 @@ public:
     void combine(const Eigen::MatrixXd& combinations);
     /// fields^T A fields columns, on the owner.
     [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& columns) const;
+    /// A fields columns on the term's unknowns, on the owner.
+    [[nodiscard]] Eigen::MatrixXd image(const Eigen::MatrixXd& columns) const;
+    /// Of all ranks, ascending.
+    [[nodiscard]] const std::vector<PetscInt>& unknowns() const { return unknowns_; }
 
 private:
     std::vector<PetscInt> unknowns_;  ///< ascending

@@ -1,5 +1,6 @@
 #include "deadpoint/fem/reduction/heat_projector.hpp"
 
+#include "deadpoint/error.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/conduction/heat_functionals.hpp"
@@ -11,10 +12,12 @@
 #include "deadpoint/fem/reduction/columns.hpp"
 #include "deadpoint/fem/reduction/field_file.hpp"
 #include "deadpoint/fem/reduction/mpi_ranks.hpp"
+#include "deadpoint/fem/reduction/residual.hpp"
 #include "deadpoint/fem/reduction/surface_terms.hpp"
 #include "deadpoint/fem/space/vectors.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
 
+#include <fmt/format.h>
 #include <tuple>
 #include <utility>
 
@@ -241,6 +244,25 @@ reduce::DenseTerms HeatProjector::project(const reduce::Truncation& truncation)
     terms.uniform = terms.parts.rowwise().sum();
     project_surfaces(it.space, matrices, it.fields, it.correction, truncation, terms);
     return terms;
+}
+
+reduce::ResidualTerms HeatProjector::residual(const HeatProblem& lowest, const reduce::ResidualCut& cut)
+{
+    auto& it = *parts_;
+    if (it.space.total > largest_heat_factor || it.ranks.count() > 1)
+        throw InputError(fmt::format("a certificate is made by one process, for at most {} temperatures; this press "
+                                     "has {}, on {} processes\n  help: leave out --certify, or enlarge the cells",
+                                     largest_heat_factor, it.space.total, it.ranks.count()));
+    const auto problem = with_constant_films(lowest);
+    auto& matrices = it.system.matrices();
+    matrices.adopt(problem);
+    matrices.set_laws(problem.interfaces);
+    Eigen::MatrixXd observed(it.fields.rows(), static_cast<Eigen::Index>(it.observed.adjoints.size()));
+    for (std::size_t k = 0; k < it.observed.adjoints.size(); ++k)
+        observed.col(static_cast<Eigen::Index>(k)) = it.adjoint(k);
+    auto result = residual_terms({it.space, it.system, it.fields, it.correction, observed}, cut);
+    result.lowest = reduce::coefficients_of(problem, HeatSegment{});
+    return result;
 }
 
 void HeatProjector::write_fields(const std::string& file, const std::string& model) const

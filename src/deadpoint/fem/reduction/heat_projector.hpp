@@ -42,6 +42,7 @@ public:
     void combine(const Eigen::MatrixXd& combinations) override;
     void correct(const Eigen::MatrixXd& combinations) override;
     [[nodiscard]] reduce::DenseTerms project(const reduce::Truncation& truncation) override;
+    [[nodiscard]] reduce::ResidualTerms residual(const HeatProblem& lowest, const reduce::ResidualCut& cut) override;
     [[nodiscard]] const reduce::Ranks& ranks() const override;
 
     /// Writes the fields of the basis (field_file.hpp). Collective.

@@ -2,6 +2,8 @@
 
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/certificate/lowest.hpp"
+#include "deadpoint/reduce/certificate/residual_terms.hpp"
 #include "deadpoint/reduce/offline/basis.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
 #include "deadpoint/reduce/offline/ranks.hpp"
@@ -38,8 +40,14 @@ BuiltModels build(FullModel& full, const HeatProblem& base, const Box& box, cons
                              static_cast<Eigen::Index>(options.largest));
     });
     auto small = choose_small(large, combinations, base, box, options, ranks);
-    full.combine(combinations.leftCols(small.terms->terms.uniform.size()));
-    return {large, std::move(small)};
+    BuiltModels models{large, std::move(small), {}};
+    if (options.certificate) {
+        observer.stage("certificate");
+        models.residual =
+            std::make_shared<const ResidualTerms>(full.residual(lowest_conduction(base, box), options.residual));
+    }
+    full.combine(combinations.leftCols(models.small.terms->terms.uniform.size()));
+    return models;
 }
 
 }  // namespace deadpoint::reduce

@@ -17,6 +17,7 @@ namespace deadpoint::reduce {
 struct BuiltModels {
     std::shared_ptr<const PreparedTerms> large;
     SmallModel small;
+    std::shared_ptr<const ResidualTerms> residual;  ///< of the large one, if BuildOptions::certificate asks for it
 };
 
 /// Builds a reduced model in two stages.

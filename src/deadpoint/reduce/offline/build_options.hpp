@@ -10,6 +10,12 @@ struct Truncation {
     double others = 1e-3;  ///< films, and conduction from a joint's sides to its oil
 };
 
+/// What certificates keep of a term: eigenvalues above these shares of the largest over the states.
+struct ResidualCut {
+    double kept = 1e-6;      ///< as vectors of the full system
+    double further = 1e-12;  ///< as products with the states
+};
+
 /// How a reduced model is built. The numbers are those of a study on the shipped press (docs/theory/reduced.md).
 struct BuildOptions {
     int sets = 48;              ///< of coefficients that a basis field is solved for
@@ -26,8 +32,10 @@ struct BuildOptions {
     std::size_t adjoints = 0;   ///< observed functionals; further rows split them by part
     double reference = 293.15;  ///< temperature without deformation [K]
     int threads = 1;
+    bool certificate = false;  ///< makes ResidualTerms of the large model
     Truncation large{1e-7, 1e-5};
     Truncation small{};
+    ResidualCut residual{};
 };
 
 }  // namespace deadpoint::reduce

@@ -12,6 +12,8 @@ struct HeatProblem;
 namespace deadpoint::reduce {
 
 class Ranks;
+struct ResidualCut;
+struct ResidualTerms;
 struct Truncation;
 
 /// A machine by finite elements, as the reduction needs it: its matrices M and K(p) act on bases of temperature fields.
@@ -40,6 +42,9 @@ public:
     virtual void correct(const Eigen::MatrixXd& combinations) = 0;
     /// The terms on the basis, which is orthonormal in M. All functionals are there.
     [[nodiscard]] virtual DenseTerms project(const Truncation& truncation) = 0;
+    /// Products in K'^-1 of the vectors in which residuals of the present basis lie.
+    /// @param lowest  with the coefficients of K' @throws InputError if the machine is too large for that
+    [[nodiscard]] virtual ResidualTerms residual(const HeatProblem& lowest, const ResidualCut& cut) = 0;
     /// The processes over which the machine is distributed.
     [[nodiscard]] virtual const Ranks& ranks() const = 0;
 };

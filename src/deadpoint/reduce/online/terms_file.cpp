@@ -11,23 +11,6 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-StoredMatrix<float> as_stored(const Matrix& matrix)
-{
-    const Eigen::MatrixXf rounded = matrix.cast<float>();
-    return {static_cast<std::uint64_t>(matrix.rows()),
-            static_cast<std::uint64_t>(matrix.cols()),
-            {rounded.data(), rounded.data() + rounded.size()}};
-}
-
-Matrix as_matrix(const StoredMatrix<float>& stored)
-{
-    if (stored.columns != 0 && stored.entries.size() / stored.columns != stored.rows)
-        throw InputError("a matrix of a reduced model has another number of entries than it says");
-    return Eigen::Map<const Eigen::MatrixXf>(stored.entries.data(), static_cast<Eigen::Index>(stored.rows),
-                                             static_cast<Eigen::Index>(stored.columns))
-        .cast<double>();
-}
-
 std::vector<double> lower_triangle(const Matrix& matrix)
 {
     std::vector<double> entries;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstdint>
+#include "deadpoint/reduce/online/stored_matrix.hpp"
+
 #include <string>
 #include <tuple>
 #include <vector>
@@ -8,18 +9,6 @@
 namespace deadpoint::reduce {
 
 struct DenseTerms;
-
-/// A matrix as a file has it: its entries column after column.
-template <class Number>
-struct StoredMatrix {
-    std::uint64_t rows = 0, columns = 0;
-    std::vector<Number> entries;
-};
-template <class Number>
-constexpr auto members(const StoredMatrix<Number>*)
-{
-    return std::tuple{&StoredMatrix<Number>::rows, &StoredMatrix<Number>::columns, &StoredMatrix<Number>::entries};
-}
 
 /// Reduced terms as a file has them. The solid has 64 bits a number, since its slow modes are small beside its fast
 /// ones; everything else has 32 bits, which changes temperatures by less than 1e-4 K.

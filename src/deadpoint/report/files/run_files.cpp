@@ -279,6 +279,18 @@ nlohmann::ordered_json error_json(const study::StatedError& error)
     return {{"of", error.of}, {"temperature_K", error.temperature}, {"E_SW_um", micrometre * error.gap}};
 }
 
+nlohmann::ordered_json certified_json(const study::Certified& certified)
+{
+    nlohmann::ordered_json json;
+    if (!certified.refused.empty())
+        json["refused"] = certified.refused;
+    if (certified.gap > 0)
+        json["E_SW_um"] = micrometre * certified.gap;
+    for (const auto& [name, bound] : certified.probes)
+        json["probes_K"][name] = bound;
+    return json;
+}
+
 nlohmann::ordered_json reduced_json(const study::ReducedResult& reduced)
 {
     nlohmann::ordered_json json{{"model", reduced.file}, {"states", reduced.states}};
@@ -286,6 +298,8 @@ nlohmann::ordered_json reduced_json(const study::ReducedResult& reduced)
         json["estimate"] = error_json(*reduced.estimate);
     if (reduced.full_run)
         json["full_run"] = error_json(*reduced.full_run);
+    if (reduced.certified)
+        json["certified"] = certified_json(*reduced.certified);
     for (const auto& error : reduced.errors)
         json["errors"].push_back(error_json(error));
     if (!reduced.outside.empty())

@@ -163,6 +163,9 @@ Keys reduced_keys()
     return joined({{{"model", "", "file of the reduced model"}, {"states", "", "number of its states"}},
                    error("estimate", "what it compares: the large model and this run"),
                    error("full_run", "what it compares: a full run and this run, by run --full-run"),
+                   {{"certified/E_SW_um", "um", "bound of the difference to the full model at the end of the run"},
+                    {"certified/probes_K/{probe}", "K", "the same of a probe"},
+                    {"certified/refused", "", "why there is no bound"}},
                    error("errors/[]", "what it compares, when the model was built"),
                    {{"outside", "", "coefficients outside the range of the model, each with its value and range"}}});
 }

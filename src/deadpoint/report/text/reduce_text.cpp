@@ -14,6 +14,17 @@ std::string error_line(const study::StatedError& error)
     return fmt::format("  {:.3f} K, {:.3f} um: {}\n", error.temperature, micrometre * error.gap, error.of);
 }
 
+std::string certified_text(const study::Certified& certified)
+{
+    if (!certified.refused.empty())
+        return fmt::format("  no certified bound: {}\n", certified.refused);
+    double largest = 0;
+    for (const auto& [name, bound] : certified.probes)
+        largest = std::max(largest, bound);
+    return fmt::format("  at most {:.2g} um of the gap, {:.2g} K of probes at the end of the run: certified\n",
+                       micrometre * certified.gap, largest);
+}
+
 }  // namespace
 
 std::string reduce_text(const study::Reduction& reduction)
@@ -39,6 +50,8 @@ std::string reduced_run_text(const study::ReducedResult& reduced)
         text += error_line(*reduced.full_run);
     if (reduced.estimate)
         text += error_line(*reduced.estimate);
+    if (reduced.certified)
+        text += certified_text(*reduced.certified);
     for (const auto& error : reduced.errors)
         text += error_line(error);
     for (const auto& outside : reduced.outside)

@@ -216,6 +216,7 @@ Reduction reduce_case(ModelParts& parts, const casefile::Case& input, const Redu
                                result, observer);
     give_terms(result.small, std::move(models.small.terms));
     give_terms(result.large, std::move(models.large));
+    result.residual = std::move(models.residual);
     return result;
 }
 

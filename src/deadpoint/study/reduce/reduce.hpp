@@ -14,6 +14,10 @@ struct Case;
 }
 
 /// Building a reduced model of a case.
+namespace deadpoint::reduce {
+struct ResidualTerms;
+}
+
 namespace deadpoint::study {
 
 struct ModelParts;
@@ -28,6 +32,8 @@ struct ReduceOptions {
 /// A reduced model of a case in two sizes. The large one says how far the small one is off.
 struct Reduction {
     ReducedPress small, large;
+    std::shared_ptr<const reduce::ResidualTerms>
+        residual;  ///< of the large one, if BuildOptions asks for a certificate
 };
 
 /// What the section [reduce] of a case asks for.

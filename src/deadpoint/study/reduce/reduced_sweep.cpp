@@ -50,7 +50,7 @@ void run(Work& work, const ReducedPress& press, const Observer& study)
     const auto start = std::chrono::steady_clock::now();
     PointObserver observer(study);
     try {
-        work.result = run_reduced(*work.input, press, nullptr, ReducedDetail::figures, observer);
+        work.result = run_reduced(*work.input, press, {}, ReducedDetail::figures, observer);
         if (work.result->thermal.interrupted) {
             work.result.reset();
             return;

@@ -6,6 +6,7 @@
 #include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/certificate/certificate.hpp"
 #include "deadpoint/reduce/offline/difference.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
@@ -92,7 +93,7 @@ public:
         split_.problem.field_times.clear();
     }
 
-    RunResult run(const ReducedPress* large, ReducedStates* states)
+    RunResult run(const LargeModel& large, ReducedStates* states)
     {
         reduce::ReducedHooks hooks;
         if (states) {
@@ -160,7 +161,7 @@ private:
         return causes;
     }
 
-    void estimate(const ReducedPress* large)
+    void estimate(const LargeModel& large)
     {
         auto& reduced = result_.reduced.emplace();
         reduced.states = press_.states;
@@ -168,11 +169,40 @@ private:
         reduced.outside = outside_of(press_.box, split_, press_.reference);
         for (const auto& text : reduced.outside)
             observer_.warn(fmt::format("outside the range of the reduced model: {}", text));
-        if (!large || result_.thermal.interrupted)
+        if (!large.press || result_.thermal.interrupted)
             return;
         watch_.start("estimate");
-        reduce::ReducedRun run(large->terms, split_.problem, large->adjoints, reference());
-        reduced.estimate = stated("this run, to the large model", result_.thermal, run.go({}, observer_), press_);
+        reduce::ReducedRun run(large.press->terms, split_.problem, large.press->adjoints, reference());
+        const auto& history = run.go({}, observer_);
+        reduced.estimate = stated("this run, to the large model", result_.thermal, history, press_);
+        if (large.residual)
+            reduced.certified = certified(large, history);
+    }
+
+    // Bounds of the large model, and the difference to it at the end.
+    Certified certified(const LargeModel& large, const ThermalHistory& history)
+    {
+        watch_.start("certificate");
+        const auto& layout = large.press->terms->terms.geometry.layout;
+        std::vector<std::size_t> outputs;
+        for (std::size_t k = 0; k < layout.probes; ++k)
+            outputs.push_back(layout.probe(k));
+        if (press_.chain)
+            outputs.push_back(layout.count() + static_cast<std::size_t>(drift::gap));
+        const auto found = reduce::certify(large.press->terms, *large.residual, split_.problem, history.time, outputs);
+        Certified result{found.refused, 0, {}};
+        if (!found.refused.empty())
+            return result;
+        const auto off = [](const Series& one, const Series& other) {
+            return std::abs(one.value.back() - other.value.back());
+        };
+        for (std::size_t k = 0; k < layout.probes; ++k)
+            result.probes.emplace_back(problem_.probes[k].name,
+                                       found.bounds[k] + off(result_.thermal.probes[k], history.probes[k]));
+        if (press_.chain)
+            result.gap =
+                found.bounds.back() + off(result_.thermal.functionals[drift::gap], history.functionals[drift::gap]);
+        return result;
     }
 
     void finish(bool fields_follow)
@@ -223,12 +253,12 @@ std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress
     return result;
 }
 
-RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const ReducedPress* large,
+RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,
                       ReducedDetail detail, Observer& observer, ReducedStates* states)
 {
     require_fit(input, press);
-    if (large)
-        require_same(press, *large);
+    if (large.press)
+        require_same(press, *large.press);
     return ReducedCaseRun(input, press, detail, observer).run(large, states);
 }
 

@@ -9,6 +9,9 @@ class Observer;
 namespace deadpoint::casefile {
 struct Case;
 }
+namespace deadpoint::reduce {
+struct ResidualTerms;
+}
 
 /// Runs of a case on its reduced model.
 namespace deadpoint::study {
@@ -23,11 +26,16 @@ enum class ReducedDetail {
     figures  ///< for studies: no causes, no vibration of the crankshaft
 };
 
-/// @param large   the large model for the estimate of the error; null: no estimate
+/// What says how far a reduced run is off.
+struct LargeModel {
+    const ReducedPress* press = nullptr;              ///< for the estimate of the error; null: no estimate
+    const reduce::ResidualTerms* residual = nullptr;  ///< its residual, for certified bounds; null: none
+};
+
 /// @param states  given those at the times of the fields, for lift_fields(), which then also warns of the frame; null:
 ///                no fields follow
 /// @throws CaseError as a full run; InputError if the model was built for another press
-RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const ReducedPress* large,
+RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,
                       ReducedDetail detail, Observer& observer, ReducedStates* states = nullptr);
 
 /// Difference of a finished reduced run to a full run of the same case, after the first minute.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// What a run on a reduced model says of its error.
@@ -22,12 +23,20 @@ struct ErrorOfSize {
     double gap = 0;          ///< [m]
 };
 
+/// Bounds of the difference to the full model at the end of the run, both by implicit Euler steps.
+struct Certified {
+    std::string refused;                                 ///< why there are none, or empty
+    double gap = 0;                                      ///< of E_SW [m]
+    std::vector<std::pair<std::string, double>> probes;  ///< [K]
+};
+
 struct ReducedResult {
     std::string file;  ///< of the model
     std::size_t states = 0;
     std::vector<StatedError> errors;      ///< as measured when the model was built
     std::optional<StatedError> estimate;  ///< of this run: the large model less this one
     std::optional<StatedError> full_run;  ///< of this run: a full run less this one, where one was asked for
+    std::optional<Certified> certified;   ///< if the run was to be certified
     std::vector<std::string> outside;     ///< coefficients outside the range for which it was built
 };
 

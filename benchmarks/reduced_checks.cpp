@@ -1,0 +1,154 @@
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/certificate/certificate.hpp"
+#include "deadpoint/reduce/certificate/residual_terms.hpp"
+#include "deadpoint/reduce/offline/difference.hpp"
+#include "deadpoint/reduce/offline/training.hpp"
+#include "deadpoint/reduce/online/dense_terms.hpp"
+#include "deadpoint/reduce/online/reduced_run.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/pipeline/model_parts.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
+#include "deadpoint/study/reduce/certificate_file.hpp"
+#include "deadpoint/study/reduce/free_coefficients.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/study/reduce/split.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+// Compares a reduced press with full runs that its build never saw, a line for each:
+//   benchmark_reduced_checks case.toml press.rom size_scale first count [cycles]
+// Coefficients are drawn from the box. With "cycles" the operation is one of work at other heat and rest in turn.
+// Columns: number; largest errors after the first minute of the large and of the small model [K, um]; the small model
+// to the large one [K, um]; error of the large model at the end [um] and its certified bound [um].
+
+namespace {
+
+using namespace deadpoint;
+
+constexpr unsigned long long seed = 20260;
+
+class Silent : public Observer {};
+
+// Work of 10 to 50 minutes at 0.3 to 1.5 times the heat, and rest of 5 to 30 minutes, in turn.
+void make_cycle(HeatProblem& problem, reduce::Draws& draws)
+{
+    double left = 0;
+    for (const auto& segment : problem.segments)
+        left += segment.duration;
+    const auto work = problem.segments.front();
+    std::vector<HeatSegment> segments;
+    for (bool works = true; left > 0; works = !works) {
+        auto segment = work;
+        segment.duration = std::min(left, 60 * (works ? 10 + 40 * draws.next() : 5 + 25 * draws.next()));
+        const double level = works ? 0.3 + 1.2 * draws.next() : 0;
+        for (std::size_t r = 0; r < segment.heat.size(); ++r)
+            if (work.heat[r])
+                segment.heat[r] = LawTable([law = work.heat[r], level](double at) {
+                    const auto value = law(at);
+                    return LawValue{level * value.value, level * value.slope, value.in_range};
+                });
+        for (auto& zoned : segment.zoned_heat)
+            zoned *= level;
+        left -= segment.duration;
+        segments.push_back(std::move(segment));
+    }
+    problem.segments = std::move(segments);
+}
+
+/// The full model of a case, and its reduced ones.
+class Checks {
+public:
+    Checks(const casefile::Case& input, const Machine& machine, const std::filesystem::path& file, Observer& observer)
+        : parts_(machine, nullptr), small_(study::read_reduced(file)),
+          large_(study::read_reduced(file.parent_path() / small_.large_file))
+    {
+        if (const auto certificate = study::certificate_file(file); std::filesystem::exists(certificate))
+            residual_ = study::read_certificate(certificate, large_);
+        study::Stopwatch watch(observer);
+        study::RunResult unused;
+        const auto problem = parts_.translate(input, watch, unused, observer);
+        parts_.need_model(input, watch, observer);
+        auto split = study::split_by_part(problem, machine);
+        split.problem.field_times.clear();
+        nominal_ = study::with_nominal_films(split.problem, input.machine.initial_temperature);
+    }
+
+    void check(int number, bool cycles)
+    {
+        reduce::Draws draws(seed + static_cast<unsigned long long>(number));
+        auto problem = reduce::drawn_problem(nominal_, small_.box, draws);
+        if (cycles)
+            make_cycle(problem, draws);
+        const auto full = full_run(problem);
+        const auto large = reduced_run(large_, problem), small = reduced_run(small_, problem);
+        const auto of_large = off(large, full), of_small = off(small, full), estimate = off(small, large);
+        const double end =
+            std::abs(large.functionals[drift::gap].value.back() - full.functionals[drift::gap].value.back());
+        std::printf("%4d %9.4f %9.5f %9.4f %9.5f %9.4f %9.5f %9.5f %9s\n", number, of_large.temperature,
+                    1e6 * of_large.gap, of_small.temperature, 1e6 * of_small.gap, estimate.temperature,
+                    1e6 * estimate.gap, 1e6 * end, bound(problem, large).c_str());
+        std::fflush(stdout);
+    }
+
+private:
+    [[nodiscard]] ThermalHistory full_run(const HeatProblem& problem)
+    {
+        Silent observer;
+        parts_.model->assemble_heat(problem);
+        const auto history =
+            parts_.model->heat(parts_.adjoints, small_.reference, fem::Attribution(-1), observer, [](double) {}, {});
+        parts_.model->release_heat();
+        return history;
+    }
+    [[nodiscard]] static ThermalHistory reduced_run(const study::ReducedPress& press, const HeatProblem& problem)
+    {
+        Silent observer;
+        return reduce::ReducedRun(press.terms, problem, press.adjoints, press.reference).go({}, observer);
+    }
+    [[nodiscard]] static reduce::RunDifference off(const ThermalHistory& run, const ThermalHistory& other)
+    {
+        return reduce::difference(run, other, drift::gap);
+    }
+    [[nodiscard]] std::string bound(const HeatProblem& problem, const ThermalHistory& large) const
+    {
+        if (!residual_)
+            return "-";
+        const auto found = reduce::certify(large_.terms, *residual_, problem, large.time,
+                                           {large_.terms->terms.geometry.layout.count() + drift::gap});
+        return found.refused.empty() ? std::to_string(1e6 * found.bounds[0]) : found.refused;
+    }
+
+    study::ModelParts parts_;
+    study::ReducedPress small_, large_;
+    std::shared_ptr<const reduce::ResidualTerms> residual_;
+    HeatProblem nominal_;
+};
+
+}  // namespace
+
+int main(int count, char** arguments)
+{
+    if (count < 6) {
+        std::fprintf(stderr, "benchmark_reduced_checks case.toml press.rom size_scale first count [cycles]\n");
+        return 1;
+    }
+    fem::Session session(count, arguments);
+    Silent observer;
+    study::Press press(casefile::read_case(arguments[1]).value, std::atof(arguments[3]));
+    press.mesh(observer);
+    Checks checks(press.input(), press.machine(observer), arguments[2], observer);
+    const int first = std::atoi(arguments[4]);
+    for (int k = first; k < first + std::atoi(arguments[5]); ++k)
+        checks.check(k, count > 6 && std::string(arguments[6]) == "cycles");
+}

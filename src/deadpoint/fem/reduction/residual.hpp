@@ -1,0 +1,29 @@
+#pragma once
+
+#include "deadpoint/reduce/certificate/residual_terms.hpp"
+
+/// Internal to fem/: products of a residual's vectors in the inverse of a conduction matrix.
+namespace deadpoint::reduce {
+struct ResidualCut;
+}
+
+namespace deadpoint::fem {
+
+class BasisFields;
+class Discretisation;
+class HeatSystem;
+
+/// A machine on one rank and a basis of fields.
+struct ProjectedMachine {
+    const Discretisation& space;
+    HeatSystem& system;
+    const BasisFields& fields;
+    const Eigen::MatrixXd& correction;  ///< combinations of the fields that are the basis
+    const Eigen::MatrixXd& observed;    ///< the observed functionals, a column for each
+};
+
+/// ResidualTerms but for the coefficients of K', which is the present conduction matrix of the system. Solves with a
+/// sparse factor of it.
+reduce::ResidualTerms residual_terms(const ProjectedMachine& machine, const reduce::ResidualCut& cut);
+
+}  // namespace deadpoint::fem

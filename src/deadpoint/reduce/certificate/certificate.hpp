@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace deadpoint {
+struct HeatProblem;
+}
+
+namespace deadpoint::reduce {
+
+struct PreparedTerms;
+struct ResidualTerms;
+
+/// Bounds of what a reduced run is off its full system at the end of the run.
+struct Certificate {
+    std::string refused;         ///< why there is none, or empty
+    std::vector<double> bounds;  ///< per output, in its unit
+};
+
+/// Bounds |output of the full system - output of the reduced one| after the last time, both by implicit Euler steps
+/// between these times. With the residual r_n of the reduced states in the full system, and r*_n that of the reduced
+/// dual problem, linearised at the reduced states,
+///   |error| <= (sum dt |r_n|^2)^1/2 (sum dt |r*_n|^2)^1/2 / kappa + |sum dt z_n . r_n| + curvature,
+/// sizes in K^-1. Conduction, convection of constant coefficients and friction heat that falls with the temperature
+/// take energy from an error, whatever its size; so kappa is 1. Where the heat of sources rises,
+/// kappa = 1 - sum over these of (largest slope) |b|^2. The curvature of the laws adds
+///   1/2 sum over sources of max (|b . z_n| |H_n''|) |b|^2 (sum dt |r_n|^2) / kappa^2,
+/// b the load of one watt, z the reduced dual states, H_n'' the largest within 5 K of the source's temperature. Errors
+/// of that temperature beyond 5 K are not covered.
+///
+/// It is refused, with the reason, for films that follow the temperature, heat by ring temperatures, oil circuits,
+/// enclosed air, a start that is no field of the basis, coefficients below their range, and where kappa is not
+/// positive.
+/// @param times      ends of steps, as ThermalHistory::time: a time that stands twice begins a segment [s]
+/// @param outputs    numbers of functionals of the layout, or, behind these, of rows of DenseTerms::observed
+/// @throws InputError if terms and problem do not fit
+Certificate certify(const std::shared_ptr<const PreparedTerms>& terms, const ResidualTerms& residual,
+                    const HeatProblem& problem, const std::vector<double>& times,
+                    const std::vector<std::size_t>& outputs);
+
+}  // namespace deadpoint::reduce

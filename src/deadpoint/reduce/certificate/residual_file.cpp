@@ -1,0 +1,73 @@
+#include "deadpoint/reduce/certificate/residual_file.hpp"
+
+#include "deadpoint/error.hpp"
+#include "deadpoint/reduce/certificate/residual_terms.hpp"
+
+#include <algorithm>
+
+namespace deadpoint::reduce {
+namespace {
+
+void require_fit(const StoredResidual& stored)
+{
+    const auto count = stored.factors.size();
+    bool fits = stored.kept.size() == count && stored.lowest.size() == count;
+    for (std::size_t q = 0; q < count && fits; ++q)
+        fits = stored.kept[q] <= stored.factors[q].columns &&
+               (stored.factors[q].columns == 0 || stored.factors[q].rows == stored.states);
+    if (!fits)
+        throw InputError("a term of a certificate has another size than the others");
+}
+
+Eigen::MatrixXd upper_triangle(const std::vector<float>& entries, Eigen::Index size)
+{
+    if (static_cast<Eigen::Index>(entries.size()) != size * (size + 1) / 2)
+        throw InputError("a certificate has another number of products than vectors");
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
+    for (Eigen::Index j = 0, at = 0; j < size; at += ++j)
+        result.col(j).head(j + 1) =
+            Eigen::Map<const Eigen::VectorXf>(&entries[static_cast<std::size_t>(at)], j + 1).cast<double>();
+    return result;
+}
+
+}  // namespace
+
+StoredResidual stored(const ResidualTerms& terms)
+{
+    StoredResidual result;
+    result.states = static_cast<std::uint64_t>(terms.states);
+    result.functionals = static_cast<std::uint64_t>(terms.functionals);
+    result.observed = static_cast<std::uint64_t>(terms.observed);
+    for (const auto& term : terms.terms) {
+        result.factors.push_back(as_stored(term.factor));
+        result.kept.push_back(static_cast<std::uint64_t>(term.kept));
+    }
+    result.lowest = terms.lowest;
+    for (Eigen::Index j = 0; j < terms.root.cols(); ++j)
+        for (Eigen::Index i = 0; i <= j; ++i)
+            result.root.push_back(static_cast<float>(terms.root(i, j)));
+    result.products = as_stored(terms.products);
+    return result;
+}
+
+ResidualTerms restored(const StoredResidual& stored)
+{
+    require_fit(stored);
+    ResidualTerms result;
+    result.states = static_cast<Eigen::Index>(stored.states);
+    result.functionals = static_cast<Eigen::Index>(stored.functionals);
+    result.observed = static_cast<Eigen::Index>(stored.observed);
+    for (std::size_t q = 0; q < stored.factors.size(); ++q)
+        result.terms.push_back({as_matrix(stored.factors[q]), static_cast<Eigen::Index>(stored.kept[q])});
+    result.lowest = stored.lowest;
+    result.root = upper_triangle(stored.root, result.count());
+    result.products = as_matrix(stored.products);
+    Eigen::Index corrections = 0;
+    for (std::size_t q = 0; q < result.terms.size(); ++q)
+        corrections += result.corrections(q);
+    if (result.products.rows() != corrections || result.products.cols() != corrections)
+        throw InputError("a certificate has another number of products than vectors");
+    return result;
+}
+
+}  // namespace deadpoint::reduce

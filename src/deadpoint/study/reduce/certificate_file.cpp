@@ -1,0 +1,66 @@
+#include "deadpoint/study/reduce/certificate_file.hpp"
+
+#include "deadpoint/core/version.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/io/binary_file.hpp"
+#include "deadpoint/io/write_file.hpp"
+#include "deadpoint/reduce/certificate/residual_file.hpp"
+#include "deadpoint/reduce/certificate/residual_terms.hpp"
+#include "deadpoint/reduce/online/dense_terms.hpp"
+#include "deadpoint/reduce/online/terms_file.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+
+#include <fmt/format.h>
+
+namespace deadpoint::study {
+namespace {
+
+constexpr std::string_view kind = "deadpoint certificate 1\n";
+constexpr const char* help = "make it again with 'deadpoint reduce CASE -o FILE --certify'";
+
+bool fits(const reduce::ResidualTerms& residual, const reduce::DenseTerms& terms)
+{
+    return residual.states == terms.uniform.size() &&
+           residual.terms.size() == 4 * terms.joints.size() + terms.films.size() &&
+           residual.functionals == terms.functionals.rows() && residual.observed <= terms.observed.rows();
+}
+
+}  // namespace
+
+std::filesystem::path certificate_file(const std::filesystem::path& press)
+{
+    return press.parent_path() / (press.stem().string() + ".certificate" + press.extension().string());
+}
+
+void write_certificate(const std::filesystem::path& file, const ReducedPress& large,
+                       const reduce::ResidualTerms& residual)
+{
+    write_file(file, [&](std::ostream& out) {
+        BinaryWriter writer(out, kind);
+        writer(std::string(version), reduce::mark_of(large.terms->terms), reduce::stored(residual));
+        writer.finish();
+    });
+}
+
+std::shared_ptr<const reduce::ResidualTerms> read_certificate(const std::filesystem::path& file,
+                                                              const ReducedPress& large)
+{
+    BinaryReader reader(file, kind, help);
+    std::string written_by, model;
+    reduce::StoredResidual kept;
+    reader(written_by, model, kept);
+    if (model != reduce::mark_of(large.terms->terms))
+        throw InputError(
+            fmt::format("the certificate '{}' belongs to another reduced press\n  help: {}", file.string(), help));
+    reduce::ResidualTerms residual;
+    try {
+        residual = reduce::restored(kept);
+    } catch (const InputError& error) {
+        reader.refuse(error.what());
+    }
+    if (!fits(residual, large.terms->terms))
+        reader.refuse("its numbers do not fit the large model");
+    return std::make_shared<const reduce::ResidualTerms>(std::move(residual));
+}
+
+}  // namespace deadpoint::study

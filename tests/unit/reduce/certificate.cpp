@@ -1,0 +1,215 @@
+#include "deadpoint/reduce/certificate/certificate.hpp"
+
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/reduce/certificate/lowest.hpp"
+#include "deadpoint/reduce/certificate/residual_file.hpp"
+#include "deadpoint/reduce/certificate/residual_terms.hpp"
+#include "deadpoint/reduce/offline/training.hpp"
+#include "deadpoint/reduce/online/reduced_run.hpp"
+#include "rods.hpp"
+
+#include <doctest/doctest.h>
+
+using doctest::Approx;
+using namespace deadpoint;
+using namespace deadpoint::reduce;
+
+namespace {
+
+using Terms = std::shared_ptr<const PreparedTerms>;
+
+/// A basis too small for its task, so that its error is seen.
+struct Certified {
+    Certified()
+    {
+        lumps::Quiet observer;
+        auto options = rods::options();
+        options.sets = 8;
+        options.certificate = true;
+        options.largest = 6;
+        models = build(full, rods::problem(), rods::box(), options, observer);
+    }
+    rods::RodModel full;
+    BuiltModels models;
+};
+
+const Certified& certified()
+{
+    static const Certified once;
+    return once;
+}
+
+ThermalHistory run_on(const Terms& terms, const HeatProblem& problem)
+{
+    lumps::Quiet observer;
+    return ReducedRun(terms, problem, 1, 293).go({}, observer);
+}
+
+std::vector<std::size_t> outputs()
+{
+    const auto& layout = certified().models.large->terms.geometry.layout;
+    return {layout.probe(1), layout.count()};
+}
+
+Eigen::MatrixXd conduction(const DenseTerms& terms, const HeatProblem& problem)
+{
+    const auto coefficients = coefficients_of(problem, HeatSegment{});
+    const auto& joint = terms.joints[0];
+    Eigen::MatrixXd result = terms.solid;
+    std::size_t q = 0;
+    for (const auto* term : {&joint.aa, &joint.bb, &joint.between, &joint.turning}) {
+        if (!term->is_missing())
+            result += coefficients[q] * term->factor * term->factor.transpose();
+        ++q;
+    }
+    for (const auto& film : terms.films)
+        result += coefficients[q++] * film.factor * film.factor.transpose();
+    return result;
+}
+
+double smallest_eigenvalue(const Eigen::MatrixXd& matrix)
+{
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+}  // namespace
+
+TEST_CASE("the lowest conduction of a box is below that of all its values")
+{
+    auto base = rods::problem();
+    base.segments[0].interfaces = base.interfaces;
+    base.segments[0].interfaces[0].film_a /= 4;  // a segment of its own law
+    const auto terms = rods::full_terms();
+    const auto lowest = conduction(terms, lowest_conduction(base, rods::box()));
+    CHECK(smallest_eigenvalue(lowest) > 0);
+    Draws draws(5);
+    for (int k = 0; k < 20; ++k) {
+        auto problem = base;
+        set_values(problem, rods::box(), draws.values(rods::box()));
+        for (const auto& laws : {problem.interfaces, problem.segments[0].interfaces}) {
+            problem.interfaces = laws;
+            const auto there = conduction(terms, problem);
+            CHECK(smallest_eigenvalue(there - lowest) > -1e-12 * there.norm());  // rounding
+        }
+    }
+}
+
+TEST_CASE("a joint's lowest coefficients are those of the corners where each is smallest")
+{
+    const auto lowest = lowest_conduction(rods::problem(), rods::box());
+    const auto coefficients = coefficients_of(lowest, HeatSegment{});
+    // a: 300 to 30000, b: 200 to 20000, oil: 0 to 1500 W/m2/K
+    CHECK(coefficients[0] == 0);
+    CHECK(coefficients[1] == 0);
+    CHECK(coefficients[2] == Approx(300. * 200 / 2000).epsilon(1e-12));
+    CHECK(coefficients[4] == Approx(2.4).epsilon(1e-12));  // 0.2 of 12
+
+    auto box = rods::box();
+    box[4].from = 0.5;  // oil: 150 to 1500
+    const auto with_oil = coefficients_of(lowest_conduction(rods::problem(), box), HeatSegment{});
+    CHECK(with_oil[0] == Approx(300. * 150 / (300 + 20000 + 150)).epsilon(1e-12));
+    CHECK(with_oil[1] == Approx(200. * 150 / (200 + 30000 + 150)).epsilon(1e-12));
+    CHECK(with_oil[2] == Approx(300. * 200 / 2000).epsilon(1e-12));
+}
+
+TEST_CASE("sizes of residuals are those of the full system, or a little above")
+{
+    const auto& residual = *certified().models.residual;
+    const auto loads = uniform_loads(certified().models.large->terms);
+    const auto terms = rods::full_terms();
+    // a functional alone, whose vector is known
+    const auto lowest = lowest_conduction(rods::problem(), rods::box());
+    Draws draws(7);
+    for (int k = 0; k < 10; ++k) {
+        auto problem = rods::problem();
+        set_values(problem, rods::box(), draws.values(rods::box()));
+        if (k == 0)
+            problem = lowest;
+        const Eigen::LLT<Eigen::MatrixXd> factor(conduction(terms, problem));
+        const ResidualNorm norm(residual, loads, coefficients_of(problem, HeatSegment{}));
+        Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(residual.count(), residual.functionals + residual.observed);
+        columns.bottomRows(columns.cols()).setIdentity();
+        const auto squares = norm.squares(columns);
+        for (Eigen::Index f = 0; f < residual.functionals; ++f) {
+            const Eigen::VectorXd load = terms.functionals.row(f).transpose();
+            const double exact = load.dot(factor.solve(load));
+            CHECK(squares[f] >= exact * (1 - 1e-9));
+            CHECK(squares[f] <= exact * 1.0001 + 1e-12);  // joint and films of the rods have few directions, all kept
+        }
+    }
+}
+
+TEST_CASE("bounds hold, with coefficients that the build never saw")
+{
+    const auto terms = std::make_shared<const PreparedTerms>(rods::full_terms());
+    const auto& models = certified().models;
+    Draws draws(41);
+    double largest = 0;
+    for (int k = 0; k < 20; ++k) {
+        const auto problem = drawn_problem(rods::problem(), rods::box(), draws);
+        const auto large = run_on(models.large, problem), exact = run_on(terms, problem);
+        const auto certificate = certify(models.large, *models.residual, problem, large.time, outputs());
+        REQUIRE(certificate.refused.empty());
+        const double probe = std::abs(large.probes[1].value.back() - exact.probes[1].value.back());
+        const double gap = std::abs(large.functionals[0].value.back() - exact.functionals[0].value.back());
+        CHECK(certificate.bounds[0] >= probe);
+        CHECK(certificate.bounds[1] >= gap);
+        largest = std::max(largest, certificate.bounds[1]);
+        CHECK(certificate.bounds[1] < 1e-6);  // E_SW is 1 um/K: below 1 K, as far as the small basis is off
+    }
+    MESSAGE("largest bound of the gap " << largest);
+}
+
+TEST_CASE("a certificate is refused where its assumptions fail")
+{
+    const auto& models = certified().models;
+    const auto refused = [&](const HeatProblem& problem) {
+        return certify(models.large, *models.residual, problem, {0, 60, 120}, outputs()).refused;
+    };
+    CHECK(refused(rods::problem()) == "");
+    auto rising = rods::problem();
+    rising.segments[0].heat[0] = [](double t) { return LawValue{60 + 400 * (t - 293), 400, true}; };
+    CHECK(refused(rising).find("rises") != std::string::npos);
+    auto follows = rods::problem();
+    follows.surfaces[1].emissivity = 0.5;
+    CHECK(refused(follows).find("follows its temperature") != std::string::npos);
+    auto below = rods::problem();
+    below.surfaces[0].coefficient = 0.1;
+    CHECK(refused(below).find("below the range") != std::string::npos);
+    auto rings = rods::problem();
+    rings.segments[0].ring_heat = {[](double) { return 1.0; }};
+    CHECK(refused(rings).find("rings") != std::string::npos);
+}
+
+TEST_CASE("the bound vanishes as the basis comes to span the full system")
+{
+    rods::RodModel full;
+    lumps::Quiet observer;
+    auto options = rods::options();
+    options.sets = 24;
+    options.certificate = true;
+    options.largest = 6;
+    const auto models = build(full, rods::problem(), rods::box(), options, observer);
+    const auto large = run_on(models.large, rods::problem());
+    const auto certificate = certify(models.large, *models.residual, rods::problem(), large.time, outputs());
+    CHECK(certificate.bounds[1] < 2e-10);  // rounding and Newton's tolerance: 1e-5 of the heat, whose E_SW is 20 um
+    MESSAGE(certificate.bounds[1] << " " << certificate.bounds[0]);
+}
+
+TEST_CASE("a certificate that went through its file gives the same bounds")
+{
+    const auto& models = certified().models;
+    const auto again = restored(stored(*models.residual));
+    const auto large = run_on(models.large, rods::problem());
+    const auto before = certify(models.large, *models.residual, rods::problem(), large.time, outputs());
+    const auto after = certify(models.large, again, rods::problem(), large.time, outputs());
+    for (std::size_t k = 0; k < outputs().size(); ++k)
+        CHECK(after.bounds[k] == Approx(before.bounds[k]).epsilon(1e-4));  // 32 bits a number
+    auto cut = stored(*models.residual);
+    cut.root.pop_back();
+    CHECK_THROWS_AS(restored(cut), InputError);
+    cut = stored(*models.residual);
+    cut.kept[2] = 1000;
+    CHECK_THROWS_AS(restored(cut), InputError);
+}
