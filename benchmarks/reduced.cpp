@@ -53,7 +53,7 @@ int main(int count, char** arguments)
     options.build.temperature = options.build.gap = 0;
     options.build.threads = 2;
     study::Press press(casefile::read_case(arguments[1]).value, number(count, arguments, 2, 1));
-    const auto built = press.reduce(options, observer);
+    const auto built = press.reduce(options, observer).value();
     observer.stage("end");
     std::printf("%zu free coefficients, large model %zu states, small model %zu states\n", built.small.box.size(),
                 built.large.states, built.small.states);

@@ -32,7 +32,7 @@ study::Reduction reduction_of(const casefile::Case& input, double size)
     options.build.largest = 60;
     options.build.temperature = 1;
     options.build.gap = 1;
-    return press.reduce(options, silent);
+    return press.reduce(options, silent).value();
 }
 
 void write(const std::string& path, const casefile::Case& input, const study::Reduction& reduction)

@@ -35,7 +35,7 @@ struct Reduced {
         options.build.temperature = 0;  // no smaller model will do
         options.full_runs = 1;
         options.fields_file = file;
-        model = press.reduce(options, silent).small;
+        model = press.reduce(options, silent).value().small;
         mark = reduce::mark_of(model.terms->terms);
     }
     Case input = read("shaft-in-block", {field_times});

@@ -1,6 +1,8 @@
 #include "deadpoint/reduce/offline/build.hpp"
 
+#include "../../scratch_folder.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/reduce/kept/build_checkpoint.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "deadpoint/reduce/online/terms_file.hpp"
@@ -8,6 +10,8 @@
 
 #include <algorithm>
 #include <doctest/doctest.h>
+#include <filesystem>
+#include <iterator>
 #include <numeric>
 
 using doctest::Approx;
@@ -29,8 +33,19 @@ ThermalHistory run_on(const Terms& terms, const HeatProblem& problem)
 BuiltModels built(rods::RodModel& full)
 {
     lumps::Quiet observer;
-    return build(full, rods::problem(), rods::box(), rods::options(), observer);
+    return build(full, rods::problem(), rods::box(), rods::options(), {}, observer).value();
 }
+
+/// Cancelled after so many reports of progress.
+class StoppingObserver : public lumps::Quiet {
+public:
+    explicit StoppingObserver(int reports) : left_(reports) {}
+    void progress(double, std::string_view) override { --left_; }
+    [[nodiscard]] bool cancelled() const override { return left_ <= 0; }
+
+private:
+    int left_;
+};
 
 std::vector<HeatProblem> new_problems()
 {
@@ -61,13 +76,51 @@ TEST_CASE("a reduced model answers as the full one, with coefficients it never s
     }
 }
 
+TEST_CASE("a build that is stopped anywhere goes on to the same model bit by bit")
+{
+    const auto wanted = [] {
+        rods::RodModel full;
+        return stored(built(full).small.terms->terms);
+    }();
+    const ScratchFolder folder;
+    const auto attempt = [&](int until) {
+        rods::RodModel full;
+        StoppingObserver observer(until);
+        const BuildCheckpoint kept(folder.path, "this build", true, [](const std::string& text) { FAIL(text); });
+        return build(full, rods::problem(), rods::box(), rods::options(), kept, observer);
+    };
+    const auto pieces = [&] { return std::distance(std::filesystem::directory_iterator(folder.path), {}); };
+    CHECK_FALSE(attempt(5).has_value());
+    CHECK(pieces() == 5);
+    CHECK_FALSE(attempt(5 + 3).has_value());  // kept sets count too
+    CHECK(pieces() == 8);
+    CHECK_FALSE(attempt(24 + 7).has_value());  // in the training runs
+    CHECK(pieces() == 24 + 2);                 // sets, basis, terms
+    const auto models = attempt(1 << 20);
+    REQUIRE(models.has_value());
+    CHECK(pieces() == 24 + 3);
+    const auto found = stored(models->small.terms->terms);
+    CHECK(found.solid == wanted.solid);
+    REQUIRE(found.joints.size() == wanted.joints.size());
+    for (std::size_t k = 0; k < found.joints.size(); ++k)
+        CHECK(found.joints[k].entries == wanted.joints[k].entries);
+    CHECK(found.observed.entries == wanted.observed.entries);
+
+    const BuildCheckpoint other(folder.path, "another build", true, {});
+    rods::RodModel full;
+    lumps::Quiet observer;
+    CHECK_THROWS_AS(build(full, rods::problem(), rods::box(), rods::options(), other, observer), InputError);
+    std::filesystem::resize_file(folder.path / "training.bin", 100);
+    CHECK_THROWS_AS(attempt(1 << 20), IoError);
+}
+
 TEST_CASE("the small model is the smallest that is accurate enough")
 {
     rods::RodModel full;
     auto options = rods::options();
     lumps::Quiet observer;
     options.temperature = options.gap = 0;
-    const auto finest = build(full, rods::problem(), rods::box(), options, observer);
+    const auto finest = build(full, rods::problem(), rods::box(), options, {}, observer).value();
     CHECK(finest.small.terms->terms.uniform.size() == 20);
     CHECK(full.basis.cols() == 20);
     CHECK((full.basis.transpose() * full.basis - Eigen::MatrixXd::Identity(20, 20)).norm() < 1e-9);

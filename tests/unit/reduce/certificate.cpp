@@ -5,6 +5,7 @@
 #include "deadpoint/reduce/certificate/lowest.hpp"
 #include "deadpoint/reduce/certificate/residual_file.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
+#include "deadpoint/reduce/kept/build_checkpoint.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "rods.hpp"
@@ -28,7 +29,7 @@ struct Certified {
         options.sets = 8;
         options.certificate = true;
         options.largest = 6;
-        models = build(full, rods::problem(), rods::box(), options, observer);
+        models = build(full, rods::problem(), rods::box(), options, {}, observer).value();
     }
     rods::RodModel full;
     BuiltModels models;
@@ -190,7 +191,7 @@ TEST_CASE("the bound vanishes as the basis comes to span the full system")
     options.sets = 24;
     options.certificate = true;
     options.largest = 6;
-    const auto models = build(full, rods::problem(), rods::box(), options, observer);
+    const auto models = build(full, rods::problem(), rods::box(), options, {}, observer).value();
     const auto large = run_on(models.large, rods::problem());
     const auto certificate = certify(models.large, *models.residual, rods::problem(), large.time, outputs());
     CHECK(certificate.bounds[1] < 2e-10);  // rounding and Newton's tolerance: 1e-5 of the heat, whose E_SW is 20 um

@@ -1,8 +1,8 @@
 #include "deadpoint/reduce/offline/box.hpp"
 #include "deadpoint/reduce/offline/gram.hpp"
-#include "deadpoint/reduce/offline/in_parallel.hpp"
 #include "deadpoint/reduce/offline/low_rank.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
+#include "deadpoint/reduce/parallel/in_parallel.hpp"
 #include "rods.hpp"
 
 #include <atomic>

@@ -7,7 +7,7 @@
 #include "deadpoint/reduce/offline/full_model.hpp"
 #include "deadpoint/reduce/offline/low_rank.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
-#include "deadpoint/reduce/offline/ranks.hpp"
+#include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include <utility>
 #include <vector>
@@ -90,9 +90,20 @@ public:
         matrix.diagonal().array() += shift;
         const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
         for (const auto load : loads)
-            append(factor.solve(load_of(load)));
+            append(factor.solve(load_of(load)).cast<float>().cast<double>());
     }
     void add_part(std::size_t part) override { append(terms_.parts.col(static_cast<Eigen::Index>(part))); }
+    [[nodiscard]] std::size_t field_count() const override { return static_cast<std::size_t>(basis.cols()); }
+    [[nodiscard]] std::vector<float> field(std::size_t field) const override
+    {
+        const Eigen::VectorXf single = basis.col(static_cast<Eigen::Index>(field)).cast<float>();
+        return {single.begin(), single.end()};
+    }
+    void add_field(const std::vector<float>& field) override
+    {
+        append(Eigen::Map<const Eigen::VectorXf>(field.data(), static_cast<Eigen::Index>(field.size())).cast<double>());
+    }
+    [[nodiscard]] deadpoint::heat::HeatGeometry geometry() const override { return terms_.geometry; }
     [[nodiscard]] Eigen::MatrixXd gram() override { return basis.transpose() * basis; }
     [[nodiscard]] DenseTerms project(const Truncation& truncation) override
     {

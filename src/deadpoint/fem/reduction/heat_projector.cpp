@@ -14,6 +14,7 @@
 #include "deadpoint/fem/reduction/mpi_ranks.hpp"
 #include "deadpoint/fem/reduction/residual.hpp"
 #include "deadpoint/fem/reduction/surface_terms.hpp"
+#include "deadpoint/fem/space/file_order.hpp"
 #include "deadpoint/fem/space/vectors.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
 
@@ -51,6 +52,7 @@ struct HeatProjector::Parts {
     void append_solution(const Eigen::VectorXd& field);
     [[nodiscard]] Eigen::VectorXd on_part(std::size_t part) const;
     [[nodiscard]] Eigen::Map<const Eigen::VectorXd> adjoint(std::size_t k) const;
+    [[nodiscard]] const std::vector<std::size_t>& order();
     [[nodiscard]] Eigen::MatrixXd functionals() const;
     [[nodiscard]] Eigen::MatrixXd observed_functionals() const;
     void add_split(std::size_t adjoint, Eigen::Ref<Eigen::MatrixXd> rows) const;
@@ -65,6 +67,7 @@ struct HeatProjector::Parts {
     std::unique_ptr<BlockSolver> solver;
     BasisFields fields;
     Eigen::MatrixXd correction;  ///< combinations of the fields that are the basis
+    std::vector<std::size_t> file_order;
 };
 
 HeatProjector::HeatProjector(const Discretisation& space, const std::vector<Material>& materials,
@@ -154,6 +157,14 @@ void HeatProjector::add_solutions(const HeatProblem& at, double shift, const std
         parts_->append_solution(solution);
 }
 
+// Of the unknowns in files.
+const std::vector<std::size_t>& HeatProjector::Parts::order()
+{
+    if (file_order.empty())
+        file_order = order_of_file(space);
+    return file_order;
+}
+
 // The field of 1 on a part and 0 elsewhere.
 Eigen::VectorXd HeatProjector::Parts::on_part(std::size_t part) const
 {
@@ -165,6 +176,31 @@ Eigen::VectorXd HeatProjector::Parts::on_part(std::size_t part) const
 }
 
 void HeatProjector::add_part(std::size_t part) { parts_->append(parts_->on_part(part)); }
+
+std::size_t HeatProjector::field_count() const { return static_cast<std::size_t>(parts_->fields.count()); }
+
+std::vector<float> HeatProjector::field(std::size_t field) const
+{
+    const auto own = parts_->fields.columns(static_cast<Eigen::Index>(field), 1);
+    const auto all = gather_all(parts_->space, {own.data(), own.data() + own.size()}, 1);
+    std::vector<float> result;
+    result.reserve(all.size());
+    for (const auto unknown : parts_->order())
+        result.push_back(static_cast<float>(all[unknown]));
+    return result;
+}
+
+void HeatProjector::add_field(const std::vector<float>& field)
+{
+    if (static_cast<PetscInt>(field.size()) != parts_->space.total)
+        throw InputError("a field of the checkpoint has another number of temperatures than the mesh");
+    const auto own = share_of_file(parts_->space, parts_->order(), field);
+    parts_->append(Eigen::Map<const Eigen::VectorXd>(own.data(), static_cast<Eigen::Index>(own.size())));
+}
+
+heat::HeatGeometry HeatProjector::geometry() const { return parts_->system.geometry(); }
+
+std::string HeatProjector::mesh() const { return mesh_text(parts_->space); }
 
 Eigen::MatrixXd HeatProjector::gram()
 {

@@ -38,12 +38,18 @@ public:
     [[nodiscard]] bool has_load(std::size_t load) const override;
     void add_solutions(const HeatProblem& at, double shift, const std::vector<std::size_t>& loads) override;
     void add_part(std::size_t part) override;
+    [[nodiscard]] std::size_t field_count() const override;
+    [[nodiscard]] std::vector<float> field(std::size_t field) const override;
+    void add_field(const std::vector<float>& field) override;
     [[nodiscard]] Eigen::MatrixXd gram() override;
     void combine(const Eigen::MatrixXd& combinations) override;
     void correct(const Eigen::MatrixXd& combinations) override;
+    [[nodiscard]] heat::HeatGeometry geometry() const override;
     [[nodiscard]] reduce::DenseTerms project(const reduce::Truncation& truncation) override;
     [[nodiscard]] reduce::ResidualTerms residual(const HeatProblem& lowest, const reduce::ResidualCut& cut) override;
     [[nodiscard]] const reduce::Ranks& ranks() const override;
+    /// A text that identifies mesh, elements and unknowns; the same on any number of ranks.
+    [[nodiscard]] std::string mesh() const;
 
     /// Writes the fields of the basis (field_file.hpp). Collective.
     /// @param model  reduce::mark_of() the terms on this basis @throws IoError

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/reduce/offline/ranks.hpp"
+#include "deadpoint/reduce/parallel/ranks.hpp"
 
 namespace deadpoint::fem {
 

@@ -2,15 +2,19 @@
 
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/kept/build_checkpoint.hpp"
+#include "deadpoint/reduce/kept/matrix_pieces.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
 #include "deadpoint/reduce/offline/full_model.hpp"
 #include "deadpoint/reduce/offline/gram.hpp"
-#include "deadpoint/reduce/offline/ranks.hpp"
+#include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace deadpoint::reduce {
 namespace {
@@ -37,10 +41,33 @@ std::vector<std::size_t> shuffled_loads(const FullModel& full, Draws& draws)
     return loads;
 }
 
+std::string piece_of(int set) { return fmt::format("fields-{:03}", set); }
+
+bool add_kept(FullModel& full, const BuildCheckpoint& kept, int set)
+{
+    std::vector<std::vector<float>> fields;
+    if (!kept.read(piece_of(set), fields))
+        return false;
+    for (const auto& field : fields)
+        full.add_field(field);
+    return true;
+}
+
+// The fields from `first` on.
+void keep(const FullModel& full, const BuildCheckpoint& kept, int set, std::size_t first)
+{
+    if (!kept.keeps())
+        return;
+    std::vector<std::vector<float>> fields;
+    for (std::size_t k = first; k < full.field_count(); ++k)
+        fields.push_back(full.field(k));
+    kept.write(piece_of(set), fields);
+}
+
 }  // namespace
 
-void add_fields(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
-                Observer& observer)
+bool add_fields(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
+                const BuildCheckpoint& kept, Observer& observer)
 {
     Draws draws(solve_seed);
     const auto loads = shuffled_loads(full, draws);
@@ -53,20 +80,33 @@ void add_fields(FullModel& full, const HeatProblem& base, const Box& box, const 
         std::vector<std::size_t> chosen;
         for (int k = 0; k < options.loads_per_set; ++k)
             chosen.push_back(loads[next++ % loads.size()]);
-        full.add_solutions(problem, shift_of(set), chosen);
+        if (!add_kept(full, kept, set)) {
+            const auto first = full.field_count();
+            full.add_solutions(problem, shift_of(set), chosen);
+            keep(full, kept, set, first);
+        }
         observer.progress((set + 1.0) / options.sets, fmt::format("{} fields", next));
+        if (any(full.ranks(), observer.cancelled()))
+            return false;
     }
+    return true;
 }
 
 // Twice, since the first inner products do not resolve what fields add to each other.
-void orthonormalise(FullModel& full, double least)
+void orthonormalise(FullModel& full, double least, const BuildCheckpoint& kept)
 {
     const auto found = [&](double smallest) {
         const Eigen::MatrixXd gram = full.gram();
         return on_first(full.ranks(), [&] { return orthonormal_combinations(gram, smallest); });
     };
-    full.combine(found(least));
-    full.correct(found(0));
+    const auto known = read_matrices(kept, "basis");
+    const bool is_known = known.size() == 2;
+    const auto first = is_known ? known[0] : found(least);
+    full.combine(first);
+    const auto second = is_known ? known[1] : found(0);
+    full.correct(second);
+    if (!is_known)
+        write_matrices(kept, "basis", {first, second});
 }
 
 }  // namespace deadpoint::reduce

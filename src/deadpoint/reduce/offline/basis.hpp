@@ -9,16 +9,19 @@ class Observer;
 /// The first stage of a build: the basis of the large model.
 namespace deadpoint::reduce {
 
+class BuildCheckpoint;
 class FullModel;
 struct BuildOptions;
 
 /// Adds the fields (shift M + K)^-1 load to the basis: sets of coefficients drawn from the box, the first ones those of
-/// the problem itself; shifts between 1e-7 and 0.5 1/s; one load after the other from a shuffled list of all.
-void add_fields(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
-                Observer& observer);
+/// the problem itself; shifts between 1e-7 and 0.5 1/s; one load after the other from a shuffled list of all. Sets that
+/// were kept are not solved again.
+/// @return false after Observer::cancelled()
+bool add_fields(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
+                const BuildCheckpoint& kept, Observer& observer);
 
 /// Makes the basis orthonormal in M. Its first field is uniform. Fields whose new part is below `least` of them are
 /// dropped.
-void orthonormalise(FullModel& full, double least);
+void orthonormalise(FullModel& full, double least, const BuildCheckpoint& kept);
 
 }  // namespace deadpoint::reduce

@@ -4,43 +4,71 @@
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/certificate/lowest.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
+#include "deadpoint/reduce/kept/build_checkpoint.hpp"
+#include "deadpoint/reduce/kept/matrix_pieces.hpp"
 #include "deadpoint/reduce/offline/basis.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
-#include "deadpoint/reduce/offline/ranks.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
+#include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include <utility>
 
 namespace deadpoint::reduce {
 namespace {
 
-std::shared_ptr<const PreparedTerms> projected(FullModel& full, const BuildOptions& options)
+using Terms = std::shared_ptr<const PreparedTerms>;
+
+Terms large_terms(FullModel& full, const BuildOptions& options, const BuildCheckpoint& kept)
 {
-    auto terms = full.project(options.large);
-    share(full.ranks(), terms);
+    DenseTerms terms;
+    if (const auto known = read_matrices(kept, "terms"); !known.empty()) {
+        terms.geometry = full.geometry();
+        take_matrices(known, terms);
+    } else {
+        terms = full.project(options.large);
+        share(full.ranks(), terms);
+        write_matrices(kept, "terms", matrices_of(terms));
+    }
     return std::make_shared<const PreparedTerms>(std::move(terms));
+}
+
+std::optional<Training> training_of(const Terms& large, const HeatProblem& base, const Box& box,
+                                    const BuildOptions& options, const BuildCheckpoint& kept, const Ranks& ranks,
+                                    Observer& observer)
+{
+    if (const auto known = read_matrices(kept, "training"); known.size() == 2)
+        return Training{Moments(known[0]), Moments(known[1])};
+    auto training = train(large, base, box, options, ranks, observer);
+    if (training)
+        write_matrices(kept, "training", {training->states.sum(), training->duals.sum()});
+    return training;
 }
 
 }  // namespace
 
-BuiltModels build(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
-                  Observer& observer)
+std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
+                                 const BuildCheckpoint& kept, Observer& observer)
 {
     const auto& ranks = full.ranks();
     observer.stage("basis");
-    add_fields(full, base, box, options, observer);
-    orthonormalise(full, options.least);
+    if (!add_fields(full, base, box, options, kept, observer))
+        return std::nullopt;
+    orthonormalise(full, options.least, kept);
     observer.stage("projection");
-    const auto large = projected(full, options);
+    const auto large = large_terms(full, options, kept);
     observer.stage("training runs");
-    const auto training = train(large, base, box, options, ranks, observer);
+    const auto training = training_of(large, base, box, options, kept, ranks, observer);
+    if (!training)
+        return std::nullopt;
     observer.stage("small model");
     const auto combinations = on_first(ranks, [&] {
-        return most_frequent(training.states, training.duals, options.dual_share, large->terms.uniform,
+        return most_frequent(training->states, training->duals, options.dual_share, large->terms.uniform,
                              static_cast<Eigen::Index>(options.largest));
     });
-    auto small = choose_small(large, combinations, base, box, options, ranks);
-    BuiltModels models{large, std::move(small), {}};
+    auto small = choose_small(large, combinations, base, box, options, ranks, observer);
+    if (!small)
+        return std::nullopt;
+    BuiltModels models{large, *std::move(small), {}};
     if (options.certificate) {
         observer.stage("certificate");
         models.residual =

@@ -6,12 +6,15 @@
 #include "deadpoint/reduce/offline/small_model.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace deadpoint {
 class Observer;
 }
 
 namespace deadpoint::reduce {
+
+class BuildCheckpoint;
 
 /// A reduced model of two sizes. The large one says how far the small one is off.
 struct BuiltModels {
@@ -27,8 +30,11 @@ struct BuiltModels {
 /// 2. Training runs of the large model in the box. The small model has the states that occur most in them and in the
 ///    dual problem of E_SW.
 /// The basis of the full model is that of the small model afterwards.
+/// Pieces that were kept are not computed again; the result is the same bit by bit on as many ranks.
 /// @param base  with constant convection coefficients; its operation is trained, half of the runs with a pause
-BuiltModels build(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
-                  Observer& observer);
+/// @param kept  where finished pieces are kept
+/// @return nothing after Observer::cancelled()
+std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
+                                 const BuildCheckpoint& kept, Observer& observer);
 
 }  // namespace deadpoint::reduce

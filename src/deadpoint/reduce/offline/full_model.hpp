@@ -33,6 +33,12 @@ public:
     virtual void add_solutions(const HeatProblem& at, double shift, const std::vector<std::size_t>& loads) = 0;
     /// Adds a field to the basis: uniform on a part and zero elsewhere.
     virtual void add_part(std::size_t part) = 0;
+    /// Number of fields of the basis.
+    [[nodiscard]] virtual std::size_t field_count() const = 0;
+    /// A field in the precision in which it is kept, on all ranks, in an order that does not depend on their number.
+    [[nodiscard]] virtual std::vector<float> field(std::size_t field) const = 0;
+    /// Adds a field that field() gave. @throws InputError if it has another number of values
+    virtual void add_field(const std::vector<float>& field) = 0;
     /// Inner products in M of the basis, whose first field is uniform.
     [[nodiscard]] virtual Eigen::MatrixXd gram() = 0;
     /// Replaces the basis by combinations of its fields, to the precision in which the model keeps fields.
@@ -40,6 +46,7 @@ public:
     virtual void combine(const Eigen::MatrixXd& combinations) = 0;
     /// The same to double precision, for combinations that hardly change the fields.
     virtual void correct(const Eigen::MatrixXd& combinations) = 0;
+    [[nodiscard]] virtual heat::HeatGeometry geometry() const = 0;
     /// The terms on the basis, which is orthonormal in M. All functionals are there.
     [[nodiscard]] virtual DenseTerms project(const Truncation& truncation) = 0;
     /// Products in K'^-1 of the vectors in which residuals of the present basis lie.

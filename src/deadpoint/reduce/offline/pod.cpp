@@ -2,7 +2,7 @@
 
 #include "deadpoint/reduce/offline/build_options.hpp"
 #include "deadpoint/reduce/offline/low_rank.hpp"
-#include "deadpoint/reduce/offline/ranks.hpp"
+#include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include <algorithm>
 

@@ -8,6 +8,8 @@ namespace deadpoint::reduce {
 class Moments {
 public:
     explicit Moments(Eigen::Index states) : sum_(Eigen::MatrixXd::Zero(states, states)) {}
+    /// With this sum().
+    explicit Moments(Eigen::MatrixXd sum) : sum_(std::move(sum)) {}
     /// @param states  a column for each
     void add(const Eigen::MatrixXd& states);
     /// Of all ranks. Collective.

@@ -3,11 +3,11 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
-#include "deadpoint/reduce/offline/in_parallel.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
-#include "deadpoint/reduce/offline/ranks.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
+#include "deadpoint/reduce/parallel/in_parallel.hpp"
+#include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include <cstdint>
 #include <utility>
@@ -84,14 +84,17 @@ Terms small_of(const DenseTerms& large, const Eigen::MatrixXd& combinations, con
 
 }  // namespace
 
-SmallModel choose_small(const Terms& large, const Eigen::MatrixXd& combinations, const HeatProblem& base,
-                        const Box& box, const BuildOptions& options, const Ranks& ranks)
+std::optional<SmallModel> choose_small(const Terms& large, const Eigen::MatrixXd& combinations, const HeatProblem& base,
+                                       const Box& box, const BuildOptions& options, const Ranks& ranks,
+                                       Observer& observer)
 {
     auto tests = drawn_problems(base, box, test_seed, options.test_runs);
     tests.insert(tests.begin(), base);
     const Comparison comparison(large, std::move(tests), options, ranks);
     SmallModel model;
     for (const auto size : sizes_up_to(static_cast<std::size_t>(combinations.cols()))) {
+        if (any(ranks, observer.cancelled()))
+            return std::nullopt;
         const auto chosen = combinations.leftCols(static_cast<Eigen::Index>(size));
         model.terms = small_of(large->terms, chosen, options, ranks);
         const auto found = comparison.to(model.terms);

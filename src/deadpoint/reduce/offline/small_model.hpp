@@ -6,8 +6,13 @@
 #include <Eigen/Dense>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
+
+namespace deadpoint {
+class Observer;
+}
 
 /// The third stage of a build: the number of states.
 namespace deadpoint::reduce {
@@ -23,9 +28,10 @@ struct SmallModel {
 };
 
 /// The smallest of a series of sizes that is accurate enough in warm-ups that were not used for training, else the
-/// largest. Collective.
+/// largest. Collective. @return nothing after Observer::cancelled()
 /// @param combinations  of states of the large model, most important first, a column for each
-SmallModel choose_small(const std::shared_ptr<const PreparedTerms>& large, const Eigen::MatrixXd& combinations,
-                        const HeatProblem& base, const Box& box, const BuildOptions& options, const Ranks& ranks);
+std::optional<SmallModel> choose_small(const std::shared_ptr<const PreparedTerms>& large,
+                                       const Eigen::MatrixXd& combinations, const HeatProblem& base, const Box& box,
+                                       const BuildOptions& options, const Ranks& ranks, Observer& observer);
 
 }  // namespace deadpoint::reduce

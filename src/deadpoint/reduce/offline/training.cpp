@@ -3,10 +3,10 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
-#include "deadpoint/reduce/offline/in_parallel.hpp"
-#include "deadpoint/reduce/offline/ranks.hpp"
 #include "deadpoint/reduce/online/dense_system.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
+#include "deadpoint/reduce/parallel/in_parallel.hpp"
+#include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -87,19 +87,46 @@ Eigen::MatrixXd dual_states(const Terms& terms, const HeatProblem& problem, cons
     return columns;
 }
 
-Moments moments_of(Eigen::Index states, const std::vector<HeatProblem>& problems, const Ranks& ranks, int threads,
-                   Observer& observer, const std::function<Eigen::MatrixXd(const HeatProblem&)>& columns)
+/// Shows how many runs are done, and hears of a cancellation, on the thread that made it.
+class Watch {
+public:
+    Watch(Observer& observer, std::size_t all, int ranks) : observer_(observer), all_(all), ranks_(ranks) {}
+    void done_one()
+    {
+        ++done_;
+        if (std::this_thread::get_id() != caller_)
+            return;
+        const auto done = std::min(done_ * static_cast<std::size_t>(ranks_), all_);
+        observer_.progress(static_cast<double>(done) / static_cast<double>(all_),
+                           fmt::format("{} of {} runs", done, all_));
+        if (observer_.cancelled())
+            cancelled_ = true;
+    }
+    [[nodiscard]] bool is_cancelled() const { return cancelled_; }
+
+private:
+    Observer& observer_;
+    std::size_t all_;
+    int ranks_;
+    std::thread::id caller_ = std::this_thread::get_id();
+    std::atomic<std::size_t> done_{0};
+    std::atomic<bool> cancelled_{false};
+};
+
+std::optional<Moments> moments_of(Eigen::Index states, const std::vector<HeatProblem>& problems, const Ranks& ranks,
+                                  int threads, Observer& observer,
+                                  const std::function<Eigen::MatrixXd(const HeatProblem&)>& columns)
 {
     std::vector<Eigen::MatrixXd> found(problems.size());
-    std::atomic<std::size_t> done{0};
-    const auto caller = std::this_thread::get_id();
+    Watch watch(observer, problems.size(), ranks.count());
     in_parallel(ranks, threads, problems.size(), [&](std::size_t k) {
+        if (watch.is_cancelled())
+            return;
         found[k] = columns(problems[k]);
-        ++done;
-        if (std::this_thread::get_id() == caller)
-            observer.progress(static_cast<double>(done * ranks.count()) / static_cast<double>(problems.size()),
-                              fmt::format("{} of {} runs", done * ranks.count(), problems.size()));
+        watch.done_one();
     });
+    if (any(ranks, watch.is_cancelled()))
+        return std::nullopt;
     Moments moments(states);
     for (const auto& block : found)
         if (block.size() > 0)
@@ -130,8 +157,8 @@ std::vector<HeatProblem> drawn_problems(const HeatProblem& base, const Box& box,
     return problems;
 }
 
-Training train(const Terms& large, const HeatProblem& base, const Box& box, const BuildOptions& options,
-               const Ranks& ranks, Observer& observer)
+std::optional<Training> train(const Terms& large, const HeatProblem& base, const Box& box, const BuildOptions& options,
+                              const Ranks& ranks, Observer& observer)
 {
     const auto states = large->terms.uniform.size();
     const auto problems = drawn_problems(base, box, training_seed, options.training_runs);
@@ -139,7 +166,11 @@ Training train(const Terms& large, const HeatProblem& base, const Box& box, cons
         return moments_of(states, problems, ranks, options.threads, observer,
                           [&](const HeatProblem& problem) { return columns(large, problem, options); });
     };
-    return {moments(states_of_run), options.has_dual ? moments(dual_states) : Moments(states)};
+    const auto of_states = moments(states_of_run);
+    if (!of_states)
+        return std::nullopt;
+    const auto of_duals = options.has_dual ? moments(dual_states) : Moments(states);
+    return of_duals ? std::optional(Training{*of_states, *of_duals}) : std::nullopt;
 }
 
 }  // namespace deadpoint::reduce

@@ -4,6 +4,7 @@
 #include "deadpoint/reduce/offline/pod.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace deadpoint {
@@ -25,8 +26,9 @@ struct Training {
 
 /// Computes the training runs of the large model, shared out over ranks and threads. Collective.
 /// @param base  with constant convection coefficients
-Training train(const std::shared_ptr<const PreparedTerms>& large, const HeatProblem& base, const Box& box,
-               const BuildOptions& options, const Ranks& ranks, Observer& observer);
+/// @return nothing after Observer::cancelled()
+std::optional<Training> train(const std::shared_ptr<const PreparedTerms>& large, const HeatProblem& base,
+                              const Box& box, const BuildOptions& options, const Ranks& ranks, Observer& observer);
 
 /// A problem with values drawn from the box, and its operation: half of them with a pause of half an hour.
 HeatProblem drawn_problem(const HeatProblem& base, const Box& box, Draws& draws);

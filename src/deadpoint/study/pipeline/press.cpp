@@ -142,10 +142,11 @@ RunResult Press::run(const RunOptions& options, Observer& observer)
     return casefile::with_places(input_, [&] { return model(observer).run(input_, options, observer); });
 }
 
-Reduction Press::reduce(const ReduceOptions& options, Observer& observer)
+std::optional<Reduction> Press::reduce(const ReduceOptions& options, Observer& observer)
 {
     auto result = casefile::with_places(input_, [&] { return model(observer).reduce(input_, options, observer); });
-    result.small.size_scale = result.large.size_scale = size_scale_;
+    if (result)
+        result->small.size_scale = result->large.size_scale = size_scale_;
     return result;
 }
 

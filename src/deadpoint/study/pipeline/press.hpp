@@ -4,6 +4,7 @@
 #include "deadpoint/study/pipeline/heat_tables.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace deadpoint::study {
 struct HeatTables;
@@ -68,7 +69,7 @@ public:
     /// Computes the case, as run_case(). Collective.
     RunResult run(const RunOptions& options, Observer& observer);
     /// Builds a reduced model of the case, as SharedModel::reduce(). Collective.
-    Reduction reduce(const ReduceOptions& options, Observer& observer);
+    std::optional<Reduction> reduce(const ReduceOptions& options, Observer& observer);
     /// The fields of a run of the case on a reduced model, as SharedModel::lift(). Collective.
     void lift(const std::string& file, const ReducedStates& run, const FieldOptions& options, RunResult& result,
               Observer& observer);

@@ -223,7 +223,8 @@ RunResult SharedModel::run(const casefile::Case& input, const RunOptions& option
     return CaseRun(*implementation_, input, options, observer).run();
 }
 
-Reduction SharedModel::reduce(const casefile::Case& input, const ReduceOptions& options, Observer& observer)
+std::optional<Reduction> SharedModel::reduce(const casefile::Case& input, const ReduceOptions& options,
+                                             Observer& observer)
 {
     return reduce_case(*implementation_, input, options, observer);
 }

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,7 +83,7 @@ public:
     /// As run_case, for cases of one shared_part().
     RunResult run(const casefile::Case& input, const RunOptions& options, Observer& observer);
     /// Builds a reduced model of the case. Errors as run(), and as reduce_case().
-    Reduction reduce(const casefile::Case& input, const ReduceOptions& options, Observer& observer);
+    std::optional<Reduction> reduce(const casefile::Case& input, const ReduceOptions& options, Observer& observer);
     /// The fields of a run on a reduced model, as lift_fields().
     void lift(const casefile::Case& input, const std::string& file, const ReducedStates& run,
               const FieldOptions& options, RunResult& result, Observer& observer);

@@ -8,7 +8,9 @@
 #include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/reduction/heat_projector.hpp"
+#include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/kept/build_checkpoint.hpp"
 #include "deadpoint/reduce/offline/build.hpp"
 #include "deadpoint/reduce/offline/difference.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
@@ -77,25 +79,56 @@ fem::Attribution attribution_of(const ModelParts& parts)
     return parts.chain ? fem::Attribution(drift::gap, 1 + parts.chain->bearings()) : fem::Attribution(-1);
 }
 
-class Silent : public Observer {};
+/// Passes on nothing but the wish to stop.
+class Silent : public Observer {
+public:
+    explicit Silent(const Observer& to) : to_(to) {}
+    [[nodiscard]] bool cancelled() const override { return to_.cancelled(); }
+
+private:
+    const Observer& to_;
+};
+
+struct FullRunErrors {
+    reduce::RunDifference large, small;
+};
 
 /// Full runs, against both models.
 class FullRuns {
 public:
-    FullRuns(ModelParts& parts, const reduce::BuildOptions& options) : parts_(parts), options_(options) {}
+    FullRuns(ModelParts& parts, const reduce::BuildOptions& options, const reduce::BuiltModels& models,
+             const reduce::BuildCheckpoint& kept, const Observer& observer)
+        : parts_(parts), options_(options), models_(models), kept_(kept), silent_(observer)
+    {}
 
-    void compare(const HeatProblem& problem, const reduce::BuiltModels& models, reduce::RunDifference& large,
-                 reduce::RunDifference& small)
+    /// Errors in a run, which has a number. @return nothing after Observer::cancelled()
+    /// @param full  the problem as the full model takes it  @param reduced  the same split by part
+    /// @param known  the full run, if it is there
+    std::optional<FullRunErrors> compare(int number, const HeatProblem& full, const HeatProblem& reduced,
+                                         const ThermalHistory* known)
     {
-        parts_.model->assemble_heat(problem);
-        const auto full =
-            parts_.model->heat(parts_.adjoints, options_.reference, attribution_of(parts_), silent_, [](double) {}, {});
-        parts_.model->release_heat();
-        large.widen(to_full(models.large, problem, full));
-        small.widen(to_full(models.small.terms, problem, full));
+        const auto piece = fmt::format("full-run-{:03}", number);
+        FullRunErrors errors;
+        auto& [large, small] = errors;
+        if (kept_.read(piece, large.temperature, large.gap, small.temperature, small.gap))
+            return errors;
+        const auto history = known ? *known : run(full);
+        if (history.interrupted)
+            return std::nullopt;
+        errors = {to_full(models_.large, reduced, history), to_full(models_.small.terms, reduced, history)};
+        kept_.write(piece, large.temperature, large.gap, small.temperature, small.gap);
+        return errors;
     }
 
 private:
+    [[nodiscard]] ThermalHistory run(const HeatProblem& problem)
+    {
+        parts_.model->assemble_heat(problem);
+        auto history =
+            parts_.model->heat(parts_.adjoints, options_.reference, attribution_of(parts_), silent_, [](double) {}, {});
+        parts_.model->release_heat();
+        return history;
+    }
     [[nodiscard]] reduce::RunDifference to_full(const std::shared_ptr<const reduce::PreparedTerms>& terms,
                                                 const HeatProblem& problem, const ThermalHistory& full)
     {
@@ -104,6 +137,8 @@ private:
     }
     ModelParts& parts_;
     const reduce::BuildOptions& options_;
+    const reduce::BuiltModels& models_;
+    const reduce::BuildCheckpoint& kept_;
     Silent silent_;
 };
 
@@ -112,27 +147,61 @@ StatedError stated(const std::string& of, const reduce::RunDifference& differenc
     return {of, difference.temperature, difference.gap};
 }
 
-// Errors to full runs: of the case, and of drawn coefficients.
-void compare_with_full_runs(ModelParts& parts, const reduce::BuildOptions& options, const HeatProblem& as_stated,
-                            const HeatProblem& nominal, const reduce::BuiltModels& models, int count, Reduction& result,
+void add_errors(const std::string& of, const FullRunErrors& errors, Reduction& result)
+{
+    result.large.errors.push_back(stated(of, errors.large));
+    result.small.errors.push_back(stated(of, errors.small));
+}
+
+// The case as it is, by part, and by part with constant films.
+struct Problems {
+    HeatProblem whole;
+    SplitProblem split, nominal;
+};
+
+Problems problems_of(const HeatProblem& problem, const ModelParts& parts, const casefile::Case& input)
+{
+    Problems result;
+    result.whole = problem;
+    result.whole.field_times.clear();
+    result.split = split_by_part(result.whole, parts.machine);
+    result.nominal = result.split;
+    result.nominal.problem = with_nominal_films(result.nominal.problem, input.machine.initial_temperature);
+    return result;
+}
+
+// Errors to full runs: of the case, and of drawn coefficients. Returns false if they were interrupted.
+bool compare_with_full_runs(FullRuns& runs, const Problems& problems, const ReduceOptions& options, Reduction& result,
                             Observer& observer)
 {
-    FullRuns runs(parts, options);
-    reduce::Draws draws(full_seed);
     observer.stage("full runs");
-    reduce::RunDifference large, small, large_drawn, small_drawn;
-    runs.compare(as_stated, models, large, small);
-    for (int k = 1; k < count; ++k) {
-        runs.compare(reduce::drawn_problem(nominal, result.small.box, draws), models, large_drawn, small_drawn);
-        observer.progress((k + 1.0) / count, fmt::format("{} of {}", k + 1, count));
+    const auto own = runs.compare(0, problems.whole, problems.split.problem, options.run);
+    if (!own)
+        return false;
+    add_errors("as in the case, to a full run", *own, result);
+    reduce::Draws draws(full_seed);
+    FullRunErrors drawn;
+    for (int k = 1; k < options.full_runs; ++k) {
+        const auto problem = reduce::drawn_problem(problems.nominal.problem, result.small.box, draws);
+        const auto errors = runs.compare(k, problem, problem, nullptr);
+        if (!errors)
+            return false;
+        drawn.large.widen(errors->large);
+        drawn.small.widen(errors->small);
+        observer.progress((k + 1.0) / options.full_runs, fmt::format("{} of {}", k + 1, options.full_runs));
     }
-    result.large.errors.push_back(stated("as in the case, to a full run", large));
-    result.small.errors.push_back(stated("as in the case, to a full run", small));
-    if (count < 2)
-        return;
-    const auto of = fmt::format("{} full runs with drawn coefficients", count - 1);
-    result.large.errors.push_back(stated(of, large_drawn));
-    result.small.errors.push_back(stated(of, small_drawn));
+    if (options.full_runs > 1)
+        add_errors(fmt::format("{} full runs with drawn coefficients", options.full_runs - 1), drawn, result);
+    return true;
+}
+
+// To the large model.
+void state_errors(const reduce::SmallModel& small, ReducedPress& press)
+{
+    press.errors = {stated("anywhere in the box, to the large model", small.in_box),
+                    stated("as in the case, to the large model", small.at_base)};
+    for (const auto& [states, error] : small.by_size)
+        press.sizes.push_back({states, error.temperature, error.gap});
 }
 
 void give_terms(ReducedPress& press, std::shared_ptr<const reduce::PreparedTerms> terms)
@@ -181,7 +250,13 @@ ReduceOptions reduce_options(const casefile::Case& input)
     return options;
 }
 
-Reduction reduce_case(ModelParts& parts, const casefile::Case& input, const ReduceOptions& options, Observer& observer)
+std::string build_text(const casefile::Case& input)
+{
+    return fmt::format("deadpoint {} case {}", version, casefile::case_hash(input));
+}
+
+std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& input, const ReduceOptions& options,
+                                     Observer& observer)
 {
     Stopwatch watch(observer);
     RunResult unused;
@@ -191,32 +266,33 @@ Reduction reduce_case(ModelParts& parts, const casefile::Case& input, const Redu
     refuse_prescribed(problem, mistakes);
     mistakes.raise();
     parts.need_model(input, watch, observer);
+    parts.model->release_elasticity();  // all functionals are there
 
-    auto as_stated = split_by_part(problem, parts.machine);
-    as_stated.problem.field_times.clear();
-    auto nominal = as_stated;
-    nominal.problem = with_nominal_films(nominal.problem, input.machine.initial_temperature);
-    const auto full = parts.model->projector(nominal.problem, parts.adjoints, attribution_of(parts));
-    for (std::size_t p = 0; p < parts.machine.parts.size() && !starts_uniform(problem, parts.machine.parts.size()); ++p)
-        full->add_part(p);
+    const auto problems = problems_of(problem, parts, input);
+    const auto full = parts.model->projector(problems.nominal.problem, parts.adjoints, attribution_of(parts));
+    const reduce::BuildCheckpoint kept(options.checkpoint, build_text(input) + ' ' + full->mesh(), fem::rank() == 0,
+                                       [&](const std::string& text) { observer.warn(text); });
+    if (!starts_uniform(problem, parts.machine.parts.size()))
+        for (std::size_t p = 0; p < parts.machine.parts.size(); ++p)
+            full->add_part(p);
     const auto build_options = complete(options.build, parts, input);
     Reduction result;
     result.small = press_without_terms(parts, input, build_options);
-    result.small.box = free_coefficients(nominal, parts.machine, options.ranges, input.machine.initial_temperature);
+    result.small.box =
+        free_coefficients(problems.nominal, parts.machine, options.ranges, input.machine.initial_temperature);
+    auto models = reduce::build(*full, problems.nominal.problem, result.small.box, build_options, kept, observer);
+    if (!models)
+        return std::nullopt;
     result.large = result.small;
-    auto models = reduce::build(*full, nominal.problem, result.small.box, build_options, observer);
-    result.small.errors = {stated("anywhere in the box, to the large model", models.small.in_box),
-                           stated("as in the case, to the large model", models.small.at_base)};
-    for (const auto& [states, error] : models.small.by_size)
-        result.small.sizes.push_back({states, error.temperature, error.gap});
+    state_errors(models->small, result.small);
     if (!options.fields_file.empty())
-        full->write_fields(options.fields_file, reduce::mark_of(models.small.terms->terms));
-    if (options.full_runs > 0)
-        compare_with_full_runs(parts, build_options, as_stated.problem, nominal.problem, models, options.full_runs,
-                               result, observer);
-    give_terms(result.small, std::move(models.small.terms));
-    give_terms(result.large, std::move(models.large));
-    result.residual = std::move(models.residual);
+        full->write_fields(options.fields_file, reduce::mark_of(models->small.terms->terms));
+    FullRuns runs(parts, build_options, *models, kept, observer);
+    if (options.full_runs > 0 && !compare_with_full_runs(runs, problems, options, result, observer))
+        return std::nullopt;
+    give_terms(result.small, std::move(models->small.terms));
+    give_terms(result.large, std::move(models->large));
+    result.residual = std::move(models->residual);
     return result;
 }
 

@@ -3,7 +3,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/reduce/offline/in_parallel.hpp"
+#include "deadpoint/reduce/parallel/in_parallel.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
 #include "deadpoint/study/result/run_result.hpp"

@@ -1,4 +1,4 @@
-#include "deadpoint/reduce/offline/ranks.hpp"
+#include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include "deadpoint/reduce/online/dense_terms.hpp"
 

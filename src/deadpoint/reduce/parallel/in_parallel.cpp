@@ -1,6 +1,6 @@
-#include "deadpoint/reduce/offline/in_parallel.hpp"
+#include "deadpoint/reduce/parallel/in_parallel.hpp"
 
-#include "deadpoint/reduce/offline/ranks.hpp"
+#include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,0 +1,164 @@
+#include "options/build_folder.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/reduce/kept/build_checkpoint.hpp"
+#include "deadpoint/report/text/reduce_text.hpp"
+#include "deadpoint/study/reduce/certificate_file.hpp"
+#include "deadpoint/study/reduce/reduce.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <thread>
+
+using namespace deadpoint;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* first_piece = "build";
+
+/// The name of the large model's file beside that of the small one: press.rom, press.large.rom.
+fs::path large_file(const fs::path& file)
+{
+    return file.parent_path() / (file.stem().string() + ".large" + file.extension().string());
+}
+
+void require_folder(const fs::path& file)
+{
+    if (!fs::is_directory(fs::absolute(file).parent_path())) {
+        throw IoError(fmt::format("cannot write '{}': its folder does not exist", file.string()));
+    }
+}
+
+void make_folder(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directory(folder, error);
+    if (error) {
+        throw IoError(fmt::format("cannot create the folder '{}': {}\n  help: check that you may write there",
+                                  folder.string(), error.message()));
+    }
+}
+
+reduce::BuildCheckpoint pieces_before_mesh(const fs::path& folder, const casefile::Case& input, const OnRanks& ranks)
+{
+    return {folder, study::build_text(input), ranks.first, [&](const std::string& text) { ranks.console.warn(text); }};
+}
+
+bool is_hardly_begun(const fs::path& folder)
+{
+    return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
+        return entry.path().filename().string().starts_with(part_prefix(std::string(first_piece) + ".bin"));
+    });
+}
+
+// Returns whether the folder is there.
+bool find_stopped(const fs::path& folder, StoppedBuild stopped)
+{
+    std::error_code ignored;
+    if (stopped == StoppedBuild::discard) {
+        fs::remove_all(folder, ignored);
+    }
+    const bool there = fs::exists(folder, ignored);
+    if (there && stopped == StoppedBuild::refuse) {
+        throw IoError(fmt::format("'{}' is the checkpoint of a build that was stopped\n  help: continue from it with "
+                                  "--resume, or remove it to build anew",
+                                  folder.string()));
+    }
+    return there;
+}
+
+void require_build(const fs::path& folder, const reduce::BuildCheckpoint& pieces)
+{
+    if (!pieces.read(first_piece) && !is_hardly_begun(folder)) {
+        throw IoError(fmt::format("'{}' is not a checkpoint of a build\n  help: move it away, or give another name "
+                                  "with -o",
+                                  folder.string()));
+    }
+}
+
+void write(const fs::path& file, study::Reduction& reduction)
+{
+    const auto large = large_file(file);
+    reduction.small.large_file = large.filename().string();
+    study::write_reduced(large, reduction.large);
+    const auto certificate = study::certificate_file(file);
+    if (reduction.residual) {
+        study::write_certificate(certificate, reduction.large, *reduction.residual);
+    } else {
+        fs::remove(certificate);
+    }
+    study::write_reduced(file, reduction.small);
+}
+
+std::string text_of_fields(const std::string& file)
+{
+    return file.empty()
+               ? std::string()
+               : fmt::format("the fields of its states are in {} ({:.1f} MB)\n", fs::path(file).filename().string(),
+                             1e-6 * static_cast<double>(fs::file_size(file)));
+}
+
+}  // namespace
+
+BuildFolder::BuildFolder(const std::string& file, StoppedBuild stopped, const casefile::Case& input,
+                         const OnRanks& ranks)
+    : file_(file), checkpoint_(file + ".checkpoint")
+{
+    std::string there;
+    on_first_rank(ranks.first, [&] {
+        require_folder(file_);
+        lock_.emplace(file + ".lock", fmt::format("the reduced press '{}' is being built", file));
+        there = find_stopped(checkpoint_, stopped) ? "there" : "";
+    });
+    const auto pieces = pieces_before_mesh(checkpoint_, input, ranks);
+    const bool resumes = !fem::from_first_rank(there).empty();
+    if (resumes) {
+        require_build(checkpoint_, pieces);
+    }
+    on_first_rank(ranks.first, [&] {
+        make_folder(checkpoint_);
+        pieces.write(first_piece);
+        if (stopped == StoppedBuild::resume) {
+            print_out("{}\n", resumes ? fmt::format("continuing from {}", checkpoint())
+                                      : fmt::format("there is no {}: starting at the beginning", checkpoint()));
+            flush_out();
+        }
+    });
+}
+
+int BuildFolder::finish(std::optional<study::Reduction> reduction, const study::ReduceOptions& options,
+                        const std::string& command, const OnRanks& ranks) const
+{
+    ranks.console.finish();
+    if (!reduction) {
+        if (ranks.first) {
+            print_out("the build was stopped; what it has finished is in {}\n{} continues from there\n", checkpoint(),
+                      command);
+        }
+        return interrupted_exit_code;
+    }
+    on_first_rank(ranks.first, [&] {
+        write(file_, *reduction);
+        std::error_code ignored;
+        fs::remove_all(checkpoint_, ignored);
+    });
+    if (ranks.first) {
+        print_out("{}\nthe reduced model is in {}, its large model beside it in {}\n{}",
+                  report::reduce_text(*reduction), file_.string(), large_file(file_).filename().string(),
+                  text_of_fields(options.fields_file));
+    }
+    return 0;
+}
+
+study::ReduceOptions wanted_reduction(const casefile::Case& input, int full_runs)
+{
+    auto wanted = study::reduce_options(input);
+    wanted.build.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / fem::ranks());
+    wanted.full_runs = full_runs;
+    return wanted;
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "deadpoint/io/file_lock.hpp"
+#include "ranks.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::study {
+struct ReduceOptions;
+struct Reduction;
+}  // namespace deadpoint::study
+
+/// Behaviour if a build of the same file was stopped before.
+enum class StoppedBuild { refuse, resume, discard };
+
+/// The files of a reduced press that is being built: press.rom, press.large.rom, press.fields.rom, and until they are
+/// there press.rom.checkpoint, a folder with what the build has finished.
+class BuildFolder {
+public:
+    /// Takes the lock, and makes the folder. Says on the first rank where the build starts. All ranks call it.
+    /// @throws IoError if another process builds this file, if it cannot be written, if there is a stopped build that
+    ///         must be asked for; InputError if that is of another case or version
+    BuildFolder(const std::string& file, StoppedBuild stopped, const deadpoint::casefile::Case& input,
+                const OnRanks& ranks);
+    [[nodiscard]] std::string checkpoint() const { return checkpoint_.string(); }
+    /// Writes the reduced press, tells about it and removes the folder; without one, says how to go on.
+    /// @param command  that continues the build  @return exit code
+    int finish(std::optional<deadpoint::study::Reduction> reduction, const deadpoint::study::ReduceOptions& options,
+               const std::string& command, const OnRanks& ranks) const;
+
+private:
+    std::filesystem::path file_, checkpoint_;
+    std::optional<deadpoint::FileLock> lock_;
+};
+
+/// What to ask the library for: as the case says, with all processors.
+deadpoint::study::ReduceOptions wanted_reduction(const deadpoint::casefile::Case& input, int full_runs);
