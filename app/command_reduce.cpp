@@ -15,7 +15,7 @@ namespace {
 
 struct ReduceOptions : CaseOptions {
     std::string file;
-    int full_runs = 2;
+    int full_runs = usual_full_runs;
     bool fields = false;
     bool certify = false;
     bool resume = false;

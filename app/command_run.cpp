@@ -12,11 +12,13 @@
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/reduce/certificate_file.hpp"
+#include "deadpoint/study/reduce/reduce.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
 #include "deadpoint/study/reduce/run_sensitivities.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 #include "interrupt.hpp"
+#include "options/build_folder.hpp"
 #include "options/checkpoint_options.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
@@ -35,6 +37,7 @@ struct RunOptions : ResultOptions {
     std::string from;      ///< result folder whose final temperatures are the start
     std::string accuracy;  ///< numerics.accuracy, overrides the case's
     std::string reduced;   ///< file of a reduced model to compute with
+    std::string reduce;    ///< file of a reduced model to build after the run
     bool sensitivities = false;
     bool full_run = false;  ///< computes the case in full too, for the error of the reduced run
     bool certify = false;   ///< bounds the error of the reduced run
@@ -134,7 +137,9 @@ study::RefinedRun compute_once(const casefile::Case& input, const RunOptions& op
     warn_of_plan(press, console);
     ranks.agree = false;
     auto result = press.run(wanted, console);
-    press.drop_model();
+    if (options.reduce.empty()) {
+        press.drop_model();
+    }
     result.timings.insert(result.timings.begin(), {"mesh", press.mesh_seconds()});
     return {std::make_unique<study::Press>(std::move(press)), std::move(result)};
 }
@@ -262,6 +267,37 @@ int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
     return result.thermal.interrupted ? interrupted_exit_code : 0;
 }
 
+void refuse_beside_reduce(const RunOptions& options, const casefile::Case& input)
+{
+    if (!options.reduce.empty() && casefile::wanted_accuracy(input)) {
+        throw InputError(
+            "--reduce builds on the mesh of the case, and a run that refines its parts has others\n  help: "
+            "give the sizes that are known and no accuracy, or leave out --reduce");
+    }
+}
+
+std::optional<BuildFolder> start_build(const RunOptions& options, const casefile::Case& input, const OnRanks& ranks)
+{
+    refuse_beside_reduce(options, input);
+    if (options.reduce.empty()) {
+        return std::nullopt;
+    }
+    const auto stopped = options.checkpoints.resume ? StoppedBuild::resume
+                         : options.force            ? StoppedBuild::discard
+                                                    : StoppedBuild::refuse;
+    return std::make_optional<BuildFolder>(options.reduce, stopped, input, ranks);
+}
+
+/// On the mesh of the run, and with its functionals. A run from the start of the case is one of the full runs.
+int build_after(study::RefinedRun& run, const BuildFolder& build, const RunOptions& options, const OnRanks& ranks)
+{
+    auto wanted = wanted_reduction(run.press->input(), usual_full_runs);
+    wanted.checkpoint = build.checkpoint();
+    wanted.run = options.from.empty() ? &run.result.thermal : nullptr;
+    const auto again = fmt::format("'deadpoint reduce' of this case with -o {} --resume", options.reduce);
+    return build.finish(run.press->reduce(wanted, ranks.console), wanted, again, ranks);
+}
+
 int run_case(RunOptions options, const OnRanks& ranks)
 {
     if (!options.reduced.empty()) {
@@ -276,6 +312,7 @@ int run_case(RunOptions options, const OnRanks& ranks)
     }
     const auto read = read_case(options, console);
     const auto& input = read.value;
+    const auto build = start_build(options, input, ranks);
     std::optional<report::FolderClaim> claim;  // taken before files beside the folder are trusted
     on_first_rank(ranks.first, [&] { claim.emplace(claim_folder(options.folder, console)); });
     study::RunOptions wanted;
@@ -315,7 +352,10 @@ int run_case(RunOptions options, const OnRanks& ranks)
         if (has_page)
             print_out("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
     }
-    return result.thermal.interrupted ? interrupted_exit_code : 0;
+    if (result.thermal.interrupted) {
+        return interrupted_exit_code;
+    }
+    return build ? build_after(run, *build, options, ranks) : 0;
 }
 
 }  // namespace
@@ -337,6 +377,11 @@ void add_run(CLI::App& app, int& exit_code)
                         ->add_option("--reduced", options->reduced,
                                      "compute with a reduced model that 'deadpoint reduce' built, without a mesh")
                         ->type_name("FILE");
+    command
+        ->add_option("--reduce", options->reduce,
+                     "after the run, also build the reduced model that 'deadpoint reduce' builds, on its mesh")
+        ->type_name("FILE")
+        ->excludes(reduced);
     command
         ->add_flag("--sensitivities", options->sensitivities,
                    "with --reduced: also derive the gap and the probes at the end by every free coefficient")

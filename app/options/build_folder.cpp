@@ -49,21 +49,22 @@ reduce::BuildCheckpoint pieces_before_mesh(const fs::path& folder, const casefil
     return {folder, study::build_text(input), ranks.first, [&](const std::string& text) { ranks.console.warn(text); }};
 }
 
+/// Whether a folder holds nothing but what begins a build.
 bool is_hardly_begun(const fs::path& folder)
 {
     return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
-        return entry.path().filename().string().starts_with(part_prefix(std::string(first_piece) + ".bin"));
+        return entry.path().filename().string().starts_with(std::string(first_piece) + ".bin");
     });
 }
 
-// Returns whether the folder is there.
+// Returns whether there is something to go on with.
 bool find_stopped(const fs::path& folder, StoppedBuild stopped)
 {
     std::error_code ignored;
     if (stopped == StoppedBuild::discard) {
         fs::remove_all(folder, ignored);
     }
-    const bool there = fs::exists(folder, ignored);
+    const bool there = fs::exists(folder, ignored) && !(fs::is_directory(folder, ignored) && is_hardly_begun(folder));
     if (there && stopped == StoppedBuild::refuse) {
         throw IoError(fmt::format("'{}' is the checkpoint of a build that was stopped\n  help: continue from it with "
                                   "--resume, or remove it to build anew",
@@ -74,7 +75,7 @@ bool find_stopped(const fs::path& folder, StoppedBuild stopped)
 
 void require_build(const fs::path& folder, const reduce::BuildCheckpoint& pieces)
 {
-    if (!pieces.read(first_piece) && !is_hardly_begun(folder)) {
+    if (!pieces.read(first_piece)) {
         throw IoError(fmt::format("'{}' is not a checkpoint of a build\n  help: move it away, or give another name "
                                   "with -o",
                                   folder.string()));

@@ -38,5 +38,8 @@ private:
     std::optional<deadpoint::FileLock> lock_;
 };
 
+/// Full runs to compare with, if nothing else is asked for: the case itself, and one with drawn coefficients.
+inline constexpr int usual_full_runs = 2;
+
 /// What to ask the library for: as the case says, with all processors.
 deadpoint::study::ReduceOptions wanted_reduction(const deadpoint::casefile::Case& input, int full_runs);

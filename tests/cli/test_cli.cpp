@@ -759,6 +759,24 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     CHECK(has(content(folder / "map/report.html"), "80 rpm"));
 }
 
+TEST_CASE("run --reduce builds after the run what reduce builds by itself")
+{
+    const Folder folder;
+    fs::create_directory(folder / "apart");
+    const auto together = folder / "press.rom", apart = folder / "apart/press.rom", target = folder / "results";
+    const auto run = deadpoint("run " + two_blocks + " --reduce " + together + " -o " + target);
+    REQUIRE(run.code == 0);
+    CHECK(has(run.out, "results are in " + target));
+    CHECK(has(run.out, "as in the case, to a full run"));
+    REQUIRE(deadpoint("reduce " + two_blocks + " -o " + apart).code == 0);
+    CHECK(content(together) == content(apart));
+    CHECK(content(folder / "press.large.rom") == content(folder / "apart/press.large.rom"));
+    CHECK_FALSE(fs::exists(together + ".checkpoint"));
+    const auto refining = deadpoint("run " + two_blocks + " --accuracy 1K --reduce " + together + " -o " + target);
+    CHECK(refining.code == 2);
+    CHECK(has(refining.err, "--reduce builds on the mesh of the case"));
+}
+
 TEST_CASE("run leaves a page beside its results and says how to open it")
 {
     const Folder folder;
