@@ -2,11 +2,15 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/core/hash.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/io/read_file.hpp"
+#include "deadpoint/report/charts/sweep_charts.hpp"
 #include "deadpoint/report/charts/sweep_figures.hpp"
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/files/sweep_files.hpp"
+#include "deadpoint/report/folder/point_table.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/record_of_run.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
@@ -28,7 +32,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
 #include <memory>
+#include <set>
 #include <thread>
 
 using namespace deadpoint;
@@ -170,17 +177,100 @@ int finish(const SweepOptions& options, const report::SweepResult& result, bool 
     const auto page = fs::path(options.folder) / "report.html";
     report::write_sweep_report(page, options.folder);
     print_out("{}\nresults{} are in {}\nthe page is {}\n", report::sweep_text(result),
-              !console.cancelled()      ? ""
-              : options.reduced.empty() ? " so far (the same command continues)"
-                                        : " so far",
-              options.folder, page.string());
+              console.cancelled() ? " so far (the same command continues)" : "", options.folder, page.string());
     if (console.cancelled()) {
         return interrupted_exit_code;
     }
     return failed ? static_cast<int>(ErrorKind::convergence) : 0;
 }
 
-/// Every point in memory; its numbers stand in the table only.
+/// A mark of all that the points of a study on a reduced model have in common.
+std::string mark_of_study(const SweepOptions& options, const study::SweepStudy& study)
+{
+    const auto base = casefile::read_case(study.base, study.overrides, options.files).value;
+    return stable_hash(read_file(options.reduced, largest_result).value_or("") + casefile::case_hash(base));
+}
+
+/// A mark of what a point sets.
+std::string mark_of(const study::SweepPoint& point) { return stable_hash(fmt::format("{}", point.overrides)); }
+
+/// Takes over what an earlier call finished, but for points whose course over time is drawn. @return the others
+std::vector<std::size_t> take_kept(std::vector<report::PointRow> rows, const std::set<std::size_t>& drawn,
+                                   report::SweepResult& result)
+{
+    std::map<std::string, report::PointRow*> known;
+    for (auto& row : rows) {
+        known[row.mark] = &row;
+    }
+    std::vector<std::size_t> pending;
+    for (std::size_t p = 0; p < result.points.size(); ++p) {
+        const auto found = known.find(mark_of(result.points[p]));
+        if (found == known.end() || !found->second->record || drawn.contains(p)) {
+            pending.push_back(p);
+            continue;
+        }
+        result.records[p] = std::move(found->second->record);
+        result.outcomes[p] = {study::PointOutcome::State::kept, {}, found->second->outcome.seconds};
+    }
+    return pending;
+}
+
+report::PointRow row_of(const report::SweepResult& result, std::size_t point)
+{
+    auto outcome = result.outcomes[point];
+    if (outcome.state == study::PointOutcome::State::kept) {
+        outcome.state = study::PointOutcome::State::done;
+    }
+    return {result.points[point].name, mark_of(result.points[point]), std::move(outcome), result.records[point]};
+}
+
+/// Those of all points that ended so far.
+std::vector<report::PointRow> rows_of(const report::SweepResult& result)
+{
+    std::vector<report::PointRow> rows;
+    for (std::size_t p = 0; p < result.points.size(); ++p) {
+        if (result.outcomes[p].state != study::PointOutcome::State::left) {
+            rows.push_back(row_of(result, p));
+        }
+    }
+    return rows;
+}
+
+/// Runs the points that are not there yet. Their numbers stand in the tables only.
+void run_on_model(const SweepOptions& options, const study::ReducedPress& press, report::SweepResult& result,
+                  Console& console)
+{
+    const auto file = fs::path(options.folder) / "points.csv";
+    const auto mark = mark_of_study(options, result.study);
+    const auto drawn = report::points_over_time(result);
+    const auto pending = take_kept(report::read_points(file, mark), drawn, result);
+    const auto known = rows_of(result);
+    report::PointTable table(file, mark, known);
+    if (pending.size() < result.points.size()) {
+        print_out("{} of {} points are there already\n", result.points.size() - pending.size(), result.points.size());
+    }
+    flush_out();
+    study::ReducedSweep how;
+    how.threads = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    how.read = [&](const study::SweepPoint& point) {
+        return casefile::read_case(result.study.base, point.overrides, options.files).value;
+    };
+    how.record = [&](std::size_t point, const casefile::Case& input, const study::RunResult& run) {
+        const auto record = report::record_of(input, run);
+        return drawn.contains(point) ? record : report::brief(record);
+    };
+    how.take = [&](std::size_t point, study::EndedPoint ended) {
+        result.outcomes[point] = std::move(ended.outcome);
+        result.records[point] = std::move(ended.record);
+        table.add(row_of(result, point));
+    };
+    study::run_points_reduced(result.points, pending, press, how, console);
+    if (!known.empty()) {
+        table.replace(rows_of(result));
+    }
+}
+
+/// A study without meshes.
 int sweep_reduced(const SweepOptions& options, const OnRanks& ranks)
 {
     if (options.size_scale != 1 || options.fields) {
@@ -195,19 +285,12 @@ int sweep_reduced(const SweepOptions& options, const OnRanks& ranks)
     result.study = study::translate_study(casefile::read_study(options.study, options.files));
     result.points = study::sweep_points(result.study, study::base_values(result.study));
     result.records.resize(result.points.size());
+    result.outcomes.resize(result.points.size());
     result.reduced_model = fs::path(options.reduced).filename().string();
     print_out("{}", report::sweep_plan_text(result.study, result.points));
     const auto claim = claim_folder(options.folder, console);
     make_or_reuse(options.folder);
-    study::ReducedSweep how;
-    how.threads = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    how.read = [&](const study::SweepPoint& point) {
-        return casefile::read_case(result.study.base, point.overrides, options.files).value;
-    };
-    how.take = [&](std::size_t point, const casefile::Case& input, const study::RunResult& run) {
-        result.records[point] = report::record_of(input, run);
-    };
-    result.outcomes = study::run_points_reduced(result.points, press, how, console);
+    run_on_model(options, press, result, console);
     console.finish();
     const bool failed = std::ranges::any_of(result.outcomes, [](const study::PointOutcome& outcome) {
         return outcome.state == study::PointOutcome::State::failed;

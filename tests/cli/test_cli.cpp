@@ -757,6 +757,28 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     CHECK(has(table, "done,80 rpm,80,22 degC,22,"));
     CHECK(!has(table, "failed"));
     CHECK(has(content(folder / "map/report.html"), "80 rpm"));
+
+    // The same study with more points continues from whole rows; those whose course is drawn are computed again.
+    auto longer = content(folder / "map.toml");
+    longer.replace(longer.find("\"18 degC\", "), 10,
+                   "\"16 degC\", \"17 degC\", \"18 degC\", \"19 degC\", \"20 degC\", \"21 degC\", ");
+    std::ofstream(folder / "map.toml") << longer;
+    const auto all = deadpoint("sweep " + (folder / "map.toml") + " --reduced " + model + " -o " + (folder / "map"));
+    CHECK(all.code == 0);
+    const auto points = content(folder / "map/points.csv");
+    fs::resize_file(folder / "map/points.csv", points.size() - 5);  // as if it had been killed in the last row
+    const auto again = deadpoint("sweep " + (folder / "map.toml") + " --reduced " + model + " -o " + (folder / "map"));
+    CHECK(again.code == 0);
+    CHECK(has(again.out, "11 of 14 points are there already"));  // the cut one is not, nor a drawn one of each speed
+    const auto without_times = [](std::string text) {
+        std::string result;
+        std::istringstream in(text);
+        for (std::string line; std::getline(in, line);)
+            if (!line.starts_with("#"))
+                result += line.substr(0, line.find(",0.")) + '\n';
+        return result;
+    };
+    CHECK(without_times(content(folder / "map/points.csv")) == without_times(points));
 }
 
 TEST_CASE("run --reduce builds after the run what reduce builds by itself")

@@ -139,6 +139,20 @@ public:
     [[nodiscard]] std::optional<Scale> scale(const std::string& unit, const std::string& si)
     {
         const std::scoped_lock lock(mutex_);
+        if (const auto known = scales_.find({unit, si}); known != scales_.end()) {
+            return known->second;
+        }
+        if (scales_.size() >= most_scales) {
+            scales_.clear();
+        }
+        return scales_[{unit, si}] = found_scale(unit, si);
+    }
+
+private:
+    static constexpr std::size_t most_scales = 1000;  // a hostile file may name any number of units
+
+    [[nodiscard]] std::optional<Scale> found_scale(const std::string& unit, const std::string& si)
+    {
         const Unit from = parse(unit);
         ut_unit* const to = si_unit(si);
         if (!from || to == nullptr || ut_are_convertible(from.get(), to) == 0) {
@@ -159,7 +173,6 @@ public:
         return Scale{number_in(fmt::format("{:.15g}", factor)), offset};
     }
 
-private:
     UnitSystem()
     {
         ut_set_error_message_handler(ut_ignore);
@@ -190,6 +203,7 @@ private:
 
     ut_system* system_ = nullptr;
     std::map<std::string, Unit> si_units_;  ///< SI units of our dimensions, parsed
+    std::map<std::pair<std::string, std::string>, std::optional<Scale>> scales_;  ///< by unit and SI unit
     std::mutex mutex_;
 };
 

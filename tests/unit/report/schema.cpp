@@ -10,6 +10,7 @@
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/files/sweep_files.hpp"
 #include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/folder/point_table.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/folder/result_table.hpp"
 #include "deadpoint/report/schema/columns.hpp"
@@ -38,6 +39,7 @@ void write_all(const fs::path& folder)
     write_heat_files(folder, input, heat_of_all(), {});
     write_mesh_files(folder, machine, {});
     write_sweep_files(folder, sweep_of_all(), {});
+    PointTable(folder / "points.csv", "a study").add({"slow", "mark", {}, brief(record())});
     write_compare_files(folder / "compare", record(), comparison_of_all(), IfThere::replace);
     write_manifest(folder);
 }

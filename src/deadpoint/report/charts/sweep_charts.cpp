@@ -203,21 +203,42 @@ bool has_values(const Chart& chart)
     });
 }
 
-}  // namespace
-
-Chart sweep_drift_chart(const SweepResult& result, std::size_t set)
+/// The runs over time: all of a small set, else those along the first axis.
+Line lines_over_time(const SweepResult& result, std::size_t set)
 {
     const auto& described = result.study.sets[set];
     const auto all = points_of_set(result, set);
     Line line = first_axis(result, set);
-    const bool whole = all.size() <= most_curves;
-    if (whole && described.axes.size() > 1) {
-        line.points = all;
-        line.labels.clear();
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            line.labels.push_back(place_label(described, steps_at(described, i)));
+    if (all.size() > most_curves || described.axes.size() < 2) {
+        return line;
+    }
+    line.points = all;
+    line.labels.clear();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        line.labels.push_back(place_label(described, steps_at(described, i)));
+    }
+    return line;
+}
+
+}  // namespace
+
+std::set<std::size_t> points_over_time(const SweepResult& result)
+{
+    std::set<std::size_t> points;
+    for (std::size_t s = 0; s < result.study.sets.size(); ++s) {
+        const Line line = lines_over_time(result, s);
+        for (const std::size_t i : spread_choice(line.points.size(), most_curves)) {
+            points.insert(line.points[i]);
         }
     }
+    return points;
+}
+
+Chart sweep_drift_chart(const SweepResult& result, std::size_t set)
+{
+    const auto& described = result.study.sets[set];
+    const Line line = lines_over_time(result, set);
+    const bool whole = points_of_set(result, set).size() <= most_curves;
     Chart chart;
     chart.title = fmt::format("{}: {}", result.study.name, described.name);
     const std::string about = "E_SW at bottom dead point, above zero the gap opens";

@@ -2,7 +2,9 @@
 
 #include "deadpoint/study/sweep/drift_window.hpp"
 
+#include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,9 @@ namespace deadpoint::report {
 
 struct Chart;
 struct SweepResult;
+
+/// Points whose course over time is drawn by sweep_drift_chart() in any set. It needs points and study only.
+std::set<std::size_t> points_over_time(const SweepResult& result);
 
 /// E_SW over time, one curve per run; eight at most.
 Chart sweep_drift_chart(const SweepResult& result, std::size_t set);

@@ -88,6 +88,20 @@ void write_table(const std::filesystem::path& path, std::span<const std::string>
     write_csv(path, lines, columns);
 }
 
+std::string csv_rows(std::span<const CsvColumn> columns)
+{
+    std::string text;
+    const std::size_t rows = columns.empty() ? 0 : length(columns.front());
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            text += i == 0 ? "" : ",";
+            text += cell(columns[i], row);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
 void write_csv(const std::filesystem::path& path, std::span<const std::string> comments,
                std::span<const CsvColumn> columns)
 {
@@ -108,14 +122,7 @@ void write_csv(const std::filesystem::path& path, std::span<const std::string> c
         text += quoted(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
     }
     text += '\n';
-    for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            text += i == 0 ? "" : ",";
-            text += cell(columns[i], row);
-        }
-        text += '\n';
-    }
-    write_file(path, text);
+    write_file(path, text + csv_rows(columns));
 }
 
 }  // namespace deadpoint::report

@@ -34,6 +34,9 @@ CsvColumn csv_column(const schema::Column& column, std::vector<std::string> valu
 /// Brings a series of the steps to the rows of a table: factor * value + offset.
 using SeriesSampler = std::function<std::vector<double>(const Series& series, double factor, double offset)>;
 
+/// The rows of columns side by side, as write_csv() writes them.
+std::string csv_rows(std::span<const CsvColumn> columns);
+
 /// Writes columns side by side, complete or absent (io/write_file.hpp).
 ///
 /// First the comments, one line each behind "# ", then a header line "name [unit],...", then the rows. Numbers have

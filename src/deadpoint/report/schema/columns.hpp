@@ -231,4 +231,19 @@ inline constexpr std::array all{set,   point,  state, axis, axis_value,    large
                                 range, steady, rise,  heat, bearing_force, keeps,   window,       wall_time, reason};
 }  // namespace sweep
 
+/// Some are those of sweep.csv.
+namespace points {
+inline constexpr Column point{"point", "point", "", "name of the point"};
+inline constexpr Column state{"state", "state", "", "done or failed"};
+inline constexpr Column mark{"settings_hash", "settings hash", "",
+                             "of the keys that the point sets, with their values"};
+inline constexpr Column hash{"case_hash", "case hash", "", "of the point's case"};
+inline constexpr auto wall_time = sweep::wall_time, largest = sweep::largest, largest_time = sweep::largest_time,
+                      end = sweep::end, first_hour = sweep::first_hour, range = sweep::range, steady = sweep::steady,
+                      heat = sweep::heat, rise = sweep::rise, bearing_force = sweep::bearing_force,
+                      reason = sweep::reason;
+inline constexpr std::array all{point,      state, mark,   hash, wall_time, largest,       largest_time, end,
+                                first_hour, range, steady, heat, rise,      bearing_force, reason};
+}  // namespace points
+
 }  // namespace deadpoint::report::schema

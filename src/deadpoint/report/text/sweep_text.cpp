@@ -13,6 +13,7 @@ namespace deadpoint::report {
 namespace {
 
 constexpr std::size_t shown_steps = 6;
+constexpr std::size_t most_rows = 200;  // of a set on the terminal
 
 std::string counted(std::size_t count, const char* one, const char* many)
 {
@@ -72,6 +73,11 @@ std::vector<std::string> row(const SweepResult& result, std::size_t p, const std
     return cells;
 }
 
+std::string window_line(const study::SweepSet& set, const std::optional<study::DriftWindow>& window)
+{
+    return window ? fmt::format("  window: {}\n", window_text(set, window)) : "";
+}
+
 std::string set_text(const SweepResult& result, std::size_t s, const std::vector<std::optional<SweepFigures>>& figures,
                      const std::optional<study::DriftWindow>& window)
 {
@@ -95,6 +101,9 @@ std::string set_text(const SweepResult& result, std::size_t s, const std::vector
         table.align_left(a);
     }
     const auto points = points_of_set(result, s);
+    if (points.size() > most_rows) {
+        return fmt::format("\n{}\n  {} points, in sweep.csv\n{}", set.name, points.size(), window_line(set, window));
+    }
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t p = points[i];
         const auto steps = steps_at(set, i);
@@ -112,11 +121,7 @@ std::string set_text(const SweepResult& result, std::size_t s, const std::vector
         cells.insert(cells.end(), values.begin(), values.end());
         table.add_row(std::move(cells));
     }
-    std::string text = fmt::format("\n{}\n{}", set.name, table.text());
-    if (window) {
-        text += fmt::format("  window: {}\n", window_text(set, window));
-    }
-    return text;
+    return fmt::format("\n{}\n{}", set.name, table.text()) + window_line(set, window);
 }
 
 std::string failures_text(const SweepResult& result)

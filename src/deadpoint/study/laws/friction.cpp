@@ -9,6 +9,7 @@
 #include "deadpoint/study/laws/friction_physics.hpp"
 #include "deadpoint/study/laws/viscosity.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/pipeline/loads_cache.hpp"
 #include "deadpoint/study/result/friction_summary.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/loads.hpp"
@@ -139,8 +140,9 @@ std::vector<std::string> power_warnings(const FrictionSummary& summary)
 
 }  // namespace
 
-FrictionLaws::FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known)
-    : input_(input), machine_(machine), known_(known)
+FrictionLaws::FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known,
+                           LoadsCache* shared)
+    : input_(input), machine_(machine), known_(known), shared_(shared)
 {
     if (known_)
         for (const auto& warning : known_->warnings)
@@ -168,7 +170,8 @@ const LoadsResult& FrictionLaws::compute(const LoadsKey& key, const casefile::Ca
                 "its heat follows the loads of the linkage, which the case does not describe\n  help: name "
                 "the driver's joint with `driver = true` and the body that carries the tool with "
                 "`mechanism.slide_body`");
-        slot = std::make_unique<LoadsResult>(compute_loads(input, machine_, 0, Vibration::left_out));
+        slot = shared_ ? shared_->get(input, machine_, 0, Vibration::left_out)
+                       : std::make_shared<const LoadsResult>(compute_loads(input, machine_, 0, Vibration::left_out));
         keep_warnings(*slot, key.at_reference);
     }
     return *slot;

@@ -28,6 +28,7 @@ struct Segment;
 /// Friction heat of a case: its friction laws with the duties of the joints over the turn.
 namespace deadpoint::study {
 
+class LoadsCache;
 struct FrictionHeat;
 struct FrictionSummary;
 struct RubbingJoint;
@@ -54,8 +55,10 @@ class FrictionLaws {
 public:
     /// @param machine  for masses that the case does not state; may be null where loads_need_machine() is false
     /// @param known    loads already computed, used at their speed and force; may be null
-    /// All three must outlive this.
-    FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known);
+    /// @param shared   loads that are computed here and shared with other cases of this machine; may be null
+    /// All of them must outlive this.
+    FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known,
+                 LoadsCache* shared = nullptr);
 
     /// @throws InputError naming the friction law, if it needs loads and the case has no linkage,
     ///         or a size is missing or outside the law; as compute_loads
@@ -87,7 +90,8 @@ private:
     const casefile::Case& input_;
     const Machine* machine_;
     const LoadsResult* known_;
-    std::map<LoadsKey, std::unique_ptr<LoadsResult>> computed_;
+    LoadsCache* shared_;
+    std::map<LoadsKey, std::shared_ptr<const LoadsResult>> computed_;
     std::set<std::string> heard_;  ///< Warning::about of the loads' warnings so far
     std::vector<std::string> warnings_;
 };

@@ -4,15 +4,14 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/parallel/in_parallel.hpp"
+#include "deadpoint/study/pipeline/loads_cache.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
 #include "deadpoint/study/result/run_result.hpp"
-#include "deadpoint/study/sweep/sweep_plan.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -21,7 +20,7 @@
 namespace deadpoint::study {
 namespace {
 
-constexpr std::size_t points_at_a_time = 64;
+constexpr std::size_t points_per_thread = 8;  // at a time: a study that is killed loses no more
 
 /// Keeps the warnings of a point.
 class PointObserver : public Observer {
@@ -37,67 +36,80 @@ private:
 
 /// A point on its way.
 struct Work {
-    std::optional<casefile::Case> input;
-    std::optional<RunResult> result;
-    PointOutcome outcome;
+    EndedPoint ended;
     std::vector<std::string> warnings;
 };
 
-void fail(Work& work, const Error& error) { work.outcome = {PointOutcome::State::failed, error.what(), 0}; }
+/// Runs points of a study, and tells of them.
+class Points {
+public:
+    Points(const std::vector<SweepPoint>& points, const ReducedPress& press, const ReducedSweep& sweep,
+           Observer& observer)
+        : points_(points), press_(press), sweep_(sweep), observer_(observer)
+    {}
 
-void run(Work& work, const ReducedPress& press, const Observer& study)
-{
-    const auto start = std::chrono::steady_clock::now();
-    PointObserver observer(study);
-    try {
-        work.result = run_reduced(*work.input, press, {}, ReducedDetail::figures, observer);
-        if (work.result->thermal.interrupted) {
-            work.result.reset();
-            return;
+    [[nodiscard]] Work run(std::size_t point)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        Work work;
+        PointObserver observer(observer_);
+        try {
+            const auto input = sweep_.read(points_[point]);
+            const auto result = run_reduced(input, press_, {}, ReducedDetail::figures, observer, nullptr, &loads_);
+            if (result.thermal.interrupted)
+                return work;
+            work.ended.record = sweep_.record(point, input, result);
+            work.ended.outcome.state = PointOutcome::State::done;
+        } catch (const Error& error) {
+            work.ended.outcome = {PointOutcome::State::failed, error.what(), 0};
         }
-        const auto taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        work.outcome = {PointOutcome::State::done, {}, taken};
-    } catch (const Error& error) {
-        fail(work, error);
+        work.ended.outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        work.warnings = std::move(observer.warnings);
+        return work;
     }
-    work.warnings = std::move(observer.warnings);
-}
+
+    void tell(std::size_t point, Work work)
+    {
+        const auto& outcome = work.ended.outcome;
+        const auto& name = points_[point].name;
+        if (outcome.state == PointOutcome::State::failed)
+            observer_.warn(fmt::format("point {} failed: {}", name, outcome.reason));
+        for (const auto& warning : work.warnings)
+            if (told_.insert(warning).second)
+                observer_.warn(fmt::format("point {}: {}", name, warning));
+        if (outcome.state != PointOutcome::State::left)
+            sweep_.take(point, std::move(work.ended));
+    }
+
+private:
+    const std::vector<SweepPoint>& points_;
+    const ReducedPress& press_;
+    const ReducedSweep& sweep_;
+    Observer& observer_;
+    LoadsCache loads_;
+    std::set<std::string> told_;  // most points warn of the same
+};
 
 }  // namespace
 
-std::vector<PointOutcome> run_points_reduced(const std::vector<SweepPoint>& points, const ReducedPress& press,
-                                             const ReducedSweep& sweep, Observer& observer)
+void run_points_reduced(const std::vector<SweepPoint>& points, const std::vector<std::size_t>& pending,
+                        const ReducedPress& press, const ReducedSweep& sweep, Observer& observer)
 {
-    std::vector<PointOutcome> outcomes(points.size());
-    std::set<std::string> told;  // most points warn of the same
+    const auto at_a_time = points_per_thread * static_cast<std::size_t>(std::max(sweep.threads, 1));
+    Points runs(points, press, sweep, observer);
     observer.stage("points");
-    for (std::size_t first = 0; first < points.size() && !observer.cancelled(); first += points_at_a_time) {
-        std::vector<Work> works(std::min(points_at_a_time, points.size() - first));
-        for (std::size_t k = 0; k < works.size(); ++k)
-            try {
-                works[k].input = sweep.read(points[first + k]);
-            } catch (const Error& error) {
-                fail(works[k], error);
-            }
+    for (std::size_t first = 0; first < pending.size() && !observer.cancelled(); first += at_a_time) {
+        std::vector<Work> works(std::min(at_a_time, pending.size() - first));
         reduce::in_parallel(sweep.threads, works.size(), [&](std::size_t k) {
-            if (works[k].input && !observer.cancelled())
-                run(works[k], press, observer);
+            if (!observer.cancelled())
+                works[k] = runs.run(pending[first + k]);
         });
-        for (std::size_t k = 0; k < works.size(); ++k) {
-            outcomes[first + k] = works[k].outcome;
-            if (works[k].outcome.state == PointOutcome::State::failed)
-                observer.warn(fmt::format("point {} failed: {}", points[first + k].name, works[k].outcome.reason));
-            for (const auto& warning : works[k].warnings)
-                if (told.insert(warning).second)
-                    observer.warn(fmt::format("point {}: {}", points[first + k].name, warning));
-            if (works[k].result)
-                sweep.take(first + k, *works[k].input, *works[k].result);
-        }
+        for (std::size_t k = 0; k < works.size(); ++k)
+            runs.tell(pending[first + k], std::move(works[k]));
         const auto done = first + works.size();
-        observer.progress(static_cast<double>(done) / static_cast<double>(points.size()),
-                          fmt::format("{} of {} points", done, points.size()));
+        observer.progress(static_cast<double>(done) / static_cast<double>(pending.size()),
+                          fmt::format("{} of {} points", done, pending.size()));
     }
-    return outcomes;
 }
 
 }  // namespace deadpoint::study

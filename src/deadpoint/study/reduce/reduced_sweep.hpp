@@ -1,7 +1,11 @@
 #pragma once
 
+#include "deadpoint/study/pipeline/run_record.hpp"
+#include "deadpoint/study/sweep/sweep_plan.hpp"
+
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace deadpoint {
@@ -14,24 +18,30 @@ struct Case;
 /// Studies on a reduced model.
 namespace deadpoint::study {
 
-struct PointOutcome;
 struct ReducedPress;
 struct RunResult;
-struct SweepPoint;
+
+/// A point of a study that ended, with what is kept of its run.
+struct EndedPoint {
+    PointOutcome outcome;
+    std::optional<RunRecord> record;  ///< of a point that is done
+};
 
 /// What a study on a reduced model needs from outside.
 struct ReducedSweep {
-    std::function<casefile::Case(const SweepPoint&)> read;  ///< the case of a point; called by one thread
-    /// Called with each result, by one thread at a time, in the order of the points.
-    std::function<void(std::size_t point, const casefile::Case&, const RunResult&)> take;
+    std::function<casefile::Case(const SweepPoint&)> read;  ///< the case of a point; by any thread
+    /// What is kept of a run; by any thread. The run is dropped.
+    std::function<RunRecord(std::size_t point, const casefile::Case&, const RunResult&)> record;
+    /// Given each point that ended, in their order, by one thread at a time.
+    std::function<void(std::size_t point, EndedPoint)> take;
     int threads = 1;
 };
 
-/// Runs points on a reduced model, some at a time, and keeps none of them. A point that fails is recorded with its
-/// reason, and the others go on. A warning is passed on with the first point that gives it. After Observer::cancelled()
-/// the others are left.
-/// @return as the points
-std::vector<PointOutcome> run_points_reduced(const std::vector<SweepPoint>& points, const ReducedPress& press,
-                                             const ReducedSweep& sweep, Observer& observer);
+/// Runs points on a reduced model, some at a time, and keeps none of them. Points that agree in what loads depend on
+/// share them. A point that fails is recorded with its reason, and the others go on. A warning is passed on with the
+/// first point that gives it. After Observer::cancelled() the others are left, and not taken.
+/// @param pending  indices of the points to run, ascending
+void run_points_reduced(const std::vector<SweepPoint>& points, const std::vector<std::size_t>& pending,
+                        const ReducedPress& press, const ReducedSweep& sweep, Observer& observer);
 
 }  // namespace deadpoint::study

@@ -83,11 +83,12 @@ StatedError stated(const std::string& of, const ThermalHistory& run, const Therm
 /// One run on a reduced model.
 class ReducedCaseRun {
 public:
-    ReducedCaseRun(const casefile::Case& input, const ReducedPress& press, ReducedDetail detail, Observer& observer)
+    ReducedCaseRun(const casefile::Case& input, const ReducedPress& press, ReducedDetail detail, Observer& observer,
+                   LoadsCache* loads)
         : input_(input), press_(press), detail_(detail), observer_(observer), watch_(observer),
           problem_(run_laws(input, press.machine,
                             detail == ReducedDetail::all ? Vibration::computed : Vibration::left_out, watch_, result_,
-                            observer)),
+                            observer, loads)),
           split_(split_by_part(problem_, press.machine))
     {
         split_.problem.field_times.clear();
@@ -254,12 +255,12 @@ std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress
 }
 
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,
-                      ReducedDetail detail, Observer& observer, ReducedStates* states)
+                      ReducedDetail detail, Observer& observer, ReducedStates* states, LoadsCache* loads)
 {
     require_fit(input, press);
     if (large.press)
         require_same(press, *large.press);
-    return ReducedCaseRun(input, press, detail, observer).run(large, states);
+    return ReducedCaseRun(input, press, detail, observer, loads).run(large, states);
 }
 
 StatedError difference_to_full(const RunResult& reduced, const ReducedPress& press, const RunResult& full)

@@ -16,6 +16,7 @@ struct ResidualTerms;
 /// Runs of a case on its reduced model.
 namespace deadpoint::study {
 
+class LoadsCache;
 struct ReducedPress;
 struct ReducedStates;
 struct RunResult;
@@ -34,9 +35,11 @@ struct LargeModel {
 
 /// @param states  given those at the times of the fields, for lift_fields(), which then also warns of the frame; null:
 ///                no fields follow
+/// @param loads   those that runs on this press share; null: computed for this run
 /// @throws CaseError as a full run; InputError if the model was built for another press
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,
-                      ReducedDetail detail, Observer& observer, ReducedStates* states = nullptr);
+                      ReducedDetail detail, Observer& observer, ReducedStates* states = nullptr,
+                      LoadsCache* loads = nullptr);
 
 /// Difference of a finished reduced run to a full run of the same case, after the first minute.
 StatedError difference_to_full(const RunResult& reduced, const ReducedPress& press, const RunResult& full);

@@ -1,0 +1,236 @@
+#include "deadpoint/report/folder/point_table.hpp"
+
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/core/version.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/io/csv_table.hpp"
+#include "deadpoint/io/read_file.hpp"
+#include "deadpoint/report/charts/sweep_figures.hpp"
+#include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/schema/column.hpp"
+#include "deadpoint/report/schema/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+namespace deadpoint::report {
+namespace {
+
+namespace table = schema::points;
+using State = study::PointOutcome::State;
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* help = "name a new folder, or remove this file to compute all points again";
+constexpr std::string_view study_line = "# study ";
+
+std::string bearing_path(const std::string& bearing)
+{
+    const auto space = bearing.find(' ');
+    return fmt::format("crankshaft.{}.seats.{}.peak_N", bearing.substr(0, space), bearing.substr(space + 1));
+}
+
+/// The columns of rows, of which one at least is done.
+std::vector<CsvColumn> columns_of(const std::vector<PointRow>& rows, const std::vector<std::string>& probes,
+                                  const std::vector<std::string>& bearings)
+{
+    std::vector<CsvColumn> columns;
+    std::vector<std::optional<SweepFigures>> figures;
+    for (const auto& row : rows)
+        figures.push_back(row.record ? std::optional(sweep_figures(*row.record)) : std::nullopt);
+    const auto texts = [&](const schema::Column& column, auto&& of) {
+        std::vector<std::string> values;
+        for (const auto& row : rows)
+            values.push_back(of(row));
+        columns.push_back(csv_column(column, std::move(values)));
+    };
+    const auto numbers = [&](const schema::Column& column, auto&& of, const std::string& name = {}) {
+        std::vector<double> values;
+        for (const auto& found : figures)
+            values.push_back(found ? of(*found) : missing);
+        columns.push_back(csv_column(column, std::move(values), name));
+    };
+    const auto drift = [&](const schema::Column& column, auto&& of) {
+        numbers(column, [&](const SweepFigures& f) { return f.drift ? of(*f.drift) : missing; });
+    };
+    texts(table::point, [](const PointRow& row) { return row.point; });
+    texts(table::state, [](const PointRow& row) { return std::string(state_name(row.outcome.state)); });
+    texts(table::mark, [](const PointRow& row) { return row.mark; });
+    texts(table::hash, [](const PointRow& row) { return row.record ? row.record->hash : std::string(); });
+    texts(table::wall_time, [](const PointRow& row) { return fmt::format("{:.4g}", row.outcome.seconds); });
+    drift(table::largest, [](const SweepDrift& d) { return micrometre * d.largest; });
+    drift(table::largest_time, [](const SweepDrift& d) { return d.largest_time; });
+    drift(table::end, [](const SweepDrift& d) { return micrometre * d.final; });
+    drift(table::first_hour,
+          [](const SweepDrift& d) { return d.gap ? micrometre * d.gap->first_hour_change : missing; });
+    drift(table::range, [](const SweepDrift& d) { return d.gap ? micrometre * d.gap->range : missing; });
+    drift(table::steady, [](const SweepDrift& d) { return d.gap ? d.gap->steady_from.value_or(missing) : missing; });
+    numbers(table::heat, [](const SweepFigures& f) { return f.joint_heat.value_or(missing); });
+    for (const auto& probe : probes)
+        numbers(
+            table::rise, [&](const SweepFigures& f) { return f.rises.contains(probe) ? f.rises.at(probe) : missing; },
+            probe);
+    for (const auto& bearing : bearings)
+        numbers(
+            table::bearing_force,
+            [&](const SweepFigures& f) {
+                return f.bearing_forces.contains(bearing) ? f.bearing_forces.at(bearing) : missing;
+            },
+            bearing);
+    texts(table::reason, [](const PointRow& row) { return row.outcome.reason; });
+    return columns;
+}
+
+/// Reads the rows back by the headings of their columns.
+class RowReader {
+public:
+    explicit RowReader(const CsvTable& table) : table_(table) {}
+
+    [[nodiscard]] PointRow row(std::size_t index) const
+    {
+        const auto& cells = table_.rows[index];
+        PointRow row;
+        row.point = text(cells, table::point);
+        row.mark = text(cells, table::mark);
+        row.outcome.seconds = number(cells, table::wall_time);
+        row.outcome.reason = text(cells, table::reason);
+        const auto state = text(cells, table::state);
+        row.outcome.state = state == "done" ? State::done : state == "failed" ? State::failed : State::left;
+        if (row.outcome.state == State::done)
+            row.record = record(cells);
+        return row;
+    }
+
+private:
+    using Cells = std::vector<std::string>;
+    static double value(const std::string& cell) { return cell.empty() ? missing : std::strtod(cell.c_str(), nullptr); }
+    [[nodiscard]] std::string text(const Cells& cells, const schema::Column& column) const
+    {
+        return cells[table_.column(column.heading)];
+    }
+    [[nodiscard]] double number(const Cells& cells, const schema::Column& column) const
+    {
+        return value(text(cells, column));
+    }
+    [[nodiscard]] study::RunRecord record(const Cells& cells) const
+    {
+        study::RunRecord record;
+        record.hash = text(cells, table::hash);
+        record.time = {0, 0};
+        if (const double largest = number(cells, table::largest); std::isfinite(largest)) {
+            record.time[0] = number(cells, table::largest_time);
+            record.chain["E_SW"] = {largest / micrometre, number(cells, table::end) / micrometre};
+        }
+        if (const double range = number(cells, table::range); std::isfinite(range)) {
+            const double steady = number(cells, table::steady);
+            record.gap = study::GapFigures{number(cells, table::first_hour) / micrometre, range / micrometre,
+                                           std::isfinite(steady) ? std::optional(steady) : std::nullopt};
+        }
+        if (const double heat = number(cells, table::heat); std::isfinite(heat))
+            record.joint_heat["all"] = {heat, heat};
+        add_named(cells, record);
+        return record;
+    }
+    void add_named(const Cells& cells, study::RunRecord& record) const
+    {
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const double number = value(cells[c]);
+            const auto& heading = table_.columns[c].name;
+            if (const auto bearing = schema::name_in(table::bearing_force.heading, heading); !bearing.empty()) {
+                if (std::isfinite(number))
+                    record.loads[bearing_path(bearing)] = number;
+            } else if (const auto probe = schema::name_in(table::rise.heading, heading); !probe.empty()) {
+                record.probes.push_back(probe);
+                if (std::isfinite(number))
+                    record.rises[probe] = {number, number};
+            }
+        }
+    }
+
+    const CsvTable& table_;
+};
+
+}  // namespace
+
+study::RunRecord brief(const study::RunRecord& record)
+{
+    const auto gap = record.chain.find("E_SW");
+    const bool drifts = gap != record.chain.end() && !gap->second.empty();
+    const std::size_t last = record.time.size() - 1, row = drifts ? study::largest_gap_row(record) : last;
+    auto result = record;
+    result.time = {record.time[row], record.time[last]};
+    result.chain.clear();
+    result.joint_heat.clear();
+    result.loads.clear();
+    if (drifts)
+        result.chain["E_SW"] = {gap->second[row], gap->second[last]};
+    for (auto& [probe, rises] : result.rises)
+        rises = {rises[row], rises[last]};
+    const auto figures = sweep_figures(record);
+    if (figures.joint_heat)
+        result.joint_heat["all"] = {*figures.joint_heat, *figures.joint_heat};
+    for (const auto& [bearing, force] : figures.bearing_forces)
+        result.loads[bearing_path(bearing)] = force;
+    return result;
+}
+
+PointTable::PointTable(std::filesystem::path file, const std::string& study, const std::vector<PointRow>& known)
+    : file_(std::move(file)), study_(study)
+{
+    std::error_code ignored;
+    if (known.empty())
+        std::filesystem::remove(file_, ignored);
+    else
+        replace(known);
+}
+
+void PointTable::replace(const std::vector<PointRow>& rows)
+{
+    const auto done = std::ranges::find_if(rows, [](const PointRow& row) { return row.record.has_value(); });
+    if (done != rows.end() && probes_.empty() && bearings_.empty()) {
+        probes_ = done->record->probes;
+        for (const auto& [bearing, force] : sweep_figures(*done->record).bearing_forces)
+            bearings_.push_back(bearing);
+    }
+    const std::vector<std::string> comments{fmt::format("deadpoint {}", version), fmt::format("study {}", study_)};
+    out_.close();
+    write_table(file_, comments, columns_of(rows, probes_, bearings_));
+    out_.open(file_, std::ios::app | std::ios::binary);
+}
+
+void PointTable::add(const PointRow& row)
+{
+    waiting_.push_back(row);
+    if (out_.is_open())
+        out_ << csv_rows(columns_of(waiting_, probes_, bearings_)) << std::flush;
+    else if (row.record)
+        replace(waiting_);
+    else
+        return;
+    waiting_.clear();
+    if (!out_)
+        throw IoError(fmt::format("'{}' cannot be written\n  help: make room on the disk; the same command continues",
+                                  file_.string()));
+}
+
+std::vector<PointRow> read_points(const std::filesystem::path& file, const std::string& study)
+{
+    auto text = read_file(file, largest_result).value_or("");
+    text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);  // a part of a row may follow
+    if (text.empty())
+        return {};
+    if (text.find(fmt::format("{}{}\n", study_line, study)) == std::string::npos)
+        throw InputError(
+            fmt::format("'{}' has points of another reduced model or base case\n  help: {}", file.string(), help));
+    const auto table = parse_csv(text, file.string());
+    const RowReader reader(table);
+    std::vector<PointRow> rows;
+    for (std::size_t k = 0; k < table.rows.size(); ++k)
+        rows.push_back(reader.row(k));
+    return rows;
+}
+
+}  // namespace deadpoint::report

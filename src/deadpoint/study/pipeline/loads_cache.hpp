@@ -1,0 +1,39 @@
+#pragma once
+
+#include "deadpoint/study/pipeline/loads.hpp"
+
+#include <cstddef>
+#include <future>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+/// Loads that the runs of many similar cases share.
+namespace deadpoint::study {
+
+/// What loads of a machine depend on, as text: everything of a case but what compute_loads() does not read, and but its
+/// parts, which the machine is made of.
+std::string loads_part(const casefile::Case& input, int segment);
+
+/// compute_loads() for cases of one machine, which it computes again only where loads_part() differs. Keeps the loads
+/// that were asked for last. Any number of threads may use it; one computes, others that ask for the same wait.
+class LoadsCache {
+public:
+    /// @param most  number of loads that are kept; those of the shipped press take 2 MB each
+    explicit LoadsCache(std::size_t most = 8) : most_(most) {}
+    /// As compute_loads(), and its errors.
+    std::shared_ptr<const LoadsResult> get(const casefile::Case& input, const Machine* machine, int segment,
+                                           Vibration vibration);
+
+private:
+    using Loads = std::shared_future<std::shared_ptr<const LoadsResult>>;
+    using Key = std::pair<std::string, Vibration>;
+
+    std::size_t most_;
+    std::mutex mutex_;
+    std::list<std::pair<Key, Loads>> kept_;  ///< the last one first
+};
+
+}  // namespace deadpoint::study

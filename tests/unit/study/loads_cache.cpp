@@ -1,0 +1,112 @@
+/// Requirement: cases that agree in what loads depend on share them, and no others.
+#include "deadpoint/study/pipeline/loads_cache.hpp"
+
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+
+#include <doctest/doctest.h>
+#include <string>
+#include <vector>
+
+using namespace deadpoint;
+using namespace deadpoint::study;
+
+namespace {
+
+casefile::Case press(const std::vector<std::string>& overrides = {})
+{
+    return casefile::read_case(DEADPOINT_SOURCE_DIR "/cases/starter-by-laws/case.toml", overrides).value;
+}
+
+const Machine& machine()
+{
+    static const Machine built = [] {
+        Observer quiet;
+        return prepare_machine(press(), 3, quiet);
+    }();
+    return built;
+}
+
+LoadsResult loads_of(const casefile::Case& input) { return compute_loads(input, &machine(), 0, Vibration::left_out); }
+
+// All numbers of a turn that a law or a table reads.
+std::vector<double> numbers_of(const LoadsResult& loads)
+{
+    std::vector<double> numbers{loads.drive.mean_power, loads.stroke.stroke, loads.throw_at_bottom};
+    for (const auto& joint : loads.history.joints)
+        for (std::size_t k = 0; k < joint.force.size(); ++k)
+            numbers.insert(numbers.end(), {joint.force[k][0], joint.force[k][1], joint.moment[k], joint.sliding[k]});
+    for (const auto& guide : loads.guides)
+        numbers.push_back(guide.mean_normal);
+    return numbers;
+}
+
+const std::vector<std::string> unread{
+    "machine.ambient=35 degC",     "machine.initial_temperature=25 degC", "machine.name=other",
+    "operation.0.duration=10 min", "numerics.time_tolerance=0.001 K",     "output.history_interval=10 s"};
+const std::vector<std::string> read_by_loads{"operation.0.speed=71 rpm", "operation.0.force=123 kN",
+                                             "mechanism.positions=360", "machine.gravity_direction=[0, 1, 0]"};
+
+}  // namespace
+
+TEST_CASE("what loads do not read changes neither them nor their key")
+{
+    const auto key = loads_part(press(), 0);
+    const auto numbers = numbers_of(loads_of(press()));
+    for (const auto& change : unread) {
+        CAPTURE(change);
+        CHECK(loads_part(press({change}), 0) == key);
+        CHECK(numbers_of(loads_of(press({change}))) == numbers);
+    }
+}
+
+TEST_CASE("what loads read changes their key")
+{
+    const auto key = loads_part(press(), 0);
+    const auto numbers = numbers_of(loads_of(press()));
+    for (const auto& change : read_by_loads) {
+        CAPTURE(change);
+        CHECK(loads_part(press({change}), 0) != key);
+        CHECK(numbers_of(loads_of(press({change}))) != numbers);
+    }
+    auto preloaded = press();
+    for (auto& [name, joint] : preloaded.joints)
+        joint.preload += 100;
+    CHECK(loads_part(preloaded, 0) != key);
+    auto heavy = press();
+    for (auto& [name, body] : heavy.bodies)
+        body.mass = 1234;
+    CHECK(loads_part(heavy, 0) != key);
+    CHECK(loads_part(press(), 1) != key);
+}
+
+TEST_CASE("loads are computed once for equal cases, and those of the last ones are kept")
+{
+    LoadsCache cache(2);
+    const auto get = [&](const std::string& change) {
+        return cache.get(press({change}), &machine(), 0, Vibration::left_out);
+    };
+    const auto first = get("machine.ambient=20 degC");
+    CHECK(get("machine.ambient=30 degC") == first);
+    CHECK(cache.get(press(), &machine(), 0, Vibration::computed) != first);
+    CHECK(numbers_of(*first) == numbers_of(loads_of(press())));
+    const auto fast = get("operation.0.speed=71 rpm");
+    CHECK(fast->speed != first->speed);
+    CHECK(get("operation.0.speed=71 rpm") == fast);
+    CHECK(get("operation.0.speed=72 rpm") != fast);
+    CHECK(get("operation.0.speed=71 rpm") == fast);
+    CHECK(get("machine.ambient=20 degC") != first);  // two others were asked for since
+}
+
+TEST_CASE("an error of the loads is that of each case that has it")
+{
+    LoadsCache cache;
+    auto standing = press();
+    standing.operation[0].speed = 0;
+    for (int k = 0; k < 2; ++k)
+        CHECK_THROWS_AS(std::ignore = cache.get(standing, &machine(), 0, Vibration::left_out), Error);
+}
