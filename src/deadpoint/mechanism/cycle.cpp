@@ -4,6 +4,7 @@
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
 #include "deadpoint/mechanism/slide_motion.hpp"
+#include "deadpoint/mechanism/turn.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,12 +50,17 @@ void check_masses(const Linkage& linkage, const std::vector<BodyMass>& masses)
     mistakes.raise();
 }
 
+void check_positions(int positions)
+{
+    if (positions < 4)
+        throw InputError(
+            fmt::format("a cycle of {} positions\n  help: ask for four positions or more (default 720)", positions));
+}
+
 void check_request(const Linkage& linkage, const CycleRequest& request)
 {
     check_masses(linkage, request.masses);
-    if (request.positions < 4)
-        throw InputError(fmt::format("a cycle of {} positions\n  help: ask for four positions or more (default 720)",
-                                     request.positions));
+    check_positions(request.positions);
     if (!request.speed)
         throw InputError("the driver has no speed\n  help: give a steady speed or a table");
     if (!std::isfinite(request.process_force_offset) || !is_finite(request.gravity))
@@ -91,7 +97,7 @@ public:
         : linkage_(linkage), request_(request), system_(linkage), slide_(system_)
     {}
 
-    CycleHistory run();
+    CycleHistory run(const Turn& along);
 
 private:
     [[nodiscard]] double speed_at(double past) const;
@@ -241,20 +247,15 @@ void Cycle::record(const PlanarPosition& position, double past)
     history_.drive_torque.push_back(reactions.drive_torque);
 }
 
-CycleHistory Cycle::run()
+CycleHistory Cycle::run(const Turn& along)
 {
-    const BottomDeadPointSensitivity bottom = bottom_dead_point(linkage_);
-    PlanarPosition position = system_.position(bottom.poses);
-    position.angle = bottom.crank_angle;
-    bottom_height_ = slide_.height(position);
+    bottom_height_ = slide_.height(along.positions.front());
     history_.bodies.resize(linkage_.bodies.size());
     history_.joints.resize(linkage_.joints.size());
     double time = 0;
     for (int i = 0; i < request_.positions; ++i) {
         const double since = turn * i / request_.positions;
-        if (i > 0)
-            position = system_.moved(position, bottom.crank_angle + since);
-        record(position, past_bottom(since));
+        record(along.positions[static_cast<std::size_t>(i)], past_bottom(since));
         history_.time.push_back(time);
         time += duration(since, turn * (i + 1) / request_.positions);
     }
@@ -265,10 +266,35 @@ CycleHistory Cycle::run()
 
 }  // namespace
 
+Turn turn_of(const Linkage& linkage, int positions)
+{
+    check_positions(positions);
+    const PlanarSystem system(linkage);
+    const BottomDeadPointSensitivity bottom = bottom_dead_point(linkage);
+    Turn result;
+    PlanarPosition position = system.position(bottom.poses);
+    position.angle = bottom.crank_angle;
+    for (int i = 0; i < positions; ++i) {
+        if (i > 0)
+            position = system.moved(position, bottom.crank_angle + turn * i / positions);
+        result.positions.push_back(position);
+    }
+    return result;
+}
+
+CycleHistory analyse_cycle(const Linkage& linkage, const CycleRequest& request, const Turn& along)
+{
+    check_request(linkage, request);
+    if (along.positions.size() != static_cast<std::size_t>(request.positions))
+        throw InputError(
+            fmt::format("a cycle of {} positions on a turn of {}", request.positions, along.positions.size()));
+    return Cycle(linkage, request).run(along);
+}
+
 CycleHistory analyse_cycle(const Linkage& linkage, const CycleRequest& request)
 {
     check_request(linkage, request);
-    return Cycle(linkage, request).run();
+    return Cycle(linkage, request).run(turn_of(linkage, request.positions));
 }
 
 }  // namespace deadpoint::mechanism

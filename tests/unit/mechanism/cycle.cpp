@@ -3,6 +3,7 @@
 #include "balance.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
+#include "deadpoint/mechanism/turn.hpp"
 #include "driver_speed.hpp"
 #include "linkages.hpp"
 
@@ -375,4 +376,22 @@ TEST_CASE("tables of the driver's speed that cannot be are refused")
     CHECK_THROWS_WITH_AS(tabulated_speed({0, 2, 1}, {3, 3, 3}), Contains("does not increase in angle at its point 3"),
                          InputError);
     CHECK_THROWS_WITH_AS(tabulated_speed({0, 2 * pi}, {3, 3}), Contains("spans a whole turn"), InputError);
+}
+
+TEST_CASE("a cycle on known positions is the cycle")
+{
+    const Linkage linkage = linkages::slider_crank(crank, rod);
+    CycleRequest request = slider_crank_request();
+    const auto known = mechanism::turn_of(linkage, request.positions);
+    for (const double factor : {1.0, 1.7}) {
+        request.speed = [factor](double) { return factor * speed; };
+        const auto alone = mechanism::analyse_cycle(linkage, request);
+        const auto found = mechanism::analyse_cycle(linkage, request, known);
+        CHECK(found.drive_torque == alone.drive_torque);
+        CHECK(found.height == alone.height);
+        CHECK(found.time == alone.time);
+    }
+    request.positions += 1;
+    CHECK_THROWS_AS(mechanism::analyse_cycle(linkage, request, known), InputError);
+    CHECK_THROWS_AS(mechanism::turn_of(linkage, 3), InputError);
 }

@@ -96,6 +96,7 @@ TEST_CASE("loads are computed once for equal cases, and those of the last ones a
     CHECK(numbers_of(*first) == numbers_of(loads_of(press())));
     const auto fast = get("operation.0.speed=71 rpm");
     CHECK(fast->speed != first->speed);
+    CHECK(numbers_of(*fast) == numbers_of(loads_of(press({"operation.0.speed=71 rpm"}))));  // on the same positions
     CHECK(get("operation.0.speed=71 rpm") == fast);
     CHECK(get("operation.0.speed=72 rpm") != fast);
     CHECK(get("operation.0.speed=71 rpm") == fast);

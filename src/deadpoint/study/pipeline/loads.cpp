@@ -13,7 +13,9 @@
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
 #include "deadpoint/mechanism/mirror.hpp"
+#include "deadpoint/mechanism/turn.hpp"
 #include "deadpoint/study/pipeline/body_masses.hpp"
+#include "deadpoint/study/pipeline/turn_cache.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 #include "deadpoint/study/translate/loads.hpp"
@@ -254,7 +256,8 @@ int first_running_segment(const casefile::Case& input)
 
 bool loads_need_machine(const casefile::Case& input) { return masses_need_parts(input, describe_linkage(input)); }
 
-LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, int segment, Vibration vibration)
+LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, int segment, Vibration vibration,
+                          TurnCache* turns)
 {
     if (segment < 0 || segment >= static_cast<int>(input.operation.size()))
         throw mistake("operation", fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0",
@@ -295,7 +298,11 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
 
     result.request = about("process_force", [&] { return describe_cycle(input, operation, result.throw_at_bottom); });
     result.request.masses = result.masses;
-    result.history = about("mechanism", [&] { return mechanism::analyse_cycle(result.linkage, result.request); });
+    result.history = about("mechanism", [&] {
+        return turns ? mechanism::analyse_cycle(result.linkage, result.request,
+                                                *turns->get(result.linkage, result.request.positions))
+                     : mechanism::analyse_cycle(result.linkage, result.request);
+    });
     timer.done("motion and joint forces");
     result.stroke = mechanism::stroke_figures(result.linkage, result.request, result.history);
     result.drive = mechanism::drive_figures(result.history);

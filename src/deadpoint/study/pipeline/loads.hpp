@@ -9,6 +9,7 @@ struct Case;
 
 namespace deadpoint::study {
 
+class TurnCache;
 struct LoadsResult;
 
 /// True if a case has the data of a linkage for its loads: a driver and the body that carries the
@@ -32,8 +33,9 @@ enum class Vibration { computed, left_out };
 ///
 /// @param machine  may be null where loads_need_machine() is false
 /// @param segment  index into Case::operation
+/// @param turns    positions of the linkage that several calls share; null: none
 /// @throws InputError, DomainError, ConvergenceError
 LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, int segment,
-                          Vibration vibration = Vibration::computed);
+                          Vibration vibration = Vibration::computed, TurnCache* turns = nullptr);
 
 }  // namespace deadpoint::study

@@ -49,8 +49,9 @@ std::shared_ptr<const LoadsResult> LoadsCache::get(const casefile::Case& input, 
                                                    Vibration vibration)
 {
     const Key key{loads_part(input, segment), vibration};
-    std::packaged_task<std::shared_ptr<const LoadsResult>()> task(
-        [&] { return std::make_shared<const LoadsResult>(compute_loads(input, machine, segment, vibration)); });
+    std::packaged_task<std::shared_ptr<const LoadsResult>()> task([&] {
+        return std::make_shared<const LoadsResult>(compute_loads(input, machine, segment, vibration, &turns_));
+    });
     std::unique_lock lock(mutex_);
     if (const auto found = std::ranges::find(kept_, key, &std::pair<Key, Loads>::first); found != kept_.end()) {
         kept_.splice(kept_.begin(), kept_, found);

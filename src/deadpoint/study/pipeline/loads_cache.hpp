@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/pipeline/turn_cache.hpp"
 
 #include <cstddef>
 #include <future>
@@ -17,7 +18,8 @@ namespace deadpoint::study {
 /// parts, which the machine is made of.
 std::string loads_part(const casefile::Case& input, int segment);
 
-/// compute_loads() for cases of one machine, which it computes again only where loads_part() differs. Keeps the loads
+/// compute_loads() for cases of one machine, which it computes again only where loads_part() differs, and the positions
+/// of the linkage only where its geometry does. Keeps the loads
 /// that were asked for last. Any number of threads may use it; one computes, others that ask for the same wait.
 class LoadsCache {
 public:
@@ -32,6 +34,7 @@ private:
     using Key = std::pair<std::string, Vibration>;
 
     std::size_t most_;
+    TurnCache turns_;
     std::mutex mutex_;
     std::list<std::pair<Key, Loads>> kept_;  ///< the last one first
 };
