@@ -48,7 +48,7 @@ study::ReducedStates states_of(const Reduced& reduced)
 {
     Observer silent;
     study::ReducedStates states;
-    study::run_reduced(reduced.input, reduced.model, nullptr, study::ReducedDetail::figures, silent, &states);
+    study::run_reduced(reduced.input, reduced.model, {}, study::ReducedDetail::figures, silent, &states);
     return states;
 }
 
