@@ -39,7 +39,7 @@ void write(const std::string& path, const casefile::Case& input, const study::Re
 {
     Observer silent;
     const auto run =
-        study::run_reduced(input, reduction.small, &reduction.large, study::ReducedDetail::figures, silent);
+        study::run_reduced(input, reduction.small, {&reduction.large, nullptr}, study::ReducedDetail::figures, silent);
     std::ofstream file(path);
     file.precision(17);
     file << fem::ranks() << '\n' << reduction.large.states << '\n' << reduction.small.states << '\n';
