@@ -16,7 +16,7 @@ struct ResidualCut {
     double further = 1e-12;  ///< as products with the states
 };
 
-/// How a reduced model is built. The numbers are those of a study on the shipped press (docs/theory/reduced.md).
+/// How a reduced model is built. The numbers are those of a study on the shipped press (docs/reduced.md).
 struct BuildOptions {
     int sets = 48;              ///< of coefficients that a basis field is solved for
     int loads_per_set = 16;     ///< fields per set

@@ -18,11 +18,12 @@ namespace {
 constexpr std::string_view kind = "deadpoint certificate 1\n";
 constexpr const char* help = "make it again with 'deadpoint reduce CASE -o FILE --certify'";
 
-bool fits(const reduce::ResidualTerms& residual, const reduce::DenseTerms& terms)
+bool fits(const reduce::ResidualTerms& residual, const ReducedPress& large)
 {
+    const auto& terms = large.terms->terms;
     return residual.states == terms.uniform.size() &&
            residual.terms.size() == 4 * terms.joints.size() + terms.films.size() &&
-           residual.functionals == terms.functionals.rows() && residual.observed <= terms.observed.rows();
+           residual.functionals == terms.functionals.rows() && residual.observed == static_cast<Eigen::Index>(large.adjoints);
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ std::shared_ptr<const reduce::ResidualTerms> read_certificate(const std::filesys
     } catch (const InputError& error) {
         reader.refuse(error.what());
     }
-    if (!fits(residual, large.terms->terms))
+    if (!fits(residual, large))
         reader.refuse("its numbers do not fit the large model");
     return std::make_shared<const reduce::ResidualTerms>(std::move(residual));
 }
