@@ -23,7 +23,8 @@ bool fits(const reduce::ResidualTerms& residual, const ReducedPress& large)
     const auto& terms = large.terms->terms;
     return residual.states == terms.uniform.size() &&
            residual.terms.size() == 4 * terms.joints.size() + terms.films.size() &&
-           residual.functionals == terms.functionals.rows() && residual.observed == static_cast<Eigen::Index>(large.adjoints);
+           residual.functionals == terms.functionals.rows() &&
+           residual.observed == static_cast<Eigen::Index>(large.adjoints);
 }
 
 }  // namespace
