@@ -49,21 +49,6 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
-void require_fit(const casefile::Case& input, const ReducedPress& press)
-{
-    constexpr std::size_t shown = 4;
-    auto found = misfits(input, press);
-    if (found.empty())
-        return;
-    const auto count = found.size();
-    found.resize(std::min(count, shown));
-    throw InputError(
-        fmt::format("this case is not the press that was reduced (case '{}'); it differs in what a reduced "
-                    "model cannot change:\n    {}{}\n  help: reduce this case: deadpoint reduce CASE -o "
-                    "FILE",
-                    press.name, fmt::join(found, "\n    "), count > shown ? "\n    ..." : ""));
-}
-
 void require_same(const ReducedPress& press, const ReducedPress& large)
 {
     if (press.case_hash != large.case_hash || press.fixed_part != large.fixed_part ||
@@ -252,6 +237,21 @@ std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress
     if (result.empty())
         result.emplace_back("the same lines in another order");
     return result;
+}
+
+void require_fit(const casefile::Case& input, const ReducedPress& press)
+{
+    constexpr std::size_t shown = 4;
+    auto found = misfits(input, press);
+    if (found.empty())
+        return;
+    const auto count = found.size();
+    found.resize(std::min(count, shown));
+    throw InputError(
+        fmt::format("this case is not the press that was reduced (case '{}'); it differs in what a reduced "
+                    "model cannot change:\n    {}{}\n  help: reduce this case: deadpoint reduce CASE -o "
+                    "FILE",
+                    press.name, fmt::join(found, "\n    "), count > shown ? "\n    ..." : ""));
 }
 
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,

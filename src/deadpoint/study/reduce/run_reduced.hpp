@@ -47,4 +47,7 @@ StatedError difference_to_full(const RunResult& reduced, const ReducedPress& pre
 /// How a case differs from the one a model was built for, in what the model cannot change; a line for each difference.
 std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress& press);
 
+/// @throws InputError with the first of misfits(), if there are any
+void require_fit(const casefile::Case& input, const ReducedPress& press);
+
 }  // namespace deadpoint::study
