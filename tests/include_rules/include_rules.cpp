@@ -25,9 +25,9 @@ using Files = std::map<std::string, std::vector<Include>>;  // by path relative 
 const std::map<std::string, std::set<std::string>>& allowed_folders()
 {
     static const std::set<std::string> values{"core", "io", "exchange"};
-    static const std::set<std::string> stages{"core",       "io",        "exchange",     "casefile", "mechanism",
-                                              "crankshaft", "tribology", "surroundings", "machine",  "heat",
-                                              "fem",        "reduce",    "drift"};
+    static const std::set<std::string> stages{"core",       "io",        "exchange",     "casefile",   "mechanism",
+                                              "crankshaft", "tribology", "surroundings", "machine",    "heat",
+                                              "fem",        "reduce",    "drift",        "calibration"};
     static const auto rules = [] {
         std::map<std::string, std::set<std::string>> result{
             {"include", {}}, {"core", {}}, {"io", {"core"}}, {"exchange", {"core", "io"}}};
@@ -162,7 +162,7 @@ InternalHeaders internal_headers(const Files& files)
 bool may_see_matrices(const std::string& folder, const std::string& other)
 {
     static const std::set<std::pair<std::string, std::string>> rule{
-        {"fem", "reduce"}, {"study", "reduce"}, {"study", "fem"}};
+        {"fem", "reduce"}, {"study", "reduce"}, {"study", "fem"}, {"study", "calibration"}};
     return rule.contains({folder, other});
 }
 

@@ -1,0 +1,94 @@
+#include "deadpoint/calibration/discrepancy.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+namespace deadpoint::calibration {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+double rms(const VectorXd& values)
+{
+    return values.size() == 0 ? 0 : std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
+namespace {
+
+// Amplitude and correlation time of a slow course on top of the noise, by likelihood on a grid of 12 x 5.
+void estimate_course(const Curve& curve, const VectorXd& residual, CurveResidual& result)
+{
+    const double span = curve.time.size() > 1 ? curve.time[curve.time.size() - 1] - curve.time[0] : 0;
+    const double size = rms(residual);
+    if (!(span > 0) || curve.time.size() < 5 || !(size > 0))
+        return;
+    Noise noise = curve.noise;
+    noise.model_error = 0;
+    double likeliest = log_likelihood(noise, curve.time, residual);
+    for (const double time : {0.05, 0.1, 0.3, 1.0, 3.0})
+        for (int k = 0; k < 12; ++k) {
+            noise.model_time = time * span;
+            noise.model_error = size * std::pow(10.0, -1.0 + 1.5 * k / 11.0);
+            const double found = log_likelihood(noise, curve.time, residual);
+            if (found > likeliest) {
+                likeliest = found;
+                result.model_error = noise.model_error;
+                result.model_time = noise.model_time;
+            }
+        }
+}
+
+double neighbour_correlation(const VectorXd& white)
+{
+    const auto count = white.size();
+    const double sum = white.squaredNorm();
+    return count < 2 || sum == 0 ? 0 : white.head(count - 1).dot(white.tail(count - 1)) / sum;
+}
+
+}  // namespace
+
+CurveResidual residual_of(const Curve& curve, const VectorXd& residual)
+{
+    constexpr Index least_for_course = 8;  // values, for tests of order and mean
+    const auto count = static_cast<double>(residual.size());
+    const VectorXd white = Whitening(curve.noise, curve.time).apply(residual);
+    CurveResidual result{curve.name,
+                         residual.size(),
+                         rms(residual),
+                         residual.mean(),
+                         white.squaredNorm() / count,
+                         neighbour_correlation(white),
+                         1,
+                         0,
+                         0};
+    const boost::math::normal normal;
+    const boost::math::chi_squared squares(count);
+    double least = cdf(complement(squares, white.squaredNorm()));
+    if (residual.size() >= least_for_course) {
+        least = std::min(least, cdf(complement(normal, result.lag_one * std::sqrt(count))));
+        least = std::min(least, 2 * cdf(complement(normal, std::abs(white.mean()) * std::sqrt(count))));
+    }
+    result.probability = std::min(1.0, 3 * least);
+    estimate_course(curve, residual, result);
+    return result;
+}
+
+ModelTest test_model(const Problem& problem, const Prediction& prediction)
+{
+    constexpr double level = 0.05;
+    const auto first = problem.starts();
+    const VectorXd residual = problem.measured() - prediction.value;
+    ModelTest result;
+    for (std::size_t c = 0; c < problem.curves.size(); ++c)
+        result.curves.push_back(
+            residual_of(problem.curves[c], residual.segment(first[c], problem.curves[c].time.size())));
+    for (const auto& curve : result.curves)
+        result.probability = std::min(result.probability, curve.probability);
+    result.probability = std::min(1.0, result.probability * static_cast<double>(result.curves.size()));
+    result.differs = result.probability < level;
+    return result;
+}
+
+}  // namespace deadpoint::calibration
