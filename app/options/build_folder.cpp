@@ -57,12 +57,22 @@ bool is_hardly_begun(const fs::path& folder)
     });
 }
 
+/// Removes a checkpoint under another name, so that a kill on the way leaves no half of one under its own.
+void discard(const fs::path& folder)
+{
+    const fs::path discarded = folder.string() + ".discarded";
+    std::error_code ignored;
+    fs::remove_all(discarded, ignored);
+    fs::rename(folder, discarded, ignored);
+    fs::remove_all(discarded, ignored);
+}
+
 // Returns whether there is something to go on with.
 bool find_stopped(const fs::path& folder, StoppedBuild stopped)
 {
     std::error_code ignored;
     if (stopped == StoppedBuild::discard) {
-        fs::remove_all(folder, ignored);
+        discard(folder);
     }
     const bool there = fs::exists(folder, ignored) && !(fs::is_directory(folder, ignored) && is_hardly_begun(folder));
     if (there && stopped == StoppedBuild::refuse) {
@@ -145,8 +155,7 @@ int BuildFolder::finish(std::optional<study::Reduction> reduction, const study::
     }
     on_first_rank(ranks.first, [&] {
         write(file_, *reduction);
-        std::error_code ignored;
-        fs::remove_all(checkpoint_, ignored);
+        discard(checkpoint_);
     });
     if (ranks.first) {
         print_out("{}\nthe reduced model is in {}, its large model beside it in {}\n{}",

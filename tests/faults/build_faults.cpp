@@ -5,6 +5,7 @@
 #include <chrono>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <iterator>
 #include <random>
 #include <string>
 
@@ -52,6 +53,20 @@ TEST_CASE("killed at random moments and resumed each time, a build ends with the
     REQUIRE(run("", build.line + " --resume").code == 0);
     CHECK(build.result() == wanted);
     CHECK_FALSE(fs::exists(build.checkpoint));
+}
+
+TEST_CASE("killed while it removes its checkpoint, a build has its files, and the next one begins anew")
+{
+    const Build build;
+    REQUIRE(run(failing(build.checkpoint, "unlinkat:2:kill"), build.line).code == 137);
+    CHECK(fs::exists(build.file));
+    const auto wanted = build.result();
+    const auto next = run("", build.line + " --resume");
+    CHECK(next.code == 0);
+    CHECK(has(next.text, "starting at the beginning"));
+    CHECK(build.result() == wanted);
+    const auto leftovers = std::distance(fs::directory_iterator(build.folder.path), fs::directory_iterator());
+    CHECK(leftovers == 2);  // the two files of the press
 }
 
 TEST_CASE("a stopped build keeps what it has, says how to go on, and is not lost or taken unasked")

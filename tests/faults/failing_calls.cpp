@@ -1,7 +1,7 @@
 /// Preloaded into the program under test: one of its calls on files below DEADPOINT_FAULT_BELOW fails.
 ///
-/// DEADPOINT_FAULT is "<call>:<number>:<what>", or several with ; between: call is read, write, fsync, rename or
-/// renameat2; number counts from 1, 0 means all of them; what is an errno as a number, "kill", or a line of shell that
+/// DEADPOINT_FAULT is "<call>:<number>:<what>", or several with ; between: call is read, write, fsync, rename,
+/// renameat2 or unlinkat (of a file or folder in a folder); number counts from 1, 0 means all of them; what is an errno as a number, "kill", or a line of shell that
 /// runs before the call goes on. DEADPOINT_FAULT_COUNTS names a file that gets the number of calls of each kind.
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace {
 
-constexpr std::array names{"read", "write", "fsync", "rename", "renameat2"};
+constexpr std::array names{"read", "write", "fsync", "rename", "renameat2", "unlinkat"};
 std::array<std::atomic<int>, names.size()> counts{};
 const pid_t program = getpid();
 
@@ -125,4 +125,10 @@ extern "C" int renameat2(int from_folder, const char* from, int to_folder, const
 {
     static const auto call = real<int (*)(int, const char*, int, const char*, unsigned)>("renameat2");
     return is_below(to) && fails(4) ? -1 : call(from_folder, from, to_folder, to, how);
+}
+
+extern "C" int unlinkat(int folder, const char* name, int how) noexcept
+{
+    static const auto call = real<int (*)(int, const char*, int)>("unlinkat");
+    return is_below(folder) && fails(5) ? -1 : call(folder, name, how);
 }
