@@ -1,8 +1,9 @@
 /// Preloaded into the program under test: one of its calls on files below DEADPOINT_FAULT_BELOW fails.
 ///
 /// DEADPOINT_FAULT is "<call>:<number>:<what>", or several with ; between: call is read, write, fsync, rename,
-/// renameat2 or unlinkat (of a file or folder in a folder); number counts from 1, 0 means all of them; what is an errno as a number, "kill", or a line of shell that
-/// runs before the call goes on. DEADPOINT_FAULT_COUNTS names a file that gets the number of calls of each kind.
+/// renameat2 or unlinkat (of a file or folder in a folder); number counts from 1, 0 means all of them; what is an errno
+/// as a number, "kill", or a line of shell that runs before the call goes on. DEADPOINT_FAULT_COUNTS names a file that
+/// gets the number of calls of each kind.
 #include <algorithm>
 #include <array>
 #include <atomic>
