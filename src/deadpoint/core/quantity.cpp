@@ -383,14 +383,11 @@ std::variant<double, QuantityProblem> try_parse_quantity(std::string_view text, 
         return QuantityProblem{"missing-unit", fmt::format("'{}' has no unit; this key needs {}", text, wanted.name),
                                example};
     }
-    const bool known =
-        named_scale(unit) != nullptr || (has_unit_syntax(unit) && UnitSystem::instance().knows(std::string(unit)));
-    if (!known) {
-        return unknown_unit(unit, wanted);
-    }
-    const auto scale = unit_scale(unit, dimension);
+    const bool is_named = named_scale(unit) != nullptr, is_read = is_named || has_unit_syntax(unit);
+    const auto scale = is_read ? unit_scale(unit, dimension) : std::nullopt;
     if (!scale) {
-        return mismatch(unit, wanted);
+        const bool is_known = is_named || (is_read && UnitSystem::instance().knows(std::string(unit)));
+        return is_known ? mismatch(unit, wanted) : unknown_unit(unit, wanted);
     }
     const double value = to_si(body.substr(0, static_cast<std::size_t>(end - body.data())), number, *scale);
     if (!std::isfinite(value)) {
