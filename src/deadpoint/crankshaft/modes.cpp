@@ -68,7 +68,7 @@ struct ModalMode {
 std::vector<ModalMode> modal_modes(const RestingModes& basis, const ModalMatrices& matrices, double speed, int count,
                                    Eigen::Index kept)
 {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(first_order_inverse(basis, matrices, speed, 0, kept));
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(first_order_inverse(basis, matrices, speed, 0, {0, kept}));
     if (solver.info() != Eigen::Success)
         throw ConvergenceError(
             "crankshaft: its modes were not found\n  help: look for extreme values among the bearings");

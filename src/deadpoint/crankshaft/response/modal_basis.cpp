@@ -66,14 +66,14 @@ ModalMatrices modal_matrices(const ShaftSystem& system, const RestingModes& basi
 }
 
 Eigen::MatrixXd first_order_inverse(const RestingModes& basis, const ModalMatrices& matrices, double speed,
-                                    double modal_damping, Eigen::Index modes)
+                                    double modal_damping, ModeRange modes)
 {
-    const Eigen::VectorXd root = basis.mu.head(modes).cwiseSqrt();
-    const Eigen::Index m = modes;
-    Eigen::MatrixXd d = matrices.dampers.topLeftCorner(m, m) - speed * matrices.gyroscopic.topLeftCorner(m, m);
+    const auto [first, m] = modes;
+    const auto of_modes = [first = first, m = m](const Eigen::MatrixXd& all) { return all.block(first, first, m, m); };
+    const Eigen::VectorXd root = basis.mu.segment(first, m).cwiseSqrt();
+    Eigen::MatrixXd d = of_modes(matrices.dampers) - speed * of_modes(matrices.gyroscopic);
     d.diagonal() += 2 * modal_damping * root;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(Eigen::MatrixXd::Identity(m, m) +
-                                                         matrices.skew.topLeftCorner(m, m));
+    const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(Eigen::MatrixXd::Identity(m, m) + of_modes(matrices.skew));
     Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(2 * m, 2 * m);
     inverse.topLeftCorner(m, m) = -stiffness.solve(d);
     inverse.topRightCorner(m, m) = -stiffness.solve(Eigen::MatrixXd(root.asDiagonal()));

@@ -32,12 +32,17 @@ struct ModalMatrices {
 /// @throws InputError if a damper or a skew stiffness acts on shapes without inertia
 ModalMatrices modal_matrices(const ShaftSystem& system, const RestingModes& basis);
 
-/// A^-1 of the first-order system z' = A z + ... with z = (p, sqrt(mu) p'), q = X p, in the lowest `modes` of the
-/// resting shaft: the largest eigenvalues of A^-1 are the lowest modes, which are thus the most accurate.
+/// Some of the moving modes, in their order.
+struct ModeRange {
+    Eigen::Index first = 0, count = 0;
+};
+
+/// A^-1 of the first-order system z' = A z + ... with z = (p, sqrt(mu) p'), q = X p, in some modes of the resting
+/// shaft: the largest eigenvalues of A^-1 are the lowest modes, which are thus the most accurate.
 ///
 /// @param modal_damping  ratio added to every mode
 /// @throws DomainError if it is not finite
 Eigen::MatrixXd first_order_inverse(const RestingModes& basis, const ModalMatrices& matrices, double speed,
-                                    double modal_damping, Eigen::Index modes);
+                                    double modal_damping, ModeRange modes);
 
 }  // namespace deadpoint::crankshaft

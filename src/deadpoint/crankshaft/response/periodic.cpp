@@ -12,14 +12,17 @@
 #include <complex>
 #include <fmt/format.h>
 #include <numbers>
+#include <vector>
 
 namespace deadpoint::crankshaft {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double grows = 1e-9;             ///< real part of an eigenvalue over its magnitude
-constexpr double resonant = 1e-9;          ///< |1 - exp(lambda T)| below which no periodic response is defined
+constexpr double grows = 1e-9;     ///< real part of an eigenvalue over its magnitude
+constexpr double resonant = 1e-9;  ///< |1 - exp(lambda T)| below which no periodic response is defined
+/// Force of a mode on others, relative to their stiffness, below which it moves alone.
+constexpr double uncoupled = 1e-3;
 constexpr double worst_condition = 1e-10;  ///< reciprocal condition number of the matrix of complex modes
 
 bool all_finite(const Matrix& m)
@@ -89,13 +92,13 @@ void check_growth(const Eigen::VectorXcd& lambda)
                             std::abs(value.imag()) / (2 * std::numbers::pi)));
 }
 
-ComplexModes complex_modes(const ShaftSystem& system, const RestingModes& basis, double speed, const PeriodicLoad& load,
-                           const Readings& readings)
+// Of those modes of the resting shaft, as if the others did not move.
+ComplexModes complex_modes(const ShaftSystem& system, const RestingModes& basis, const ModalMatrices& matrices,
+                           ModeRange range, double speed, const PeriodicLoad& load, const Readings& readings)
 {
-    const ModalMatrices matrices = modal_matrices(system, basis);
-    const Eigen::Index m = matrices.modes();
+    const Eigen::Index m = range.count;
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(
-        first_order_inverse(basis, matrices, speed, system.modal_damping, m));
+        first_order_inverse(basis, matrices, speed, system.modal_damping, range));
     if (solver.info() != Eigen::Success)
         throw ConvergenceError("crankshaft: its complex modes were not found\n"
                                "  help: look for extreme values among the bearings, or use another method");
@@ -106,15 +109,15 @@ ComplexModes complex_modes(const ShaftSystem& system, const RestingModes& basis,
     if (!(to_modes.rcond() > worst_condition))
         throw ConvergenceError("crankshaft: two of its modes coincide (critical damping), so they do not separate\n"
                                "  help: change a damping value slightly, or use harmonic balance");
+    const auto moving = basis.moving.middleCols(range.first, m);
     Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(2 * m, load.patterns.cols);
-    rest.topRows(m) = (Eigen::MatrixXd::Identity(m, m) + matrices.skew)
+    rest.topRows(m) = (Eigen::MatrixXd::Identity(m, m) + matrices.skew.block(range.first, range.first, m, m))
                           .partialPivLu()
-                          .solve(basis.moving.transpose() * view(load.patterns));
+                          .solve(moving.transpose() * view(load.patterns));
     const Eigen::MatrixXcd rest_in_modes = to_modes.solve(rest.cast<Complex>());
-    const Eigen::VectorXd frequencies = basis.mu.cwiseSqrt().cwiseInverse();
+    const Eigen::VectorXd frequencies = basis.mu.segment(range.first, m).cwiseSqrt().cwiseInverse();
     Eigen::MatrixXd read(readings.displacement.rows, 2 * m);
-    read << view(readings.displacement) * basis.moving,
-        view(readings.velocity) * basis.moving * frequencies.asDiagonal();
+    read << view(readings.displacement) * moving, view(readings.velocity) * moving * frequencies.asDiagonal();
     const Eigen::MatrixXcd read_modes = read.cast<Complex>() * shapes;
 
     std::vector<Eigen::Index> kept;
@@ -126,6 +129,33 @@ ComplexModes complex_modes(const ShaftSystem& system, const RestingModes& basis,
         if (result.lambda[i].imag() > 0)
             result.readings.col(i) *= 2.0;
     return result;
+}
+
+// The lowest modes among which forces of dampers, gyroscopes and skew stiffness matter. A mode's coupling is the sum of
+// |force between it and another one| at the frequency of that one, or the highest of the load where that is lower,
+// relative to the stiffness, which is 1 for each mode.
+Eigen::Index coupled_modes(const RestingModes& basis, const ModalMatrices& matrices, double speed, double highest)
+{
+    const Eigen::VectorXd frequencies = basis.mu.cwiseSqrt().cwiseInverse().cwiseMin(highest);
+    Eigen::MatrixXd force = (matrices.dampers - speed * matrices.gyroscopic).cwiseAbs() * frequencies.asDiagonal();
+    force += matrices.skew.cwiseAbs();
+    force.diagonal().setZero();
+    const Eigen::VectorXd coupling = force.rowwise().sum() + force.colwise().sum().transpose();
+    Eigen::Index count = coupling.size();
+    while (count > 0 && coupling[count - 1] < uncoupled)
+        --count;
+    return count;
+}
+
+// The coupled modes together, all others each alone.
+std::vector<ModeRange> mode_ranges(Eigen::Index coupled, Eigen::Index all)
+{
+    std::vector<ModeRange> ranges;
+    if (coupled > 0)
+        ranges.push_back({0, coupled});
+    for (Eigen::Index i = coupled; i < all; ++i)
+        ranges.push_back({i, 1});
+    return ranges;
 }
 
 /// One mode over the turn: from rest for the state after one period, then again from the state that repeats.
@@ -153,10 +183,27 @@ void march(Complex lambda, double period, const Eigen::VectorXcd& load, Eigen::R
     }
 }
 
-Matrix modal_response(const ShaftSystem& system, double speed, const PeriodicLoad& load, const Readings& readings)
+ComplexModes joined(const std::vector<ComplexModes>& groups)
 {
-    const RestingModes basis = resting_modes(system);
-    const ComplexModes modes = complex_modes(system, basis, speed, load, readings);
+    Eigen::Index count = 0;
+    for (const auto& group : groups)
+        count += group.lambda.size();
+    ComplexModes all{Eigen::VectorXcd(count), Eigen::MatrixXcd(count, groups.front().load.cols()),
+                     Eigen::MatrixXcd(groups.front().readings.rows(), count)};
+    Eigen::Index first = 0;
+    for (const auto& group : groups) {
+        const auto size = group.lambda.size();
+        all.lambda.segment(first, size) = group.lambda;
+        all.load.middleRows(first, size) = group.load;
+        all.readings.middleCols(first, size) = group.readings;
+        first += size;
+    }
+    return all;
+}
+
+// Readings over the times of the load, times x readings.
+Eigen::MatrixXd response_of(const ComplexModes& modes, const PeriodicLoad& load)
+{
     const auto histories = view(load.histories);
     const Eigen::MatrixXcd loads = modes.load * histories.transpose().cast<Complex>();
     Eigen::MatrixXcd states(modes.lambda.size(), histories.rows());
@@ -165,8 +212,21 @@ Matrix modal_response(const ShaftSystem& system, double speed, const PeriodicLoa
         march(modes.lambda[i], load.period, loads.row(i).transpose(), row);
         states.row(i) = row;
     }
+    return (modes.readings.real() * states.real() - modes.readings.imag() * states.imag()).transpose();
+}
+
+Matrix modal_response(const ShaftSystem& system, double speed, const PeriodicLoad& load, const Readings& readings)
+{
+    const RestingModes basis = resting_modes(system);
+    const ModalMatrices matrices = modal_matrices(system, basis);
+    const auto histories = view(load.histories);
+    const double highest = std::numbers::pi * static_cast<double>(load.histories.rows) / load.period;
+    const auto coupled = coupled_modes(basis, matrices, speed, highest);
+    std::vector<ComplexModes> groups;
+    for (const auto& range : mode_ranges(coupled, matrices.modes()))
+        groups.push_back(complex_modes(system, basis, matrices, range, speed, load, readings));
     Matrix result(load.histories.rows, readings.displacement.rows);
-    view(result) = (modes.readings.real() * states.real() - modes.readings.imag() * states.imag()).transpose();
+    view(result) = response_of(joined(groups), load);
     if (basis.following.cols() > 0)
         view(result) += histories * (view(readings.displacement) * basis.following * basis.following.transpose() *
                                      view(load.patterns))
