@@ -146,13 +146,19 @@ TEST_CASE("heat is conserved, and causes sum to the gap")
     }
 }
 
-TEST_CASE("an error in the first minute of a segment does not count")
+TEST_CASE("an error in the first minute of a segment does not count, but at the end of a shorter one")
 {
     ThermalHistory one, other;
     one.time = other.time = {0, 30, 100, 100, 130, 200};
     one.probes = {{{0, 5, 1, 1, 7, 1}, {0, 0, 0, 0, 0, 0}}};
     other.probes = {{{0, 0, 0.5, 0.5, 0, 0.75}, {0, 0, 0, 0, 0, 0}}};
     CHECK(difference(one, other, SIZE_MAX).temperature == Approx(0.5));
+    for (auto* run : {&one, &other}) {  // a last segment of 30 s: its end counts
+        run->time.pop_back();
+        run->probes[0].value.pop_back();
+        run->probes[0].rate.pop_back();
+    }
+    CHECK(difference(one, other, SIZE_MAX).temperature == Approx(7));
 }
 
 TEST_CASE("terms survive their way into a file")

@@ -161,6 +161,68 @@ TEST_CASE("what lies outside the box is named with its value and its range")
     CHECK(warm[0] == "ambient: 25 to 25, trained -10 to 10 K");
 }
 
+TEST_CASE("the air that a film states for itself counts, from its own of the reduced case")
+{
+    const auto split = nominal();
+    const auto room = study::free_coefficients(split, machine(), {}, 293.15);
+    auto warm = split;
+    warm.problem.surfaces[1].ambient = [](double) { return 293.15 + 25; };
+    const auto found = study::outside_of(room, warm, 293.15);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0] == "ambient: 0 to 25, trained -10 to 10 K");
+    const auto own = study::free_coefficients(warm, machine(), {}, 293.15);
+    CHECK(study::outside_of(own, warm, 293.15).empty());
+}
+
+TEST_CASE("oil of any joint counts in any segment, where it carries heat away")
+{
+    auto split = nominal();
+    auto& problem = split.problem;
+    problem.oil.clear();  // whose temperature would count instead
+    problem.interfaces[1].oil = 100;
+    problem.segments.front().interfaces = problem.interfaces;
+    const auto box = study::free_coefficients(split, machine(), {}, 293.15);
+    problem.segments.push_back(problem.segments.front());
+    auto laws = problem.interfaces;
+    laws[1].oil_temperature += 30;
+    laws[0].oil_temperature += 90;
+    laws[0].oil = 0;  // its oil carries nothing
+    problem.segments.back().interfaces = laws;
+    const auto found = study::outside_of(box, split, 293.15);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0] == "oil temperature: 0 to 30, trained -10 to 20 K");
+}
+
+TEST_CASE("laws of convection count in each segment, and the box is as wide as those of the reduced case")
+{
+    auto split = study::split_by_part(problem(), machine());
+    for (auto& surface : split.problem.surfaces)
+        surface.emissivity = 0;  // convection alone
+    const auto one = study::free_coefficients(split, machine(), {}, 293.15);
+    CHECK(study::outside_of(one, split, 293.15).empty());
+    auto& problem = split.problem;
+    problem.segments.push_back(problem.segments.front());
+    std::size_t by_law = 0;
+    for (auto& surface : problem.surfaces)
+        if (!surface.laws.empty()) {
+            const auto law = surface.laws.front();
+            surface.laws.push_back(FilmLawAt([law](double ambient) {
+                return FilmLaw([of = law(ambient)](double temperature) {
+                    const auto value = of(temperature);
+                    return LawValue{9 * value.value, 9 * value.slope, value.in_range};
+                });
+            }));
+            ++by_law;
+        }
+    REQUIRE(by_law > 0);
+    CHECK(study::outside_of(one, split, 293.15).size() == by_law);
+    const auto both = study::free_coefficients(split, machine(), {}, 293.15);
+    CHECK(study::outside_of(both, split, 293.15).empty());
+    const auto widest = std::ranges::max_element(
+        both, {}, [](const auto& c) { return c.kind == reduce::FreeCoefficient::Kind::film ? c.to : 0.0; });
+    CHECK(widest->to == Approx(45));  // nine times five
+}
+
 TEST_CASE("only what a model cannot change makes a case another press")
 {
     study::ReducedPress built;

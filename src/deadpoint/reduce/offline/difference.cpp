@@ -7,12 +7,6 @@
 #include <vector>
 
 namespace deadpoint::reduce {
-namespace {
-
-constexpr double settled_after = 60;  // [s]
-
-}  // namespace
-
 void RunDifference::widen(const RunDifference& other)
 {
     temperature = std::max(temperature, other.temperature);
@@ -27,7 +21,8 @@ RunDifference difference(const ThermalHistory& run, const ThermalHistory& other,
         const double time = other.time[k];
         if (k > 0 && time == other.time[k - 1])
             segment_start = time;
-        if (time < segment_start + settled_after)
+        const bool ends = k + 1 == other.time.size() || other.time[k + 1] == time;
+        if (time < segment_start + settled_after && !ends)
             continue;
         const auto off = [&](const std::vector<Series>& these, const std::vector<Series>& those, double& largest) {
             for (std::size_t i = 0; i < those.size(); ++i)

@@ -35,19 +35,41 @@ double heat_at(const HeatProblem& problem, std::size_t source, double temperatur
     return 0;
 }
 
-double oil_temperature_of(const HeatProblem& problem) { return problem.interfaces.front().oil_temperature; }
+// The oil of its joint comes from a circuit.
+bool in_circuit(const HeatProblem& problem, std::size_t interface)
+{
+    return std::ranges::any_of(problem.oil, [&](const OilCourse& circuit) {
+        return std::ranges::any_of(circuit.joints, [&](const std::vector<int>& joint) {
+            return std::ranges::find(joint, static_cast<int>(interface)) != joint.end();
+        });
+    });
+}
+
+// Of a joint's own oil, or of a circuit that is cooled.
+std::optional<double> oil_temperature_of(const HeatProblem& problem, std::size_t segment, std::size_t member)
+{
+    const auto& laws = laws_in(problem, problem.segments[segment]);
+    if (member < laws.size())
+        return laws[member].oil > 0 && !in_circuit(problem, member) ? std::optional(laws[member].oil_temperature)
+                                                                    : std::nullopt;
+    const auto circuit = member - laws.size();
+    return circuit < problem.oil.size() && problem.oil[circuit].cooled
+               ? std::optional(problem.oil[circuit].inlet_temperature)
+               : std::nullopt;
+}
 
 bool is_free(const Span& span) { return span.from < span.to; }
 
 // Segments may have other coefficients than the first one; a draw multiplies each segment's own.
-void widen_by_segments(reduce::FreeCoefficient& coefficient, const HeatProblem& problem)
+void widen_by_segments(reduce::FreeCoefficient& coefficient, const HeatProblem& problem, double start)
 {
-    if (coefficient.kind != Kind::side && coefficient.kind != Kind::oil)
+    if (coefficient.kind != Kind::film && coefficient.kind != Kind::side && coefficient.kind != Kind::oil)
         return;
     double least = 1, most = 1;
-    for (const auto& segment : problem.segments)
+    for (std::size_t segment = 0; segment < problem.segments.size(); ++segment)
         for (std::size_t k = 0; k < coefficient.members.size(); ++k)
-            if (const auto value = value_of(coefficient, k, problem, segment); value && coefficient.base[k] > 0) {
+            if (const auto value = value_of(coefficient, k, problem, segment, start);
+                value && coefficient.base[k] > 0) {
                 least = std::min(least, *value);
                 most = std::max(most, *value);
             }
@@ -73,7 +95,8 @@ private:
     reduce::Box box_;
 };
 
-void add_films(Collector& box, const SplitProblem& split, const Machine& machine, const FreeRanges& ranges)
+void add_films(Collector& box, const SplitProblem& split, const Machine& machine, const FreeRanges& ranges,
+               double start)
 {
     const auto& surfaces = split.problem.surfaces;
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -82,7 +105,7 @@ void add_films(Collector& box, const SplitProblem& split, const Machine& machine
         auto name = "surfaces." + surfaces[s].name + ".film";
         if (ranges.by_piece)
             name += " on " + machine.parts[static_cast<std::size_t>(surfaces[s].part)].name;
-        box.add(name, Kind::film, ranges.film, s, surfaces[s].coefficient);
+        box.add(name, Kind::film, ranges.film, s, nominal_film(surfaces[s], 0, start));
     }
 }
 
@@ -103,27 +126,45 @@ void add_joints(Collector& box, const SplitProblem& split, const Machine& machin
     }
 }
 
+void add_oil_temperatures(Collector& box, const HeatProblem& problem, const FreeRanges& ranges)
+{
+    for (std::size_t member = 0; member < problem.interfaces.size() + problem.oil.size(); ++member)
+        if (const bool is_joint = member < problem.interfaces.size(); !is_joint || !in_circuit(problem, member)) {
+            const double base = is_joint ? laws_in(problem, problem.segments.front())[member].oil_temperature
+                                         : problem.oil[member - problem.interfaces.size()].inlet_temperature;
+            box.add("oil temperature", Kind::oil_temperature, ranges.oil_temperature, member, base);
+        }
+}
+
+// The room's, then those that films state for themselves.
+void add_ambients(Collector& box, const HeatProblem& problem, const FreeRanges& ranges)
+{
+    box.add("ambient", Kind::ambient, ranges.ambient, 0, problem.segments.front().ambient(0));
+    for (std::size_t s = 0; s < problem.surfaces.size(); ++s)
+        if (problem.surfaces[s].ambient)
+            box.add("ambient", Kind::ambient, ranges.ambient, 1 + s, problem.surfaces[s].ambient(0));
+}
+
 }  // namespace
 
 reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges, double start)
 {
     Collector box;
-    add_films(box, split, machine, ranges);
+    add_films(box, split, machine, ranges, start);
     add_joints(box, split, machine, ranges);
     for (std::size_t r = 0; r < split.problem.sources.size(); ++r)
         box.add("friction." + split.problem.sources[r].name, Kind::heat, ranges.heat, r,
                 heat_at(split.problem, r, start));
-    if (!split.problem.interfaces.empty())
-        box.add("oil temperature", Kind::oil_temperature, ranges.oil_temperature, 0, oil_temperature_of(split.problem));
-    box.add("ambient", Kind::ambient, ranges.ambient, 0, split.problem.segments.front().ambient(0));
+    add_oil_temperatures(box, split.problem, ranges);
+    add_ambients(box, split.problem, ranges);
     auto result = box.take();
     for (auto& coefficient : result)
-        widen_by_segments(coefficient, split.problem);
+        widen_by_segments(coefficient, split.problem, start);
     return result;
 }
 
 std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::size_t member,
-                               const HeatProblem& problem, const HeatSegment& segment)
+                               const HeatProblem& problem, std::size_t segment, double start)
 {
     const auto place = coefficient.members[member];
     const double base = coefficient.base[member];
@@ -132,15 +173,18 @@ std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::
             return value / base;
         return value > 0 ? std::optional(std::numeric_limits<double>::infinity()) : std::nullopt;
     };
+    const auto& laws = laws_in(problem, problem.segments[segment]);
     switch (coefficient.kind) {
     case Kind::film:
-        return factor(problem.surfaces[place].coefficient);
+        return factor(nominal_film(problem.surfaces[place], segment, start));
     case Kind::side:
-        return factor(side_of(laws_in(problem, segment), place));
+        return factor(side_of(laws, place));
     case Kind::oil:
-        return factor(laws_in(problem, segment)[place].oil);
+        return factor(laws[place].oil);
     case Kind::oil_temperature:
-        return oil_temperature_of(problem) - base;
+        if (const auto temperature = oil_temperature_of(problem, segment, place))
+            return *temperature - base;
+        break;
     case Kind::heat:     // by name (outside.cpp)
     case Kind::ambient:  // a course (outside.cpp)
         break;
@@ -148,17 +192,22 @@ std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::
     return std::nullopt;
 }
 
+double nominal_film(const SurfaceCondition& film, std::size_t segment, double start)
+{
+    if (!heat::follows_temperature(film))
+        return film.coefficient;
+    const double warm = start + nominal_rise;
+    const LawValue convection =
+        film.laws.empty() ? LawValue{film.coefficient, 0, true} : film.laws.at(segment)(start)(warm);
+    return heat::film_flux(convection, film.emissivity, warm, start) / nominal_rise;
+}
+
 HeatProblem with_nominal_films(const HeatProblem& problem, double start)
 {
     auto result = problem;
     result.radiation.clear();
-    const double warm = start + nominal_rise;
     for (auto& condition : result.surfaces) {
-        if (!heat::follows_temperature(condition))
-            continue;
-        const LawValue film =
-            condition.laws.empty() ? LawValue{condition.coefficient, 0, true} : condition.laws.front()(start)(warm);
-        condition.coefficient = heat::film_flux(film, condition.emissivity, warm, start) / nominal_rise;
+        condition.coefficient = nominal_film(condition, 0, start);
         condition.laws.clear();
         condition.emissivity = 0;
     }

@@ -7,8 +7,8 @@
 
 namespace deadpoint {
 struct HeatProblem;
-struct HeatSegment;
 struct Machine;
+struct SurfaceCondition;
 }  // namespace deadpoint
 
 /// The coefficients that are free in a reduced model of a case.
@@ -36,18 +36,25 @@ struct FreeRanges {
 /// Oil coefficient to which the range of a joint without oil refers [W/m2/K].
 inline constexpr double assumed_oil = 500;
 
-/// The box of a problem with constant films. Held coefficients are in it too, with a range of no width.
+/// The box of a problem. Held coefficients are in it too, with a range of no width. Films that follow the temperature
+/// count by nominal_film() of the first segment.
 /// @param start  temperature at the start [K]
 reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges,
                               double start);
 
-/// A coefficient's value in a problem with constant films: a factor on its base, or a difference to it.
+/// A coefficient's value in a segment: a factor on its base, or a difference to it.
 /// @param member  of the coefficient
-/// @return nothing for heat and ambient, which are no single numbers, and where the base is zero
+/// @param start   temperature at the start [K]
+/// @return nothing for heat and ambient, which are no single numbers, where the base is zero, and for the temperature
+/// of
+///         oil that carries no heat away
 std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::size_t member,
-                               const HeatProblem& problem, const HeatSegment& segment);
+                               const HeatProblem& problem, std::size_t segment, double start);
 
-/// The problem with constant films: laws and radiation at a surface 20 K above the start temperature, and air at it.
+/// A film's coefficient at a surface 20 K above the start temperature, in air at it, radiation included [W/m2/K].
+double nominal_film(const SurfaceCondition& film, std::size_t segment, double start);
+
+/// The problem with constant films: each at its nominal_film() of the first segment.
 HeatProblem with_nominal_films(const HeatProblem& problem, double start);
 
 }  // namespace deadpoint::study

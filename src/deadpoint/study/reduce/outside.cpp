@@ -22,15 +22,26 @@ struct Found {
     }
 };
 
-// An ambient may follow a course.
+// Courses of the room's air and of the air that films state for themselves. A film that had none when the press was
+// reduced counts from the room's.
 Found ambients_in(const FreeCoefficient& coefficient, const HeatProblem& problem)
 {
     constexpr int places = 24;  // of each segment
+    const auto base_of = [&](std::size_t member) {
+        const auto at = std::ranges::find(coefficient.members, member) - coefficient.members.begin();
+        return static_cast<std::size_t>(at) < coefficient.base.size() ? coefficient.base[static_cast<std::size_t>(at)]
+                                                                      : coefficient.base.front();
+    };
     Found found;
     double begin = 0;
     for (const auto& segment : problem.segments) {
-        for (int k = 0; k <= places; ++k)
-            found.add(segment.ambient(begin + segment.duration * k / places) - coefficient.base.front());
+        for (int k = 0; k <= places; ++k) {
+            const double time = begin + segment.duration * k / places;
+            found.add(segment.ambient(time) - coefficient.base.front());
+            for (std::size_t s = 0; s < problem.surfaces.size(); ++s)
+                if (const auto& own = problem.surfaces[s].ambient)
+                    found.add(own(time) - base_of(1 + s));
+        }
         begin += segment.duration;
     }
     return found;
@@ -58,9 +69,9 @@ Found values_in(const FreeCoefficient& coefficient, const HeatProblem& problem, 
     if (coefficient.kind == FreeCoefficient::Kind::heat)
         return heat_in(coefficient, problem, start);
     Found found;
-    for (const auto& segment : problem.segments)
+    for (std::size_t segment = 0; segment < problem.segments.size(); ++segment)
         for (std::size_t k = 0; k < coefficient.members.size(); ++k)
-            if (const auto value = value_of(coefficient, k, problem, segment))
+            if (const auto value = value_of(coefficient, k, problem, segment, start))
                 found.add(*value);
     return found;
 }
@@ -76,10 +87,9 @@ const char* unit_of(FreeCoefficient::Kind kind)
 std::vector<std::string> outside_of(const reduce::Box& box, const SplitProblem& split, double start)
 {
     constexpr double rounding = 1e-9;
-    const auto nominal = with_nominal_films(split.problem, start);
     std::vector<std::string> result;
     for (const auto& coefficient : box) {
-        const auto [least, most] = values_in(coefficient, nominal, start);
+        const auto [least, most] = values_in(coefficient, split.problem, start);
         const double slack = rounding * std::max(1.0, coefficient.to);
         if (least < coefficient.from - slack || most > coefficient.to + slack)
             result.push_back(fmt::format("{}: {:.4g} to {:.4g}, trained {:.4g} to {:.4g}{}", coefficient.name, least,

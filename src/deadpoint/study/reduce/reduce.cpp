@@ -279,7 +279,7 @@ std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& in
     Reduction result;
     result.small = press_without_terms(parts, input, build_options);
     result.small.box =
-        free_coefficients(problems.nominal, parts.machine, options.ranges, input.machine.initial_temperature);
+        free_coefficients(problems.split, parts.machine, options.ranges, input.machine.initial_temperature);
     auto models = reduce::build(*full, problems.nominal.problem, result.small.box, build_options, kept, observer);
     if (!models)
         return std::nullopt;

@@ -67,8 +67,7 @@ bool is_one_value(const casefile::Case& input, double casefile::Segment::*member
 class Study {
 public:
     Study(const casefile::Case& input, const ReducedPress& press, Observer& observer)
-        : input_(input), press_(press), observer_(observer), problem_(heat_problem(input, press.machine, silent_)),
-          nominal_(with_nominal_films(problem_, press.reference))
+        : input_(input), press_(press), observer_(observer), problem_(heat_problem(input, press.machine, silent_))
     {}
 
     Sensitivities get()
@@ -103,7 +102,7 @@ private:
         std::vector<double> values;
         for (std::size_t k = 0; k < coefficient.members.size(); ++k) {
             const double base = coefficient.base[k];
-            const auto factor = value_of(coefficient, k, nominal_, nominal_.segments.front());
+            const auto factor = value_of(coefficient, k, problem_, 0, press_.reference);
             values.push_back(factor && std::isfinite(*factor) ? *factor * base : 0);
         }
         return values;
@@ -194,7 +193,7 @@ private:
     const ReducedPress& press_;
     Observer& observer_;
     Silent silent_;
-    HeatProblem problem_, nominal_;
+    HeatProblem problem_;
     std::vector<Studied> studied_;
 };
 
