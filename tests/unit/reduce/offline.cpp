@@ -90,11 +90,27 @@ TEST_CASE("the most frequent states hold the uniform field and what runs did")
     const Eigen::MatrixXd directions = columns_of(30, 3);
     Moments moments(30), none(30);
     moments.add(directions * columns_of(3, 50) + 293 * uniform * Eigen::RowVectorXd::Ones(50));
-    const auto basis = most_frequent(moments, none, 1e-2, uniform, 4);
+    const auto basis = most_frequent(moments, none, {uniform, Eigen::MatrixXd::Identity(30, 30), 1e-2}, 4);
     REQUIRE(basis.cols() == 4);
     CHECK((basis.transpose() * basis - Eigen::MatrixXd::Identity(4, 4)).norm() < 1e-10);
     for (const Eigen::VectorXd& field : {uniform, Eigen::VectorXd(directions.col(1))})
         CHECK((field - basis * (basis.transpose() * field)).norm() < 1e-7 * field.norm());
+}
+
+TEST_CASE("in a norm that weighs one component, its states come before larger ones of others")
+{
+    Eigen::MatrixXd states = Eigen::MatrixXd::Zero(6, 2);
+    states(2, 0) = 1;    // weighs 1 of 1.01 in x^T x, 1 of 2 with the norm below
+    states(4, 1) = 0.1;  // 0.01, and 1.1
+    Moments moments(6), none(6);
+    moments.add(states);
+    const Eigen::VectorXd uniform = Eigen::VectorXd::Unit(6, 0);
+    Eigen::MatrixXd norm = Eigen::MatrixXd::Identity(6, 6);
+    CHECK(std::abs(most_frequent(moments, none, {uniform, norm, 0}, 2)(2, 1)) == Approx(1));
+    norm(4, 4) = 110;
+    const auto basis = most_frequent(moments, none, {uniform, norm, 0}, 2);
+    CHECK(std::abs(basis(4, 1)) == Approx(1));
+    CHECK(std::abs(basis(2, 1)) < 1e-12);
 }
 
 TEST_CASE("draws are those of SplitMix64 on every machine")

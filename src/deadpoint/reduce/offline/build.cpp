@@ -62,7 +62,9 @@ std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const
         return std::nullopt;
     observer.stage("small model");
     const auto combinations = on_first(ranks, [&] {
-        return most_frequent(training->states, training->duals, options.dual_share, large->terms.uniform,
+        const auto& terms = large->terms;
+        return most_frequent(training->states, training->duals,
+                             {terms.uniform, error_norm(terms, options.readings), options.dual_share},
                              static_cast<Eigen::Index>(options.largest));
     });
     auto small = choose_small(large, combinations, base, box, options, ranks, observer);

@@ -33,15 +33,37 @@ void Moments::add(const Eigen::MatrixXd& states) { sum_.selfadjointView<Eigen::L
 
 void Moments::sum_over(const Ranks& ranks) { ranks.sum(sum_); }
 
-Eigen::MatrixXd most_frequent(const Moments& moments, const Moments& duals, double dual_share,
-                              const Eigen::VectorXd& uniform, Eigen::Index count)
+Eigen::MatrixXd error_norm(const DenseTerms& terms, double readings)
 {
-    const Eigen::VectorXd unit = uniform.normalized();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(weighted(moments, unit) +
-                                                                dual_share * weighted(duals, unit));
+    const auto& layout = terms.geometry.layout;
+    const auto row = [&](std::size_t functional) {
+        return terms.functionals.row(static_cast<Eigen::Index>(functional));
+    };
+    const auto states = terms.uniform.size();
+    RowMatrix told(static_cast<Eigen::Index>(2 * layout.interfaces + layout.probes), states);
+    Eigen::Index next = 0;
+    for (std::size_t i = 0; i < layout.interfaces; ++i)
+        for (const bool side_b : {false, true})
+            told.row(next++) = row(layout.mean(i, side_b));
+    for (std::size_t p = 0; p < layout.probes; ++p)
+        told.row(next++) = row(layout.probe(p));
+    Eigen::MatrixXd norm = Eigen::MatrixXd::Identity(states, states);
+    if (next > 0)
+        norm += readings * terms.uniform.squaredNorm() / static_cast<double>(next) * (told.transpose() * told);
+    return norm;
+}
+
+Eigen::MatrixXd most_frequent(const Moments& moments, const Moments& duals, const StateWeights& weights,
+                              Eigen::Index count)
+{
+    const Eigen::VectorXd unit = weights.uniform.normalized();
+    const Eigen::LLT<Eigen::MatrixXd> root(weights.norm);
+    const Eigen::MatrixXd seen =
+        root.matrixU() * (weighted(moments, unit) + weights.dual_share * weighted(duals, unit)) * root.matrixL();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(seen);
     const Eigen::Index others = std::min(count, unit.size()) - 1;
     Eigen::MatrixXd result(unit.size(), 1 + others);
-    result << unit, solver.eigenvectors().rightCols(others).rowwise().reverse();
+    result << unit, root.matrixU().solve(solver.eigenvectors().rightCols(others)).rowwise().reverse();
     // states that never occur are eigenvectors like any other, and may hold some of the uniform field
     return Eigen::HouseholderQR<Eigen::MatrixXd>(result).householderQ() *
            Eigen::MatrixXd::Identity(unit.size(), result.cols());

@@ -20,11 +20,23 @@ private:
     Eigen::MatrixXd sum_;  ///< lower triangle
 };
 
-/// Combinations of states: the uniform field, then the eigenvectors of largest eigenvalue of
-///   moments / trace + dual_share duals / trace
-/// without the uniform field. @return a column for each, orthonormal; at most `count`
-Eigen::MatrixXd most_frequent(const Moments& moments, const Moments& duals, double dual_share,
-                              const Eigen::VectorXd& uniform, Eigen::Index count);
+/// By what the states of a small model are chosen.
+struct StateWeights {
+    Eigen::VectorXd uniform;  ///< states of a temperature of 1 K everywhere
+    Eigen::MatrixXd norm;     ///< of errors, symmetric and positive definite
+    double dual_share = 0;    ///< of dual states
+};
+/// The norm  x^T x + readings |uniform|^2 (mean of f_k(x)^2)  with the functionals f_k by which errors are told: means
+/// of sides of interfaces, and probes. A uniform field has the share `readings` by its functionals.
+Eigen::MatrixXd error_norm(const DenseTerms& terms, double readings);
+
+/// Combinations of states: the uniform field, then those without it that span, in this order, the eigenvectors of
+/// largest eigenvalue of
+///   L^T (moments / trace + dual_share duals / trace) L,    norm = L L^T,
+/// times L^-T: of all bases of that size they leave the least of the states, in that norm.
+/// @return a column for each, orthonormal; at most `count`
+Eigen::MatrixXd most_frequent(const Moments& moments, const Moments& duals, const StateWeights& weights,
+                              Eigen::Index count);
 
 /// The terms on combinations of the states, cut to lower rank.
 DenseTerms combined(const DenseTerms& terms, const Eigen::MatrixXd& combinations, const Truncation& truncation);

@@ -3,6 +3,7 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
+#include "deadpoint/reduce/offline/difference.hpp"
 #include "deadpoint/reduce/online/dense_system.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "deadpoint/reduce/parallel/in_parallel.hpp"
@@ -54,36 +55,79 @@ void add_swing(HeatProblem& problem, double phase)
         };
 }
 
-// The states after each step, a column for each.
+bool is_early(const HeatProblem& problem, double time)
+{
+    double begin = 0;
+    for (const auto& segment : problem.segments) {
+        if (time <= begin + segment.duration)
+            return time < begin + settled_after;
+        begin += segment.duration;
+    }
+    return false;
+}
+
+// The states after each step, a column for each, with roots of their weights.
 Eigen::MatrixXd states_of_run(const Terms& terms, const HeatProblem& problem, const BuildOptions& options)
 {
     std::vector<States> states;
+    const double early = std::sqrt(options.early_share);
     Silent observer;
     ReducedRun(terms, problem, options.adjoints, options.reference)
-        .go({[&](double, const States& at) { states.push_back(at); }, {}}, observer);
+        .go({[&](double time, const States& at) {
+                 states.push_back(is_early(problem, time) ? States(early * at) : at);
+             },
+             {}},
+            observer);
     Eigen::MatrixXd columns(terms->terms.uniform.size(), static_cast<Eigen::Index>(states.size()));
     for (std::size_t k = 0; k < states.size(); ++k)
         columns.col(static_cast<Eigen::Index>(k)) = states[k];
     return columns;
 }
 
-// States of the dual problem, dz/dt = -K z backward from E_SW's weights, by implicit Euler steps of two minutes to
-// four hours that double; each counts alike.
+/// Where a dual problem begins.
+struct DualStart {
+    States weights;
+    double weight = 1;  ///< of its states
+};
+
+std::vector<DualStart> dual_starts(const DenseTerms& terms, const BuildOptions& options)
+{
+    std::vector<DualStart> starts;
+    if (options.has_dual)
+        starts.push_back({terms.observed.row(static_cast<Eigen::Index>(options.dual_row)).transpose(), 1});
+    const auto& layout = terms.geometry.layout;
+    const double of_probe = options.probe_duals / std::max(1.0, static_cast<double>(layout.probes));
+    for (std::size_t p = 0; p < layout.probes; ++p)
+        starts.push_back({terms.functionals.row(static_cast<Eigen::Index>(layout.probe(p))).transpose(), of_probe});
+    return starts;
+}
+
+// States of the dual problems, dz/dt = -K z backward from the weights of E_SW and of each probe, by implicit Euler
+// steps of two minutes to four hours that double. The states of one dual problem count alike.
 Eigen::MatrixXd dual_states(const Terms& terms, const HeatProblem& problem, const BuildOptions& options)
 {
     constexpr int steps = 8;
     DenseSystem system(terms, problem, options.reference);
     system.set_laws(
         problem.segments.front().interfaces.empty() ? problem.interfaces : problem.segments.front().interfaces, {});
-    Eigen::MatrixXd columns(terms->terms.uniform.size(), steps);
-    States state = terms->terms.observed.row(static_cast<Eigen::Index>(options.dual_row)).transpose(), next = state;
+    const auto starts = dual_starts(terms->terms, options);
+    const auto count = static_cast<Eigen::Index>(starts.size());
+    Eigen::MatrixXd columns(terms->terms.uniform.size(), steps * count);
+    for (Eigen::Index s = 0; s < count; ++s)
+        columns.col(s) = starts[static_cast<std::size_t>(s)].weights;
     double length = 120;
     for (int k = 0; k < steps; ++k, length *= 2) {
-        system.build(length, state, {});
-        system.solve(state, next, {}, {}, "the dual of E_SW");
-        columns.col(k) = state = next;
+        system.build(length, columns.col(0), {});
+        for (Eigen::Index s = 0; s < count; ++s) {
+            const States before = columns.col(k == 0 ? s : (k - 1) * count + s);
+            States state = before;
+            system.solve(before, state, {}, {}, "the dual of an output");
+            columns.col(k * count + s) = state;
+        }
     }
     columns.colwise().normalize();
+    for (Eigen::Index k = 0; k < columns.cols(); ++k)
+        columns.col(k) *= std::sqrt(starts[static_cast<std::size_t>(k % count)].weight);
     return columns;
 }
 
@@ -162,14 +206,17 @@ std::optional<Training> train(const Terms& large, const HeatProblem& base, const
 {
     const auto states = large->terms.uniform.size();
     const auto problems = drawn_problems(base, box, training_seed, options.training_runs);
-    const auto moments = [&](const auto& columns) {
-        return moments_of(states, problems, ranks, options.threads, observer,
+    const auto moments = [&](const std::vector<HeatProblem>& of, const auto& columns) {
+        return moments_of(states, of, ranks, options.threads, observer,
                           [&](const HeatProblem& problem) { return columns(large, problem, options); });
     };
-    const auto of_states = moments(states_of_run);
+    const auto of_states = moments(problems, states_of_run);
     if (!of_states)
         return std::nullopt;
-    const auto of_duals = options.has_dual ? moments(dual_states) : Moments(states);
+    std::vector<HeatProblem> some;
+    for (std::size_t k = 0; k < problems.size(); k += static_cast<std::size_t>(options.runs_per_dual))
+        some.push_back(problems[k]);
+    const auto of_duals = moments(some, dual_states);
     return of_duals ? std::optional(Training{*of_states, *of_duals}) : std::nullopt;
 }
 

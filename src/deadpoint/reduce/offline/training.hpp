@@ -21,7 +21,7 @@ class Ranks;
 /// Second moments of states, over all training runs.
 struct Training {
     Moments states;  ///< of the runs, after each step
-    Moments duals;   ///< of the dual problem of E_SW; zero where there is none
+    Moments duals;   ///< of the dual problems of E_SW and of the probes; zero where there are none
 };
 
 /// Computes the training runs of the large model, shared out over ranks and threads. Collective.
