@@ -332,6 +332,14 @@ Displacement Model::displacement_of_rise(const Field& rise)
     return implementation_->deformation().displacement(implementation_->where_deformed(rise));
 }
 
+std::vector<Displacement> Model::displacements_of_rises(const std::vector<Field>& rises)
+{
+    std::vector<Field> deformed;
+    for (const auto& rise : rises)
+        deformed.push_back(implementation_->where_deformed(rise));
+    return implementation_->deformation().displacements(deformed);
+}
+
 Adjoint Model::secant(const Adjoint& adjoint, const Field& temperature, double reference_temperature)
 {
     auto result = adjoint;

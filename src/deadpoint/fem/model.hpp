@@ -120,6 +120,8 @@ public:
     [[nodiscard]] Field expansion_rise(const Field& temperature, double reference_temperature) const;
     /// The deformation for such a rise.
     Displacement displacement_of_rise(const Field& rise);
+    /// Several at once, which takes far less time each where a sparse factor fits into memory.
+    std::vector<Displacement> displacements_of_rises(const std::vector<Field>& rises);
     /// Weights that give the same value with T - T_reference itself at this temperature:
     /// weight (eps(T) - eps(T_reference)) / (scale (T - T_reference)).
     Adjoint secant(const Adjoint& adjoint, const Field& temperature, double reference_temperature);

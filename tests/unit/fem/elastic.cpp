@@ -257,6 +257,23 @@ TEST_CASE("an evenly warm machine of free bonded blocks grows by alpha dT x")
     }
 }
 
+TEST_CASE("deformations solved for together are those of each alone")
+{
+    const bricks::Space both(bonded(), {2, 1});
+    ElasticSolver together(both.space, steels, {}), alone(both.space, steels, {});
+    std::vector<Field> rises;
+    for (int k = 0; k < 40; ++k)  // more than one block; one without any load
+        rises.push_back(
+            {bricks::values_of(both.space, [k](const Vec3& x) { return k * (1 + std::sin(k * x[0]) + x[1]); })});
+    const auto found = together.displacements(rises);
+    REQUIRE(found.size() == rises.size());
+    CHECK(together.iterations() == 0);  // the factor alone reached the tolerance
+    for (std::size_t k = 0; k < rises.size(); ++k) {
+        const auto wanted = bricks::column(alone.displacement(rises[k]).owned);
+        CHECK((bricks::column(found[k].owned) - wanted).norm() <= 1e-9 * wanted.norm());  // each to 1e-10
+    }
+}
+
 TEST_CASE("a linear rise bends a free block without stress, exactly with elements of second order")
 {
     for (const bool tetrahedra : {false, true}) {

@@ -149,21 +149,21 @@ std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<ForceGauge>& gaug
 {
     std::vector<Adjoint> result;
     Gathered gathered(solution_);
-    for (const auto& gauge : gauges) {
-        const auto described = describe(gauge);
-        if (gauge.kind == ForceGauge::Kind::feet && foundation_.kind == Foundation::Kind::elastic)
+    const auto load_gauge = [&](std::size_t k) {
+        if (gauges[k].kind == ForceGauge::Kind::feet && foundation_.kind == Foundation::Kind::elastic)
             load(pad_force(), rhs_);
         else
-            stiffness_times(described.shape, rhs_);
+            stiffness_times(describe(gauges[k]).shape, rhs_);
         pieces_->equilibrate(rhs_);
-        DEADPOINT_PETSC(VecSet(free_solution_, 0));
-        solve_free("the adjoint of a force");
+    };
+    solve_all(gauges.size(), "the adjoint of a force", load_gauge, [&](std::size_t k) {
+        const auto described = describe(gauges[k]);
         const double* solved = gathered.gather(solution_);
         std::vector<double> weights(described.shape.size());
         for (std::size_t i = 0; i < weights.size(); ++i)
             weights[i] = described.factor * (solved[i] - described.shape[i]);
-        result.push_back(temperature_weights(gauge.name, weights.data()));
-    }
+        result.push_back(temperature_weights(gauges[k].name, weights.data()));
+    });
     return result;
 }
 

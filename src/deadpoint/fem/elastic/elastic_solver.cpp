@@ -3,6 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/elastic/elastic_cells.hpp"
+#include "deadpoint/fem/elastic/refined_solve.hpp"
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/fields.hpp"
 
@@ -15,6 +16,7 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr double relative_tolerance = 1e-10;
+constexpr std::size_t block = 32;  ///< loads that are solved for together
 
 }  // namespace
 
@@ -71,14 +73,14 @@ void ElasticSolver::keep_upper_half()
 // of iterations for; beyond its memory, multigrid with the rigid motions.
 void ElasticSolver::choose_solver(PetscInt size)
 {
-    const bool direct = size <= largest_factor;
+    has_factor_ = size <= largest_factor;
     DEADPOINT_PETSC(KSPCreate(PETSC_COMM_WORLD, solver_.out()));
     DEADPOINT_PETSC(KSPSetType(solver_, KSPCG));
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_TRUE));
     DEADPOINT_PETSC(KSPSetTolerances(solver_, relative_tolerance, 1e-300, 1e12, 2000));
     PC preconditioner = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
-    if (direct) {
+    if (has_factor_) {
         keep_upper_half();
         DEADPOINT_PETSC(PCSetType(preconditioner, PCCHOLESKY));
         DEADPOINT_PETSC(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
@@ -90,11 +92,16 @@ void ElasticSolver::choose_solver(PetscInt size)
     DEADPOINT_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
 }
 
-// Solves for rhs_ and stores the result in solution_. A previous solution in free_solution_ is the first guess.
-void ElasticSolver::solve_free(const char* what)
+void ElasticSolver::take_free_load()
 {
     DEADPOINT_PETSC(MatMultTranspose(expansion_, rhs_, free_rhs_));
     clear_fixed(free_rhs_);
+}
+
+// Solves for rhs_ and stores the result in solution_. A previous solution in free_solution_ is the first guess.
+void ElasticSolver::solve_free(const char* what)
+{
+    take_free_load();
     PetscReal size = 0;
     DEADPOINT_PETSC(VecNorm(free_rhs_, NORM_INFINITY, &size));
     if (size > 0)
@@ -102,6 +109,56 @@ void ElasticSolver::solve_free(const char* what)
     else
         DEADPOINT_PETSC(VecSet(free_solution_, 0));
     DEADPOINT_PETSC(MatMult(expansion_, free_solution_, solution_));
+}
+
+void ElasticSolver::solve_all(std::size_t count, const char* what, const std::function<void(std::size_t)>& load,
+                              const std::function<void(std::size_t)>& take)
+{
+    if (has_factor_) {
+        for (std::size_t first = 0; first < count; first += block)
+            solve_block(first, std::min(first + block, count), what, load, take);
+        return;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        load(k);
+        DEADPOINT_PETSC(VecSet(free_solution_, 0));
+        solve_free(what);
+        take(k);
+    }
+}
+
+void ElasticSolver::solve_block(std::size_t first, std::size_t last, const char* what,
+                                const std::function<void(std::size_t)>& load,
+                                const std::function<void(std::size_t)>& take)
+{
+    const auto count = static_cast<PetscInt>(last - first);
+    const auto right = dense_columns(matrix_, count), solution = dense_columns(matrix_, count);
+    Vec column = nullptr;
+    for (PetscInt k = 0; k < count; ++k) {
+        load(first + static_cast<std::size_t>(k));
+        take_free_load();
+        DEADPOINT_PETSC(MatDenseGetColumnVecWrite(right, k, &column));
+        DEADPOINT_PETSC(VecCopy(free_rhs_, column));
+        DEADPOINT_PETSC(MatDenseRestoreColumnVecWrite(right, k, &column));
+    }
+    PC preconditioner = nullptr;
+    Mat factor = nullptr;
+    DEADPOINT_PETSC(KSPSetUp(solver_));
+    DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
+    DEADPOINT_PETSC(PCFactorGetMatrix(preconditioner, &factor));
+    const bool solved = solve_refined(matrix_, factor, right, solution, relative_tolerance);
+    for (PetscInt k = 0; k < count; ++k) {
+        DEADPOINT_PETSC(MatDenseGetColumnVecRead(solution, k, &column));
+        DEADPOINT_PETSC(VecCopy(column, free_solution_));
+        DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(solution, k, &column));
+        if (solved) {
+            DEADPOINT_PETSC(MatMult(expansion_, free_solution_, solution_));
+        } else {
+            load(first + static_cast<std::size_t>(k));
+            solve_free(what);
+        }
+        take(first + static_cast<std::size_t>(k));
+    }
 }
 
 namespace {
@@ -248,18 +305,17 @@ void ElasticSolver::load(const Functional& functional, Vec target) const
     DEADPOINT_PETSC(VecRestoreArray(target, &values));
 }
 
-// Solves the adjoint problem and stores the result in solution_.
-void ElasticSolver::solve_dual(const Functional& functional)
+void ElasticSolver::load_dual(const Functional& functional)
 {
     load(functional, rhs_);
     pieces_->equilibrate(rhs_);
-    DEADPOINT_PETSC(VecSet(free_solution_, 0));
-    solve_free("the deformation's adjoint");
 }
 
 Displacement ElasticSolver::dual(const Functional& functional)
 {
-    solve_dual(functional);
+    load_dual(functional);
+    DEADPOINT_PETSC(VecSet(free_solution_, 0));
+    solve_free("the deformation's adjoint");
     return owned_solution();
 }
 
@@ -267,10 +323,9 @@ std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<Functional>& func
 {
     std::vector<Adjoint> result;
     Gathered gathered(solution_);
-    for (const auto& functional : functionals) {
-        solve_dual(functional);
-        result.push_back(temperature_weights(functional.name, gathered.gather(solution_)));
-    }
+    solve_all(
+        functionals.size(), "the deformation's adjoint", [&](std::size_t k) { load_dual(functionals[k]); },
+        [&](std::size_t k) { result.push_back(temperature_weights(functionals[k].name, gathered.gather(solution_))); });
     return result;
 }
 
@@ -281,6 +336,20 @@ Displacement ElasticSolver::displacement(const Field& rise)
     solve_free("the thermal deformation");
     pieces_->remove_rigid_motion(solution_);
     return owned_solution();
+}
+
+std::vector<Displacement> ElasticSolver::displacements(const std::vector<Field>& rises)
+{
+    std::vector<Displacement> result;
+    const auto load_rise = [&](std::size_t k) {
+        DEADPOINT_PETSC(VecSet(rhs_, 0));
+        load_thermal(rises[k], rhs_);
+    };
+    solve_all(rises.size(), "the thermal deformation", load_rise, [&](std::size_t) {
+        pieces_->remove_rigid_motion(solution_);
+        result.push_back(owned_solution());
+    });
+    return result;
 }
 
 Displacement ElasticSolver::displacement(const RestLoads& loads)

@@ -5,6 +5,8 @@
 #include "deadpoint/fem/elastic/ties.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,6 +28,8 @@ public:
     std::vector<Adjoint> adjoints(const std::vector<ForceGauge>& gauges);
     /// @param rise  as Model::expansion_rise()
     Displacement displacement(const Field& rise);
+    /// Several at once, which takes far less time each where a sparse factor fits into memory.
+    std::vector<Displacement> displacements(const std::vector<Field>& rises);
     /// The deformation due to weights and initial strain.
     /// @throws InputError if the feet leave the machine free to move under its weight
     Displacement displacement(const RestLoads& loads);
@@ -50,6 +54,13 @@ private:
     void choose_solver(PetscInt size);
     void set_near_null_space();
     void solve_free(const char* what);
+    /// @param load  sets rhs_ to the load of that number
+    /// @param take  reads its displacement in solution_
+    void solve_all(std::size_t count, const char* what, const std::function<void(std::size_t)>& load,
+                   const std::function<void(std::size_t)>& take);
+    void solve_block(std::size_t first, std::size_t last, const char* what,
+                     const std::function<void(std::size_t)>& load, const std::function<void(std::size_t)>& take);
+    void take_free_load();
     void require_equilibrium();
     [[nodiscard]] Displacement owned_solution() const;
     void add_pads(Mat all) const;
@@ -58,7 +69,7 @@ private:
     void load_initial_strain(const std::vector<Tensor6>& strain, Vec target) const;
     void load_weight(const Vec3& gravity, Vec target) const;
     [[nodiscard]] Adjoint temperature_weights(const std::string& name, const double* displacement) const;
-    void solve_dual(const Functional& functional);
+    void load_dual(const Functional& functional);
     void clear_fixed(Vec vector) const;
     [[nodiscard]] double thermal_modulus(int part) const;  ///< E alpha / (1 - 2 nu) [Pa/K], alpha the expansion_scale()
 
@@ -86,6 +97,7 @@ private:
     std::vector<PetscInt> feet_;   ///< unknowns at the feet that are held or on pads, on all ranks
     std::vector<PetscInt> fixed_;  ///< this rank's, as global numbers of free displacements
     int iterations_ = 0;
+    bool has_factor_ = false;  ///< a sparse factor of matrix_
 };
 
 }  // namespace deadpoint::fem

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace deadpoint::study {
 namespace {
@@ -105,8 +106,7 @@ ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double re
     view.coefficients = std::move(fields.coefficients);
     view.largest_rise = fields.largest_rise;
     view.error = fields.error;
-    const auto base_rise = take_rise(fields.base, model, reference);
-    std::vector<fem::Field> rises;
+    std::vector<fem::Field> rises{take_rise(fields.base, model, reference)};
     for (auto& mode : fields.modes)
         rises.push_back(take_rise(mode, model, 0.0));
     view.temperature.base = model.at_corners(view.surface.vertices, fields.base);
@@ -117,12 +117,19 @@ ViewData ViewRecorder::finish(const Machine& whole, fem::Model& model, double re
     // Cases start from a uniform temperature; the fields were stored as floats.
     const bool starts_undeformed =
         std::ranges::all_of(view.temperature.base, [&](double t) { return std::abs(t - reference) < 1e-4; });
+    std::size_t deformed = 0;
+    while (deformed < fields.modes.size() && fields.residual_energy[deformed] > view_deformation_tolerance)
+        ++deformed;
+    rises.resize(1 + deformed);
+    if (starts_undeformed)
+        rises.erase(rises.begin());
+    for (const auto& displacement : model.displacements_of_rises(rises))
+        view.displacement.modes.push_back(closed_displacement(view.surface, model, displacement, close));
     view.displacement.base.resize(view.surface.vertices.size());
-    if (!starts_undeformed)
-        view.displacement.base = closed_displacement(view.surface, model, model.displacement_of_rise(base_rise), close);
-    for (std::size_t k = 0; k < fields.modes.size() && fields.residual_energy[k] > view_deformation_tolerance; ++k)
-        view.displacement.modes.push_back(
-            closed_displacement(view.surface, model, model.displacement_of_rise(rises[k]), close));
+    if (!starts_undeformed) {
+        view.displacement.base = std::move(view.displacement.modes.front());
+        view.displacement.modes.erase(view.displacement.modes.begin());
+    }
     return view;
 }
 

@@ -1,0 +1,76 @@
+#include "deadpoint/fem/elastic/refined_solve.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace deadpoint::fem {
+namespace {
+
+constexpr int rounds = 3;
+
+PetscInt columns_of(Mat dense)
+{
+    PetscInt columns = 0;
+    DEADPOINT_PETSC(MatGetSize(dense, nullptr, &columns));
+    return columns;
+}
+
+// residual = right - matrix solution
+void set_residual(Mat matrix, Mat right, Mat solution, Mat residual)
+{
+    for (PetscInt k = 0; k < columns_of(right); ++k) {
+        Vec from = nullptr, to = nullptr, wanted = nullptr;
+        DEADPOINT_PETSC(MatDenseGetColumnVecRead(solution, k, &from));
+        DEADPOINT_PETSC(MatDenseGetColumnVecWrite(residual, k, &to));
+        DEADPOINT_PETSC(MatMult(matrix, from, to));
+        DEADPOINT_PETSC(MatDenseGetColumnVecRead(right, k, &wanted));
+        DEADPOINT_PETSC(VecAYPX(to, -1, wanted));
+        DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(right, k, &wanted));
+        DEADPOINT_PETSC(MatDenseRestoreColumnVecWrite(residual, k, &to));
+        DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(solution, k, &from));
+    }
+}
+
+std::vector<PetscReal> column_norms(Mat dense)
+{
+    std::vector<PetscReal> norms(static_cast<std::size_t>(columns_of(dense)));
+    DEADPOINT_PETSC(MatGetColumnNorms(dense, NORM_2, norms.data()));
+    return norms;
+}
+
+bool is_settled(Mat change, Mat solution, double tolerance)
+{
+    const auto changes = column_norms(change), sizes = column_norms(solution);
+    for (std::size_t k = 0; k < changes.size(); ++k)
+        if (!(changes[k] <= tolerance * sizes[k]))
+            return false;
+    return true;
+}
+
+}  // namespace
+
+OwnedMat dense_columns(Mat matrix, PetscInt columns)
+{
+    PetscInt rows = 0;
+    OwnedMat result;
+    DEADPOINT_PETSC(MatGetLocalSize(matrix, &rows, nullptr));
+    DEADPOINT_PETSC(
+        MatCreateDense(PETSC_COMM_WORLD, rows, PETSC_DECIDE, PETSC_DETERMINE, columns, nullptr, result.out()));
+    return result;
+}
+
+bool solve_refined(Mat matrix, Mat factor, Mat right, Mat solution, double tolerance)
+{
+    const auto residual = dense_columns(matrix, columns_of(right)), change = dense_columns(matrix, columns_of(right));
+    DEADPOINT_PETSC(MatMatSolve(factor, right, solution));
+    for (int round = 0; round < rounds; ++round) {
+        set_residual(matrix, right, solution, residual);
+        DEADPOINT_PETSC(MatMatSolve(factor, residual, change));
+        DEADPOINT_PETSC(MatAXPY(solution, 1, change, SAME_NONZERO_PATTERN));
+        if (is_settled(change, solution, tolerance))
+            return true;
+    }
+    return false;
+}
+
+}  // namespace deadpoint::fem
