@@ -9,9 +9,9 @@ export OMPI_ALLOW_RUN_AS_ROOT = 1
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
 export OMP_NUM_THREADS = 1
 
-.PHONY: run test sanitize validate build dependencies format clean
+.PHONY: run test sanitize validate program build dependencies format clean
 
-run: build
+run: program
 	build/$(PRESET)/app/deadpoint run cases/$(CASE)/case.toml -o results/$(CASE) --force
 
 test: build
@@ -33,6 +33,11 @@ validate: build
 	rm -rf build/independence
 	scripts/independence.py --write --program $(PROGRAM)
 	scripts/compare-calculix.py --write --program $(PROGRAM)
+
+# Only what the program needs, without tests.
+program: dependencies
+	@cmake --preset $(PRESET) --log-level=WARNING
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target deadpoint
 
 build: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
