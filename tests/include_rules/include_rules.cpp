@@ -25,9 +25,9 @@ using Files = std::map<std::string, std::vector<Include>>;  // by path relative 
 const std::map<std::string, std::set<std::string>>& allowed_folders()
 {
     static const std::set<std::string> values{"core", "io", "exchange"};
-    static const std::set<std::string> stages{"core",       "io",        "exchange",     "casefile",   "mechanism",
-                                              "crankshaft", "tribology", "surroundings", "machine",    "heat",
-                                              "fem",        "reduce",    "drift",        "calibration"};
+    static const std::set<std::string> stages{"core",       "io",        "exchange",     "casefile",    "mechanism",
+                                              "crankshaft", "tribology", "surroundings", "machine",     "heat",
+                                              "fem",        "reduce",    "drift",        "calibration", "design"};
     static const auto rules = [] {
         std::map<std::string, std::set<std::string>> result{
             {"include", {}}, {"core", {}}, {"io", {"core"}}, {"exchange", {"core", "io"}}};
