@@ -2,8 +2,11 @@
 
 #include "deadpoint/casefile/describe/visitor.hpp"
 #include "deadpoint/casefile/syntax/value_texts.hpp"
+#include "deadpoint/core/pattern.hpp"
+#include "deadpoint/core/suggest.hpp"
 #include "deadpoint/error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <functional>
 #include <set>
@@ -280,6 +283,33 @@ std::vector<CaseNumber> numbers_of(const Case& input)
     Case copy = input;
     NumberWalk([&](const Found& found) { result.push_back(found.number); }).run(copy);
     return result;
+}
+
+std::vector<const CaseNumber*> numbers_matching(const std::vector<CaseNumber>& numbers, const std::string& pattern)
+{
+    std::vector<const CaseNumber*> result;
+    for (const auto& number : numbers) {
+        if (matches(pattern, number.path) || matches(pattern, number.by_name)) {
+            result.push_back(&number);
+        }
+    }
+    return result;
+}
+
+std::string nearest_key(const std::vector<CaseNumber>& numbers, const std::string& pattern)
+{
+    std::vector<std::string> names;
+    for (const auto& number : numbers) {
+        names.push_back(number.by_name);
+    }
+    if (const auto close = closest_name(pattern, names); !close.empty()) {
+        return close;
+    }
+    const auto shared = [&](const std::string& name) {
+        return std::ranges::mismatch(name, pattern).in1 - name.begin();
+    };
+    const auto best = std::ranges::max_element(names, {}, shared);
+    return best == names.end() ? "" : *best;
 }
 
 void change_numbers(Case& input, const std::map<std::string, NumberChange>& changes)

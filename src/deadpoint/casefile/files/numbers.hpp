@@ -23,6 +23,12 @@ struct CaseNumber {
 /// All quantities and plain numbers that a case has, also those that the library or a default states.
 std::vector<CaseNumber> numbers_of(const Case& input);
 
+/// Those that a pattern names, by number or by name of list items; `*` stands for any characters.
+std::vector<const CaseNumber*> numbers_matching(const std::vector<CaseNumber>& numbers, const std::string& pattern);
+
+/// The key nearest to a pattern that matches none: the closest spelling, else the longest common beginning.
+std::string nearest_key(const std::vector<CaseNumber>& numbers, const std::string& pattern);
+
 /// A new value is factor times the old one, plus shift [SI units]. A daily course keeps its amplitude under a shift.
 struct NumberChange {
     double factor = 1;

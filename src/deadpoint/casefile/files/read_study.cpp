@@ -399,6 +399,11 @@ StudyFile read_study(const std::filesystem::path& path, FileAccess files)
     stop_at_errors(diagnostics);
     StudyChecker(file, document, diagnostics).run();
     stop_at_errors(diagnostics);
+    if (file.sensitivity) {
+        const auto base = read_case(file.base, file.set, file.files).value;
+        check_sensitivity(*file.sensitivity, base, document, diagnostics);
+    }
+    stop_at_errors(diagnostics);
     return file;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/casefile/files/design_section.hpp"
 #include "deadpoint/casefile/syntax/file_access.hpp"
 
 #include <filesystem>
@@ -8,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// A study file, as `deadpoint sweep` reads it.
+/// A study file, as `deadpoint sweep` and `deadpoint sensitivity` read it.
 namespace deadpoint::casefile {
 
 class Visitor;
@@ -42,6 +43,7 @@ struct StudyFile {
     std::vector<std::string> set;
     std::vector<StudySet> sets;
     std::optional<StudyLimits> limits;
+    std::optional<SensitivitySection> sensitivity;
     FileAccess files = FileAccess::below;  ///< files that the base case may name
 };
 

@@ -2,8 +2,6 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/numbers.hpp"
-#include "deadpoint/core/pattern.hpp"
-#include "deadpoint/core/suggest.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>
@@ -12,29 +10,6 @@
 
 namespace deadpoint::study {
 namespace {
-
-// The key that shares most with a pattern, where no spelling is near: the longest common beginning.
-std::string nearest(const std::string& pattern, const std::vector<std::string>& names)
-{
-    if (const auto close = closest_name(pattern, names); !close.empty())
-        return close;
-    const auto shared = [&](const std::string& name) {
-        return std::ranges::mismatch(name, pattern).in1 - name.begin();
-    };
-    const auto best = std::ranges::max_element(names, {}, shared);
-    return best == names.end() ? "" : *best;
-}
-
-[[noreturn]] void refuse(const std::string& pattern, const std::string& owner,
-                         const std::vector<casefile::CaseNumber>& numbers)
-{
-    std::vector<std::string> names;
-    for (const auto& number : numbers)
-        names.push_back(number.by_name);
-    throw InputError(fmt::format("{}: the case has no number '{}'\n  help: did you mean '{}'? A pattern has * for any "
-                                 "letters; the resolved case (case.toml of a run) shows all keys",
-                                 owner, pattern, nearest(pattern, names)));
-}
 
 std::map<std::string, casefile::NumberChange> changes_of(const std::vector<CaseParameter>& parameters,
                                                          const std::vector<double>& theta)
@@ -62,15 +37,14 @@ std::vector<std::string> keys_of(const casefile::Case& input, const std::vector<
     const auto numbers = casefile::numbers_of(input);
     std::vector<std::string> keys;
     for (const auto& pattern : patterns) {
-        bool found = false;
-        for (const auto& number : numbers)
-            if (matches(pattern, number.path) || matches(pattern, number.by_name)) {
-                found = true;
-                if (std::ranges::find(keys, number.path) == keys.end())
-                    keys.push_back(number.path);
-            }
-        if (!found)
-            refuse(pattern, owner, numbers);
+        const auto found = casefile::numbers_matching(numbers, pattern);
+        if (found.empty())
+            throw InputError(fmt::format("{}: the case has no number '{}'\n  help: did you mean '{}'? A pattern has * for "
+                                         "any letters; the resolved case (case.toml of a run) shows all keys",
+                                         owner, pattern, casefile::nearest_key(numbers, pattern)));
+        for (const auto* number : found)
+            if (std::ranges::find(keys, number->path) == keys.end())
+                keys.push_back(number->path);
     }
     return keys;
 }

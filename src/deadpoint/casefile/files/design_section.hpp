@@ -1,0 +1,62 @@
+#pragma once
+
+#include "deadpoint/core/quantity.hpp"
+
+#include <string>
+#include <vector>
+
+/// Sections of a study file for sensitivity and design, which run on a reduced model.
+namespace deadpoint::casefile {
+
+class Diagnostics;
+class Visitor;
+struct Case;
+struct Document;
+
+/// Keys of a case that change together within a range.
+struct VariedKeys {
+    std::string name;               ///< after reading never empty
+    std::vector<std::string> keys;  ///< patterns; after reading: paths of the keys
+    double factor = 0;              ///< > 1: from 1/factor to factor times their values; 0: not stated
+    std::string shift;              ///< "3 K": from 3 K below to 3 K above their values
+    std::string from, to;           ///< or the range of the values themselves
+
+    enum class Kind { factor, shift, value };
+    // After reading:
+    Kind kind = Kind::factor;
+    double low = 0, high = 0;  ///< factors, or shifts or values in SI units
+    Dimension dimension = Dimension::none;
+};
+
+enum class SensitivityMethod { sobol, morris };
+
+struct SensitivitySection {
+    std::string method_name = "sobol";
+    int points = 256;       ///< rows of the design of Sobol' indices
+    int trajectories = 20;  ///< of Morris screening
+    int seed = 1;
+    int gradients = 0;                 ///< points at which derivatives are computed, for bounds of the total indices
+    std::vector<std::string> outputs;  ///< names or patterns; empty: the gap and all probes
+    std::vector<double> times;         ///< of figures besides the end [s]
+    int course_times = 24;             ///< of indices over time
+    bool samples = false;              ///< write all points with their figures
+    std::vector<VariedKeys> parameters;
+    [[nodiscard]] SensitivityMethod method() const
+    {
+        return method_name == "morris" ? SensitivityMethod::morris : SensitivityMethod::sobol;
+    }
+};
+
+void describe(Visitor& v, VariedKeys& k);
+void describe(Visitor& v, SensitivitySection& s);
+
+/// Finds the keys of patterns, reads the ranges and names what has no name; adds every mistake with its place.
+/// @param at  path of the list in the document: "sensitivity.parameters"
+void complete_varied(std::vector<VariedKeys>& list, const std::string& at, const Case& base, const Document& document,
+                     Diagnostics& diagnostics);
+
+/// Checks names of outputs and times against the base case.
+void check_sensitivity(SensitivitySection& section, const Case& base, const Document& document,
+                       Diagnostics& diagnostics);
+
+}  // namespace deadpoint::casefile
