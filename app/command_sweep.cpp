@@ -83,6 +83,17 @@ std::vector<casefile::Case> read_cases(const std::vector<study::SweepPoint>& poi
     return cases;
 }
 
+study::SweepStudy read_sweep(const SweepOptions& options)
+{
+    const auto file = casefile::read_study(options.study, options.files);
+    if (file.sets.empty()) {
+        throw InputError(fmt::format("'{}' has no sets of runs\n  help: add [[sets]] (docs/study-file.md), or use "
+                                     "'deadpoint sensitivity'",
+                                     options.study));
+    }
+    return study::translate_study(file);
+}
+
 fs::path folder_of(const SweepOptions& options, const study::SweepPoint& point)
 {
     return fs::path(options.folder) / "points" / point.name;
@@ -282,7 +293,7 @@ int sweep_reduced(const SweepOptions& options, const OnRanks& ranks)
     auto& console = ranks.console;
     const auto press = study::read_reduced(options.reduced);
     report::SweepResult result;
-    result.study = study::translate_study(casefile::read_study(options.study, options.files));
+    result.study = read_sweep(options);
     result.points = study::sweep_points(result.study, study::base_values(result.study));
     result.records.resize(result.points.size());
     result.outcomes.resize(result.points.size());
@@ -304,7 +315,7 @@ int sweep(const SweepOptions& options, const OnRanks& ranks)
         return sweep_reduced(options, ranks);
     }
     auto& console = ranks.console;
-    const auto study = study::translate_study(casefile::read_study(options.study, options.files));
+    const auto study = read_sweep(options);
     report::SweepResult result;
     result.study = study;
     result.points = study::sweep_points(study, study::base_values(study));

@@ -26,6 +26,12 @@ add_library(seccomp INTERFACE)
 target_link_libraries(seccomp INTERFACE ${SECCOMP_LIBRARY})
 target_include_directories(seccomp SYSTEM INTERFACE ${SECCOMP_INCLUDE})
 
+find_library(NLOPT_LIBRARY nlopt REQUIRED)
+find_path(NLOPT_INCLUDE nlopt.hpp REQUIRED)
+add_library(nlopt INTERFACE)
+target_link_libraries(nlopt INTERFACE ${NLOPT_LIBRARY})
+target_include_directories(nlopt SYSTEM INTERFACE ${NLOPT_INCLUDE})
+
 find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
 add_library(tomlplusplus INTERFACE)
 target_include_directories(tomlplusplus SYSTEM INTERFACE ${TOMLPLUSPLUS_INCLUDE})

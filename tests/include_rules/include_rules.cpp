@@ -57,6 +57,7 @@ const std::vector<std::pair<std::regex, std::string>>& wrapped_libraries()
         {std::regex("deal\\.II/.*|petsc.*|slepc.*|mpi\\.h|mpi/.*|.*openmpi.*"), "fem"},
         {std::regex("gmsh.*"), "machine"},
         {std::regex("toml.*"), "casefile"},
+        {std::regex("nlopt.*"), "design"},
         {std::regex("CLI/.*|spdlog/.*"), "app"},
     };
     return rules;

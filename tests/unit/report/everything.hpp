@@ -1,11 +1,14 @@
 #pragma once
 
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/exchange/gaps.hpp"
 #include "deadpoint/report/charts/sweep_figures.hpp"
+#include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/files/sweep_files.hpp"
 #include "deadpoint/study/compare/compare.hpp"
+#include "deadpoint/study/design/sensitivity.hpp"
 #include "deadpoint/study/pipeline/heat_tables.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
@@ -241,6 +244,51 @@ inline study::Comparison comparison_of_all()
     all.curves = {curve};
     all.verdicts.push_back({"it opens", "opens", study::Verdict::Outcome::holds, "it does", "a note"});
     all.baseline = "other";
+    return all;
+}
+
+/// A study of sensitivity with what its report refers to.
+struct SensitivityOfAll {
+    casefile::StudyFile study;
+    study::SensitivityResult result;
+    [[nodiscard]] SensitivityReport report() const { return {study, result, "press", "0123", "press.rom", 2}; }
+};
+
+inline SensitivityOfAll sensitivity_of_all()
+{
+    using study::Figure;
+    SensitivityOfAll all;
+    all.study.name = "what matters";
+    all.study.sensitivity.emplace();
+    all.study.sensitivity->course_times = 1;
+    all.study.sensitivity->parameters.resize(2);
+    all.result.ranges.resize(2);
+    all.result.ranges[0] = {"oil", study::VariedRange::Kind::factor, 0.5, 2};
+    all.result.ranges[1] = {"speed", study::VariedRange::Kind::value, 10, 20, Dimension::angular_velocity, 14.14};
+    all.result.outputs = {{study::ForwardOutput::Kind::dimension, "E_SW", 0},
+                          {study::ForwardOutput::Kind::probe, "top", 0}};
+    all.result.runs = 32;
+    const design::SobolIndices indices{
+        1e-5, 1e-12, 8, {{{0.3, 0.2, 0.4}, {0.4, 0.3, 0.5}}, {{0.6, 0.5, 0.7}, {0.7, 0.6, 0.8}}}};
+    all.result.figures = {{{Figure::Kind::end, 0, 0}, indices, {}, {0.5, 0.8}},
+                          {{Figure::Kind::at_time, 1, 1800}, indices, {}, {0.5, 0.8}},
+                          {{Figure::Kind::warm, 0, 0}, indices, {}, {0.5, 0.8}}};
+    all.result.course = {{{Figure::Kind::at_time, 0, 3600}, indices, {}, {}}};
+    all.result.points = {{1.5, 15}};
+    all.result.values = {{1e-6, 300, 7200}};
+    return all;
+}
+
+inline SensitivityOfAll screening_of_all()
+{
+    auto all = sensitivity_of_all();
+    all.study.sensitivity->method_name = "morris";
+    for (auto* figures : {&all.result.figures, &all.result.course})
+        for (auto& figure : *figures) {
+            figure.sobol = {};
+            figure.bound.clear();
+            figure.morris = {{{2e-6, 1e-6, 3e-6}, -1e-6, 1e-6}, {{4e-6, 3e-6, 5e-6}, 4e-6, 0}};
+        }
     return all;
 }
 

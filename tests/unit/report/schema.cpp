@@ -4,6 +4,7 @@
 
 #include "../../scratch_folder.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/files/compare_files.hpp"
 #include "deadpoint/report/files/heat_files.hpp"
 #include "deadpoint/report/files/mesh_files.hpp"
@@ -41,6 +42,9 @@ void write_all(const fs::path& folder)
     write_sweep_files(folder, sweep_of_all(), {});
     PointTable(folder / "points.csv", "a study").add({"slow", "mark", {}, brief(record())});
     write_compare_files(folder / "compare", record(), comparison_of_all(), IfThere::replace);
+    write_sensitivity_files(folder, sensitivity_of_all().report(), {});
+    fs::create_directory(folder / "screening");
+    write_sensitivity_files(folder / "screening", screening_of_all().report(), {});
     write_manifest(folder);
 }
 
@@ -131,7 +135,7 @@ TEST_CASE("what is written is what the schema says, all of it and nothing else")
     const ScratchFolder folder;
     write_all(folder.path);
     SchemaCoverage coverage;
-    for (const auto& entry : fs::directory_iterator(folder.path)) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path)) {
         const auto name = entry.path().filename().string();
         std::vector<std::string> unknown;
         if (name.ends_with(".json")) {
@@ -192,7 +196,7 @@ TEST_CASE("the page reads no column and no key that the schema does not know")
     known.insert({"rigid_bearing_force", "flexible_bearing_force", "joint_force"});  // with _x and _y behind
     known.insert({"case_file"});                                                     // of the page itself
     for (const std::string name :
-         {"charts", "data", "flow", "gaps", "linkage", "main", "sections", "stage", "sweep", "view"}) {
+         {"charts", "data", "flow", "gaps", "linkage", "main", "sections", "sensitivity", "stage", "sweep", "view"}) {
         const auto text = source("web/" + name + ".js");
         for (const char* pattern : {R"(\.([a-zA-Z]+_\w+))", R"(\{ *(\w+_\w+) *[,:}])", R"re("([a-z]+_\w+)")re"}) {
             for (const auto& read : matches(text, pattern)) {
@@ -204,6 +208,7 @@ TEST_CASE("the page reads no column and no key that the schema does not know")
                                                                           {"loads", {"loads.json", ""}},
                                                                           {"view", {"view.json", ""}},
                                                                           {"motion", {"motion.json", ""}},
+                                                                          {"sensitivity", {"sensitivity.json", ""}},
                                                                           {"study", {"sweep.json", ""}}}) {
             for (const auto& chain : matches(text, "\\b" + variable + R"(((?:\??\.[a-zA-Z]\w*)+))")) {
                 CHECK_MESSAGE(known_chain(place, chain), name << ".js reads " << variable << chain);
@@ -238,7 +243,7 @@ TEST_CASE("what reads results in the program asks for nothing that the schema do
     auto known = known_names();
     known.insert({"runs", "summary", "loads", "points", "machine"});  // of the page's own data
     known.insert("end");                                              // a {time}
-    for (const std::string name : {"folder/read_result", "page/page", "page/page_tables", "page/sweep_page"}) {
+    for (const std::string name : {"folder/read_result", "page/page", "page/page_tables", "page/sweep_page", "design/sensitivity_page"}) {
         const auto text = source("src/deadpoint/report/" + name + ".cpp");
         for (const auto& read : matches(text, R"re((?:\.at|\.value|\.contains)\("(\w+)")re")) {
             CHECK_MESSAGE(known.contains(read), name << " reads '" << read << "'");

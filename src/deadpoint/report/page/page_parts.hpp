@@ -18,5 +18,6 @@ std::string_view page_gaps_script();
 std::string_view page_sections_script();
 std::string_view page_main_script();
 std::string_view page_sweep_script();
+std::string_view page_sensitivity_script();
 
 }  // namespace deadpoint::report

@@ -121,6 +121,22 @@ std::string run_tables(const Json& run)
            cite(facts.value("version", "-"), fmt::format("case \"{}\", hash {}", machine.value("name", ""), hash));
 }
 
+std::string table_html(const std::string& caption, const CsvTable& table)
+{
+    std::vector<std::string> titles;
+    for (const auto& column : table.columns)
+        titles.push_back(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
+    auto rows = table.rows;
+    for (auto& row : rows)
+        for (auto& cell : row) {
+            char* end = nullptr;
+            const double value = std::strtod(cell.c_str(), &end);
+            if (!cell.empty() && *end == '\0')
+                cell = significant(value, 5);
+        }
+    return html_table(caption, titles, rows);
+}
+
 std::string sweep_tables(const Json& sweep, const CsvTable& points)
 {
     const auto study = sweep.value("study", Json::object());
@@ -132,18 +148,7 @@ std::string sweep_tables(const Json& sweep, const CsvTable& points)
         if (set.contains("window") && set.at("window").is_object())
             windows.push_back({set.value("name", ""), set.at("window").value("text", "")});
     text += html_table("Best windows", {"set", "window"}, windows);
-    std::vector<std::string> titles;
-    for (const auto& column : points.columns)
-        titles.push_back(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
-    auto rows = points.rows;
-    for (auto& row : rows)
-        for (auto& cell : row) {
-            char* end = nullptr;
-            const double value = std::strtod(cell.c_str(), &end);
-            if (!cell.empty() && *end == '\0')
-                cell = significant(value, 5);
-        }
-    text += html_table("All points", titles, rows);
+    text += table_html("All points", points);
     text += "<h3>Warnings</h3>\n" + warnings_list(sweep.value("warnings", Json::array()));
     return text + cite(version, fmt::format("study \"{}\"", study.value("name", "")));
 }

@@ -246,4 +246,37 @@ inline constexpr std::array all{point,      state, mark,   hash, wall_time, larg
                                 first_hour, range, steady, heat, rise,      bearing_force, reason};
 }  // namespace points
 
+/// One row for each figure and parameter; those of a screening are the last ones.
+namespace indices {
+inline constexpr Column output{"output", "output", "", "probe, dimension of the chain or corner"};
+inline constexpr Column figure{"figure", "figure", "", "end, a time, or time to warm: 95 % of the change"};
+inline constexpr Column parameter{"parameter", "parameter", "", "of the study"};
+inline constexpr std::array first{
+    Column{"first", "first", "", "Sobol' index of first order: share of the variance that it explains alone"},
+    Column{"first_low", "first low", "", "lower end of its band of 90 %"},
+    Column{"first_high", "first high", "", "upper end of its band of 90 %"}};
+inline constexpr std::array total{Column{"total", "total", "", "total Sobol' index: with all interactions"},
+                                  Column{"total_low", "total low", "", "lower end of its band of 90 %"},
+                                  Column{"total_high", "total high", "", "upper end of its band of 90 %"}};
+inline constexpr Column bound{"bound", "bound of total", "", "upper bound of the total index by derivatives"};
+inline constexpr Column unit{"unit", "unit", "", "of the effects in this row"};
+inline constexpr std::array strength{
+    Column{"strength", "mu*", "", "mean size of the effect over the whole range of the parameter"},
+    Column{"strength_low", "mu* low", "", "lower end of its band of 90 %"},
+    Column{"strength_high", "mu* high", "", "upper end of its band of 90 %"}};
+inline constexpr Column mean{"mean", "mu", "", "mean effect, with its sign"};
+inline constexpr Column deviation{"deviation", "sigma", "", "standard deviation of the effect"};
+inline constexpr std::array all{output,   figure, parameter,   first[0],    first[1],    first[2], total[0],
+                                total[1], total[2], bound, unit, strength[0], strength[1], strength[2], mean, deviation};
+inline constexpr std::array over_time{output,   time,  parameter, first[0],    first[1],    first[2],    total[0], total[1],
+                                      total[2], unit,  strength[0], strength[1], strength[2], mean, deviation};
+}  // namespace indices
+
+namespace samples {
+inline constexpr Column parameter{"parameter", "parameter {parameter}", "{unit}",
+                                  "factor, shift or value of the parameter"};
+inline constexpr Column figure{"figure", "{figure}", "{unit}", "output and figure, as in indices.csv"};
+inline constexpr std::array all{parameter, figure};
+}  // namespace samples
+
 }  // namespace deadpoint::report::schema

@@ -12,6 +12,7 @@ Keys view_keys();
 Keys motion_keys();
 Keys sweep_keys();
 Keys compare_keys();
+Keys sensitivity_study_keys();
 Keys manifest_keys();
 
 /// Friction at every operating point, which two files hold.

@@ -91,6 +91,11 @@ std::vector<File> other_files()
               "one row for each point, written as it ends; of a study on a reduced model, which continues from it",
               points::all),
         other("{name}.svg", "sweep", "charts and maps of each set"),
+        document("sensitivity.json", "sensitivity", "parameters, figures and indices of a study of sensitivity",
+                 sensitivity_study_keys()),
+        table("indices.csv", "sensitivity", "Sobol' indices, or effects of a screening, of all figures", indices::all),
+        table("indices_over_time.csv", "sensitivity", "the same at evenly spread times", indices::over_time),
+        table("samples.csv", "sensitivity", "all points with their figures, if the study asks for them", samples::all),
         document("compare.json", "compare", "a result against a reference", compare_keys()),
         other("compare.md", "compare", "the same as text"),
     };

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "deadpoint/io/write_file.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace deadpoint::casefile {
+struct StudyFile;
+}
+namespace deadpoint::study {
+struct SensitivityResult;
+}
+
+/// Files, text and page of a study of sensitivity.
+namespace deadpoint::report {
+
+/// A study that was computed.
+struct SensitivityReport {
+    const casefile::StudyFile& study;
+    const study::SensitivityResult& result;
+    std::string machine;        ///< name of the case
+    std::string hash;           ///< of the case with the settings of the study
+    std::string reduced_model;  ///< name of its file
+    double seconds = 0;         ///< wall time
+};
+
+/// Writes indices.csv, indices_over_time.csv, samples.csv if asked for, and sensitivity.json. @throws IoError
+void write_sensitivity_files(const std::filesystem::path& folder, const SensitivityReport& report,
+                             const std::vector<std::string>& warnings);
+
+/// The same for the terminal: per figure the parameters that matter, strongest first.
+std::string sensitivity_text(const SensitivityReport& report);
+
+/// Writes the page of such a folder; complete or absent. @throws as write_sweep_report()
+void write_sensitivity_page(const std::filesystem::path& file, const std::filesystem::path& folder,
+                            IfThere if_there = IfThere::replace);
+
+}  // namespace deadpoint::report

@@ -1,0 +1,45 @@
+#include "deadpoint/core/version.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/io/csv_table.hpp"
+#include "deadpoint/report/design/sensitivity_files.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/folder/result_json.hpp"
+#include "deadpoint/report/folder/result_table.hpp"
+#include "deadpoint/report/page/page_parts.hpp"
+#include "deadpoint/report/page/page_shell.hpp"
+#include "deadpoint/report/page/page_tables.hpp"
+#include "deadpoint/report/schema/schema.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace deadpoint::report {
+
+void write_sensitivity_page(const std::filesystem::path& file, const std::filesystem::path& folder, IfThere if_there)
+{
+    using Json = nlohmann::ordered_json;
+    const ResultFiles files(folder);
+    const auto found = read_json(files, "sensitivity.json");
+    const auto table = files.read("indices.csv");
+    if (!found || !table)
+        throw IoError(fmt::format("there is no '{}'\n  help: run the study again",
+                                  (folder / (found ? "indices.csv" : "sensitivity.json")).string()));
+    PageContent content;
+    content.data = {{"version", version},
+                    {"schema", Json::parse(schema::script_json())},
+                    {"runs", Json::array()},
+                    {"sensitivity", *found}};
+    try {
+        content.title = found->at("study").at("name").get<std::string>();
+    } catch (const Json::exception& reason) {
+        throw InputError(fmt::format("{}: {}\n  help: it is from another version of the program; run the study again",
+                                     (folder / "sensitivity.json").string(), reason.what()));
+    }
+    content.without_scripts =
+        "<p>This page draws its charts with scripts, which are switched off here; they are missing below.</p>\n" +
+        table_html("Indices", ResultTable(*table, (folder / "indices.csv").string()).csv());
+    const std::array scripts{page_data_script(), page_charts_script(), page_sensitivity_script()};
+    write_page(file, content, scripts, if_there);
+}
+
+}  // namespace deadpoint::report

@@ -1,0 +1,101 @@
+#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/report/design/sensitivity_files.hpp"
+#include "deadpoint/report/design/shown_figures.hpp"
+#include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/design/sensitivity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace deadpoint::report {
+namespace {
+
+using study::FigureSensitivity;
+
+constexpr std::size_t most_parameters = 8;  // of a figure on the terminal
+
+double size_of(const FigureSensitivity& figure, std::size_t k)
+{
+    return figure.morris.empty() ? figure.sobol.inputs[k].total.value : figure.morris[k].strength.value;
+}
+
+std::vector<std::size_t> strongest(const FigureSensitivity& figure, std::size_t parameters)
+{
+    std::vector<std::size_t> order(parameters);
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t k) {
+        const double size = size_of(figure, k);
+        return std::isfinite(size) ? size : -1;
+    });
+    return order;
+}
+
+std::string share(const design::Band& band)
+{
+    return fmt::format("{:.2f}  ({:.2f} to {:.2f})", band.value, band.low, band.high);
+}
+
+std::string title_of(const SensitivityReport& report, const FigureSensitivity& figure)
+{
+    const auto& name = report.result.outputs[figure.figure.output].name;
+    std::string title = figure.figure.kind == study::Figure::Kind::warm ? fmt::format("{}, time to warm (95 %)", name)
+                                                                         : fmt::format("{} at {}", name,
+                                                                                       figure.figure.kind ==
+                                                                                               study::Figure::Kind::end
+                                                                                           ? "the end"
+                                                                                           : figure_name(figure.figure));
+    if (!figure.morris.empty())
+        return title;
+    const auto value = shown_figure(figure.figure, report.result.outputs);
+    const auto difference = shown_difference(figure.figure, report.result.outputs);
+    return fmt::format("{}: {} {} on average, standard deviation {} {}", title,
+                       significant(value.of(figure.sobol.mean), 4), value.unit,
+                       significant(difference.factor * std::sqrt(figure.sobol.variance), 3), difference.unit);
+}
+
+std::string figure_text(const SensitivityReport& report, const FigureSensitivity& figure)
+{
+    std::string text = fmt::format("\n{}\n", title_of(report, figure));
+    const auto count = report.result.ranges.size();
+    const auto order = strongest(figure, count);
+    if (!std::isfinite(size_of(figure, order.front())))
+        return text + "  it does not vary within the ranges\n";
+    const bool screening = !figure.morris.empty();
+    const auto unit = shown_difference(figure.figure, report.result.outputs);
+    TextTable table(screening ? std::vector<std::string>{"parameter", fmt::format("mu* [{}]", unit.unit), "mu", "sigma"}
+                              : std::vector<std::string>{"parameter", "first", "total"});
+    for (std::size_t place = 0; place < std::min(count, most_parameters); ++place) {
+        const auto k = order[place];
+        const auto& name = report.result.ranges[k].name;
+        if (screening) {
+            const auto& effect = figure.morris[k];
+            table.add_row({name, significant(unit.factor * effect.strength.value),
+                           significant(unit.factor * effect.mean), significant(unit.factor * effect.deviation)});
+        } else {
+            table.add_row({name, share(figure.sobol.inputs[k].first), share(figure.sobol.inputs[k].total)});
+        }
+    }
+    text += table.text();
+    if (count > most_parameters)
+        text += fmt::format("  and {} weaker parameters\n", count - most_parameters);
+    return text;
+}
+
+}  // namespace
+
+std::string sensitivity_text(const SensitivityReport& report)
+{
+    std::string text;
+    for (const auto& figure : report.result.figures)
+        text += figure_text(report, figure);
+    text += report.result.figures.front().morris.empty()
+                ? "\n  first: share of the variance that a parameter explains alone; total: with its interactions;\n"
+                  "  in brackets the band of 90 %\n"
+                : "\n  mu*: mean size of the effect over the whole range of a parameter; sigma: its scatter\n";
+    text += fmt::format("{} runs in {}\n", report.result.runs, duration_text(report.seconds));
+    return text;
+}
+
+}  // namespace deadpoint::report

@@ -1,0 +1,73 @@
+#include "deadpoint/report/design/shown_figures.hpp"
+
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/design/figures.hpp"
+#include "deadpoint/study/design/varied.hpp"
+
+#include <fmt/format.h>
+
+namespace deadpoint::report {
+namespace {
+
+constexpr double hours = 1.0 / 3600;
+
+bool is_probe(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs)
+{
+    return outputs[figure.output].kind == study::ForwardOutput::Kind::probe;
+}
+
+}  // namespace
+
+std::string figure_name(const study::Figure& figure)
+{
+    switch (figure.kind) {
+    case study::Figure::Kind::end:
+        return "end";
+    case study::Figure::Kind::warm:
+        return "time to warm";
+    default:
+        return duration_text(figure.time);
+    }
+}
+
+Shown shown_difference(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs)
+{
+    if (figure.kind == study::Figure::Kind::warm)
+        return {"h", hours, 0};
+    return is_probe(figure, outputs) ? Shown{"K", 1, 0} : Shown{"um", micrometre, 0};
+}
+
+Shown shown_figure(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs)
+{
+    if (figure.kind != study::Figure::Kind::warm && is_probe(figure, outputs))
+        return {"degC", 1, -zero_celsius};
+    return shown_difference(figure, outputs);
+}
+
+Shown shown_range(const study::VariedRange& range)
+{
+    if (range.kind == study::VariedRange::Kind::factor || range.dimension == Dimension::none)
+        return {};
+    const bool temperature = range.dimension == Dimension::temperature;
+    if (temperature && range.kind == study::VariedRange::Kind::shift)
+        return {"K", 1, 0};
+    if (temperature)
+        return {"degC", 1, -zero_celsius};
+    const auto& info = dimension_info(range.dimension);
+    const double one = parse_quantity(fmt::format("1 {}", info.preferred), range.dimension);
+    return {std::string(info.preferred), 1 / one, 0};
+}
+
+std::string range_text(const study::VariedRange& range)
+{
+    const auto shown = shown_range(range);
+    const auto low = significant(shown.of(range.low), 4), high = significant(shown.of(range.high), 4);
+    if (range.kind == study::VariedRange::Kind::factor)
+        return fmt::format("x {} to {}", low, high);
+    if (range.kind == study::VariedRange::Kind::shift)
+        return fmt::format("{} to +{} {}", low, high, shown.unit);
+    return fmt::format("{} to {} {}", low, high, shown.unit);
+}
+
+}  // namespace deadpoint::report

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "deadpoint/core/quantity.hpp"
+
+#include <string>
+#include <vector>
+
+namespace deadpoint::study {
+struct Figure;
+struct ForwardOutput;
+struct VariedRange;
+}  // namespace deadpoint::study
+
+/// Internal to report/design: names and units of figures and ranges.
+namespace deadpoint::report {
+
+/// From SI units to those that are shown: factor * value + offset.
+struct Shown {
+    std::string unit;
+    double factor = 1;
+    double offset = 0;
+    [[nodiscard]] double of(double value) const { return factor * value + offset; }
+};
+
+/// "end", "30 min" or "time to warm".
+std::string figure_name(const study::Figure& figure);
+/// Of values of a figure: um, degC, or h for times.
+Shown shown_figure(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs);
+/// Of differences of it: um, K or h.
+Shown shown_difference(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs);
+/// Of the values of a range: its preferred unit, none for factors.
+Shown shown_range(const study::VariedRange& range);
+/// Both ends: "x 0.5 to 2", "200 to 400 rpm".
+std::string range_text(const study::VariedRange& range);
+
+}  // namespace deadpoint::report

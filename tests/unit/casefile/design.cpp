@@ -1,0 +1,111 @@
+/// Requirement: a section for sensitivity names keys and ranges in the words of the case; every mistake has place and
+/// remedy.
+#include "../../scratch_folder.hpp"
+#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/error.hpp"
+
+#include <doctest/doctest.h>
+#include <filesystem>
+
+using namespace deadpoint;
+using namespace deadpoint::casefile;
+using doctest::Approx;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Scratch : ScratchFolder {
+    Scratch() { fs::copy_file(fs::path(DEADPOINT_SOURCE_DIR) / "cases/starter/case.toml", path / "case.toml"); }
+};
+
+const std::string head = "format = 1\nname = \"n\"\nbase = \"case.toml\"\nset = [\"oil.pins=300 W/m^2/K\"]\n";
+const std::string parameter = "[[sensitivity.parameters]]\n";  // line 5, or 6 after [sensitivity]
+
+StudyFile read(const std::string& body)
+{
+    const Scratch scratch;
+    return read_study(scratch.file("s.toml", head + body));
+}
+
+std::string error_of(const std::string& body)
+{
+    try {
+        (void)read(body);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void check_error(const std::string& body, const std::vector<std::string>& pieces)
+{
+    const auto found = error_of(body);
+    for (const auto& piece : pieces)
+        CHECK_MESSAGE(found.find(piece) != std::string::npos, found << "\nlacks: " << piece);
+}
+
+}  // namespace
+
+TEST_CASE("ranges are factors, shifts or values in SI units, of one key or several")
+{
+    const auto section = *read(R"(
+[sensitivity]
+points = 64
+outputs = ["E_SW", "s*"]
+times = ["10 min", "1 h"]
+[[sensitivity.parameters]]
+name = "friction"
+keys = ["friction.*.load_part", "friction.journals.viscous_part"]
+factor = 2
+[[sensitivity.parameters]]
+keys = ["machine.ambient"]
+shift = "3 K"
+[[sensitivity.parameters]]
+keys = ["operation.*.speed"]
+from = "50 rpm"
+to = "80 rpm"
+)")
+                             .sensitivity;
+    REQUIRE(section.parameters.size() == 3);
+    const auto& friction = section.parameters[0];
+    CHECK(friction.keys == std::vector<std::string>{"friction.gibs.load_part", "friction.journals.load_part",
+                                                    "friction.pins.load_part", "friction.journals.viscous_part"});
+    CHECK(friction.low == 0.5);
+    CHECK(friction.high == 2);
+    CHECK(friction.dimension == Dimension::power);
+    CHECK(section.parameters[1].name == "ambient");
+    CHECK(section.parameters[1].low == -3);
+    CHECK(section.parameters[1].high == 3);
+    CHECK(section.parameters[2].keys == std::vector<std::string>{"operation.0.speed"});
+    CHECK(section.parameters[2].low == Approx(50 * 2 * 3.14159265358979 / 60).epsilon(1e-12));
+    CHECK(section.times == std::vector<double>{600, 3600});
+    CHECK(section.method() == SensitivityMethod::sobol);
+}
+
+TEST_CASE("a mistake in a section for sensitivity is told with its place and its remedy")
+{
+    check_error(parameter + "keys = [\"oil.pin\"]\nfactor = 2\n",
+                {"s.toml:6:9: error[unknown-key]: sensitivity.parameters.0.keys.0", "no number 'oil.pin'",
+                 "did you mean 'oil.pins'?"});
+    check_error(parameter + "keys = [\"oil.pins\"]\n", {"the range is missing", "give `factor`, or `shift`"});
+    check_error(parameter + "keys = [\"oil.pins\"]\nfactor = 2\nshift = \"1 W/m^2/K\"\n", {"the range is given twice"});
+    check_error(parameter + "keys = [\"oil.pins\"]\nfrom = \"1 W/m^2/K\"\n", {"the range has one end only"});
+    check_error(parameter + "keys = [\"operation.0.speed\"]\nfrom = \"50 mm\"\nto = \"80 rpm\"\n",
+                {"s.toml:7:8: error[unit-mismatch]: sensitivity.parameters.0.from"});
+    check_error(parameter + "keys = [\"operation.0.speed\"]\nfrom = \"90 rpm\"\nto = \"80 rpm\"\n",
+                {"s.toml:8:6: error[inconsistent]", "the range has no extent"});
+    check_error(parameter + "keys = [\"operation.0.force\"]\nshift = \"200 kN\"\n",
+                {"s.toml:7:9: error[out-of-range]", "'operation.warm-up.force' would become -100 kN"});
+    check_error(parameter + "keys = [\"oil.pins\", \"operation.0.speed\"]\nfactor = 2\n",
+                {"error[unit-mismatch]", "let keys of one kind change together"});
+    check_error(parameter + "name = \"a\"\nkeys = [\"oil.pins\"]\nfactor = 2\n" + parameter +
+                    "name = \"a\"\nkeys = [\"oil.*\"]\nfactor = 3\n",
+                {"two entries are called 'a'", "'oil.pins' is varied twice"});
+    check_error(parameter + "keys = [\"friction.gibs.viscous_part\"]\nfactor = 1\n", {"factor"});
+    check_error("[sensitivity]\noutputs = [\"slid\"]\n" + parameter + "keys = [\"oil.pins\"]\nfactor = 2\n",
+                {"s.toml:6:12: error[unknown-name]: sensitivity.outputs.0", "did you mean 'slide'?"});
+    check_error("[sensitivity]\ntimes = [\"4 h\"]\n" + parameter + "keys = [\"oil.pins\"]\nfactor = 2\n",
+                {"s.toml:6:10: error[out-of-range]", "the run ends at 3"});
+    check_error("[sensitivity]\nmethod = \"fast\"\n", {"method", "sobol", "parameters"});
+    check_error("", {"the study has nothing to compute"});
+}
