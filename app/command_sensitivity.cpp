@@ -37,9 +37,10 @@ casefile::StudyFile read_section(const SensitivityOptions& options)
 {
     auto study = casefile::read_study(options.study, options.files);
     if (!study.sensitivity) {
-        throw InputError(fmt::format("'{}' has no section [sensitivity]\n  help: add one (docs/study-file.md), or run its "
-                                     "sets with 'deadpoint sweep'",
-                                     options.study));
+        throw InputError(
+            fmt::format("'{}' has no section [sensitivity]\n  help: add one (docs/study-file.md), or run its "
+                        "sets with 'deadpoint sweep'",
+                        options.study));
     }
     return study;
 }
@@ -68,6 +69,9 @@ int sensitivity(const SensitivityOptions& options)
     }
     for (const auto& text : result->outside) {
         console.warn(fmt::format("outside the range of the reduced model: {}", text));
+    }
+    for (const auto& text : report::vague_figures(*result)) {
+        console.warn(text);
     }
     if (result->failed > 0) {
         console.warn(fmt::format("{} of {} runs failed and are left out; the first because: {}", result->failed,

@@ -36,16 +36,18 @@ Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 fil
 
 constexpr int other_error = 1;
 
-const std::vector<std::string> subcommands{"init",   "check", "mesh",    "loads",  "heat", "run",
+const std::vector<std::string> subcommands{"init",   "check", "mesh",        "loads",   "heat",   "run",
                                            "reduce", "sweep", "sensitivity", "compare", "report", "view"};
 
 /// Says that a word is no subcommand, and which one it may have meant.
 int refuse_subcommand(const std::string& word)
 {
     const auto meant = deadpoint::closest_name(word, subcommands);
-    print_err("error: there is no subcommand '{}'\n  help: {}\n", word,
-              meant.empty() ? "give one of init, check, mesh, loads, heat, run, reduce, sweep, sensitivity, compare, report and view"
-                            : fmt::format("did you mean '{}'?", meant));
+    print_err(
+        "error: there is no subcommand '{}'\n  help: {}\n", word,
+        meant.empty()
+            ? "give one of init, check, mesh, loads, heat, run, reduce, sweep, sensitivity, compare, report and view"
+            : fmt::format("did you mean '{}'?", meant));
     return static_cast<int>(deadpoint::ErrorKind::input);
 }
 

@@ -5,10 +5,12 @@ const main = document.getElementById("page");
 const screening = sensitivity.method === "morris";
 const outputs = [...new Set(sensitivity.figures.map((entry) => entry.output))];
 const names = sensitivity.parameters.map((parameter) => parameter.name);
+const label = (name) => (name in data.schema.dimensions ? name : words(name));
+const unitText = (unit) => unit.replace("um", "µm");
 const mostBars = 20, mostCurves = 7;
 
-const figureTitle = (entry) => (entry.figure === "time to warm" ? `${words(entry.output)}: time to warm (95 % of the change)`
-    : `${words(entry.output)} ${entry.figure === "end" ? "at the end" : `after ${entry.figure}`}`);
+const figureTitle = (entry) => (entry.figure === "time to warm" ? `${label(entry.output)}: time to warm (95 % of the change)`
+    : `${label(entry.output)} ${entry.figure === "end" ? "at the end" : `after ${entry.figure}`}`);
 const bandOf = (entry, name) => entry.parameters[name][screening ? "strength" : "total"];
 const sized = (value) => (Number.isFinite(value) ? value : -1);
 const ranked = (entry) => [...names].sort((a, b) => sized(bandOf(entry, b)[0]) - sized(bandOf(entry, a)[0]));
@@ -40,7 +42,7 @@ function bandBars({ id, title, text, unit, bars, note }) {
             drawing.append(svg("line", { x1: at(tick), x2: at(tick), y1: top, y2: height - bottom, stroke: tick === 0 ? "#8a8a8a" : "#e3e3e3" }));
             write(at(tick), height - bottom + 17, "middle", shown(tick, 3), { class: "tick" });
         }
-        write(width - right, height - 6, "end", screening ? `mean size of the effect [${unit}]` : "share of the variance");
+        write(width - right, height - 6, "end", screening ? `mean size of the effect [${unitText(unit)}]` : "share of the variance");
         bars.forEach((bar, i) => {
             const y = top + pitch * i, middle = y + pitch / 2;
             const [value, low, high] = bar.band;
@@ -63,7 +65,7 @@ function figureBars(entry, number) {
     const title = figureTitle(entry);
     if (!varies(entry)) return make("p", {}, `${title} does not vary within the ranges.`);
     const order = ranked(entry).slice(0, mostBars);
-    const spread = screening ? "" : `${shown(entry.mean, 4)} ${entry.mean_unit} on average, standard deviation ${shown(entry.deviation)} ${entry.unit}.`;
+    const spread = screening ? "" : `${shown(entry.mean, 4)} ${unitText(entry.mean_unit)} on average, standard deviation ${shown(entry.deviation)} ${unitText(entry.unit)}.`;
     return bandBars({ id: `bars-${entry.output}-${number}`, title, text: spread, unit: entry.unit, bars: order.map((name) => barOf(entry, name)),
         note: order.length < names.length ? `The ${names.length - order.length} weakest of ${names.length} parameters are left out.` : null });
 }
@@ -76,13 +78,13 @@ function overTime(output) {
     const peak = (name) => Math.max(...course.parameters[name][kind].map((value) => value ?? 0));
     const order = [...names].sort((a, b) => peak(b) - peak(a)).slice(0, mostCurves);
     const what = screening ? "Mean size of the effects" : "Total indices";
-    const curves = [lineChart({ id: `course-${output}`, title: `${what} over time: ${words(output)}`,
+    const curves = [lineChart({ id: `course-${output}`, title: `${what} over time: ${label(output)}`,
         text: order.length < names.length ? `The ${order.length} strongest of ${names.length} parameters.` : "", x: ["time", "h"],
-        y: screening ? ["mu*", course.unit] : ["total index", "–"],
+        y: screening ? ["mu*", unitText(course.unit)] : ["total index", "–"],
         series: order.map((name, i) => ({ name: words(name), style: i, x: course.hours, y: course.parameters[name][kind].map((value) => value ?? NaN) })) })];
-    if (course.deviation) curves.push(lineChart({ id: `deviation-${output}`, title: `Standard deviation over time: ${words(output)}`,
-        text: "How far the runs lie apart; where it is small, shares of it matter little.", x: ["time", "h"], y: ["deviation", course.unit],
-        series: [{ name: words(output), bold: true, x: course.hours, y: course.deviation.map((value) => value ?? NaN) }] }));
+    if (course.deviation) curves.push(lineChart({ id: `deviation-${output}`, title: `Standard deviation over time: ${label(output)}`,
+        text: "How far the runs lie apart; where it is small, shares of it matter little.", x: ["time", "h"], y: ["deviation", unitText(course.unit)],
+        series: [{ name: label(output), bold: true, x: course.hours, y: course.deviation.map((value) => value ?? NaN) }] }));
     return curves;
 }
 
@@ -95,7 +97,7 @@ function outputSection() {
         redrawFigures();
     };
     const choose = make("select", { "data-control": "output", change: () => { chosen = choose.selectedIndex; draw(); } },
-        outputs.map((name) => make("option", {}, words(name))));
+        outputs.map((name) => make("option", {}, label(name))));
     choose.selectedIndex = chosen;
     draw();
     return make("section", { id: "outputs" }, make("h2", {}, "What matters for an output"),
@@ -125,7 +127,7 @@ function matrixSection() {
         make("p", {}, `${screening ? "Mean size of the effect (mu*)" : "Total index"} of each parameter; darker is stronger within its column.`),
         make("div", { class: "wide" }, make("table", { class: "map" },
             make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "parameter"), ends.map((entry) =>
-                make("th", { scope: "col" }, screening ? `${words(entry.output)} [${entry.unit}]` : words(entry.output))))),
+                make("th", { scope: "col" }, screening ? `${label(entry.output)} [${unitText(entry.unit)}]` : label(entry.output))))),
             make("tbody", {}, order.map((name) => make("tr", {}, make("th", { scope: "row" }, words(name)), ends.map((entry) => cell(entry, name))))))));
 }
 
@@ -157,7 +159,7 @@ function lead() {
     const entry = sensitivity.figures.find((one) => one.output === gapName && one.figure === "end") ?? sensitivity.figures[0];
     if (!varies(entry)) return "";
     const [first, second] = ranked(entry);
-    const size = (name) => (screening ? `${shown(bandOf(entry, name)[0], 3)} ${entry.unit}` : `${fixed(100 * bandOf(entry, name)[0], 0)} % of the variance`);
+    const size = (name) => (screening ? `${shown(bandOf(entry, name)[0], 3)} ${unitText(entry.unit)}` : `${fixed(100 * bandOf(entry, name)[0], 0)} % of the variance`);
     return make("p", { class: "lead" }, `${figureTitle(entry)} depends most on ${words(first)} (${size(first)})`
         + (second ? `, then on ${words(second)} (${size(second)}).` : "."));
 }

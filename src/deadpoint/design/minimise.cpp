@@ -50,8 +50,8 @@ double exceeded_by(const Evaluation& found)
 class Search {
 public:
     Search(const MinimiseProblem& problem, const MinimiseOptions& options)
-        : problem_(problem), options_(options), optimiser_(algorithm_of(options.method),
-                                                           static_cast<unsigned>(problem.variables))
+        : problem_(problem), options_(options),
+          optimiser_(algorithm_of(options.method), static_cast<unsigned>(problem.variables))
     {}
 
     Minimum run(const Point& start)
@@ -105,9 +105,9 @@ private:
     {
         const double exceeded = exceeded_by(found_);
         const bool feasible = exceeded <= 2 * options_.kept_within;
-        const bool better = result_.steps.empty() || (feasible && !result_.feasible) ||
-                            (feasible == result_.feasible &&
-                             (feasible ? found_.value < result_.value : exceeded < least_exceeded_));
+        const bool better =
+            result_.steps.empty() || (feasible && !result_.feasible) ||
+            (feasible == result_.feasible && (feasible ? found_.value < result_.value : exceeded < least_exceeded_));
         result_.steps.push_back({point, found_.value, exceeded});
         if (!better)
             return;

@@ -36,7 +36,7 @@ enum class MinimiseMethod {
 struct MinimiseOptions {
     MinimiseMethod method = MinimiseMethod::slsqp;
     int most_evaluations = 100;
-    double tolerance = 1e-4;   ///< of the value, relative, and of the variables, absolute
+    double tolerance = 1e-4;    ///< of the value, relative, and of the variables, absolute
     double kept_within = 1e-4;  ///< a limit that is exceeded by no more counts as kept
 };
 

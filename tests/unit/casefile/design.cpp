@@ -65,7 +65,7 @@ keys = ["operation.*.speed"]
 from = "50 rpm"
 to = "80 rpm"
 )")
-                             .sensitivity;
+                              .sensitivity;
     REQUIRE(section.parameters.size() == 3);
     const auto& friction = section.parameters[0];
     CHECK(friction.keys == std::vector<std::string>{"friction.gibs.load_part", "friction.journals.load_part",
@@ -105,7 +105,7 @@ TEST_CASE("a mistake in a section for sensitivity is told with its place and its
     check_error("[sensitivity]\noutputs = [\"slid\"]\n" + parameter + "keys = [\"oil.pins\"]\nfactor = 2\n",
                 {"s.toml:6:12: error[unknown-name]: sensitivity.outputs.0", "did you mean 'slide'?"});
     check_error("[sensitivity]\ntimes = [\"4 h\"]\n" + parameter + "keys = [\"oil.pins\"]\nfactor = 2\n",
-                {"s.toml:6:10: error[out-of-range]", "the run ends at 3"});
+                {"s.toml:6:10: error[out-of-range]", "the run ends at 10800 s"});
     check_error("[sensitivity]\nmethod = \"fast\"\n", {"method", "sobol", "parameters"});
     check_error("", {"the study has nothing to compute"});
 }

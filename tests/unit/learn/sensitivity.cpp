@@ -71,8 +71,9 @@ TEST_CASE("a range of values starts from its centre, and every share is a value 
     CHECK(at.oil.at("pins") == Approx(100).epsilon(1e-14));
     for (std::size_t k = 0; k < 3; ++k) {
         const double h = 1e-6;
-        CHECK(varied.ranges[k].theta_slope(0.3) ==
-              Approx((varied.ranges[k].theta_at(0.3 + h) - varied.ranges[k].theta_at(0.3 - h)) / (2 * h)).epsilon(1e-8));
+        CHECK(
+            varied.ranges[k].theta_slope(0.3) ==
+            Approx((varied.ranges[k].theta_at(0.3 + h) - varied.ranges[k].theta_at(0.3 - h)) / (2 * h)).epsilon(1e-8));
     }
 }
 
@@ -84,11 +85,10 @@ TEST_CASE("figures at times, at the end and times to warm have the derivatives o
                                              "surfaces.air_moving.film.emissivity=0"});
     const std::vector<CaseParameter> parameters{{"oil", {"oil.pins"}, CaseParameter::Kind::factor}};
     const ForwardModel model(input, starter_press::press(), parameters, {30, 1, nullptr});
-    const auto slide = static_cast<std::size_t>(
-        std::ranges::find(model.outputs(), "slide", &ForwardOutput::name) - model.outputs().begin());
-    const std::vector<Figure> figures{{Figure::Kind::at_time, slide, 1000},
-                                      {Figure::Kind::end, slide, 0},
-                                      {Figure::Kind::warm, slide, 0}};
+    const auto slide = static_cast<std::size_t>(std::ranges::find(model.outputs(), "slide", &ForwardOutput::name) -
+                                                model.outputs().begin());
+    const std::vector<Figure> figures{
+        {Figure::Kind::at_time, slide, 1000}, {Figure::Kind::end, slide, 0}, {Figure::Kind::warm, slide, 0}};
     const auto at = [&](double theta) { return figures_of(model, model.run({theta}, false, quiet), figures); };
     const auto slopes = figure_slopes(model, model.run({0.1}, true, quiet), figures);
     const double h = 2e-3;
@@ -102,7 +102,8 @@ TEST_CASE("figures at times, at the end and times to warm have the derivatives o
 
 TEST_CASE("the room explains a temperature that nothing else heats, and shares add up without interaction")
 {
-    auto wanted = section({ambient(3), factor("oil", "oil.pins", 1.5), factor("friction", "friction.*.load_part", 1.3)});
+    auto wanted =
+        section({ambient(3), factor("oil", "oil.pins", 1.5), factor("friction", "friction.*.load_part", 1.3)});
     wanted.points = 128;
     const auto found = run(wanted);
     CHECK(found.runs == 128 * 5);

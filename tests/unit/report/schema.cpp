@@ -243,7 +243,8 @@ TEST_CASE("what reads results in the program asks for nothing that the schema do
     auto known = known_names();
     known.insert({"runs", "summary", "loads", "points", "machine"});  // of the page's own data
     known.insert("end");                                              // a {time}
-    for (const std::string name : {"folder/read_result", "page/page", "page/page_tables", "page/sweep_page", "design/sensitivity_page"}) {
+    for (const std::string name :
+         {"folder/read_result", "page/page", "page/page_tables", "page/sweep_page", "design/sensitivity_page"}) {
         const auto text = source("src/deadpoint/report/" + name + ".cpp");
         for (const auto& read : matches(text, R"re((?:\.at|\.value|\.contains)\("(\w+)")re")) {
             CHECK_MESSAGE(known.contains(read), name << " reads '" << read << "'");

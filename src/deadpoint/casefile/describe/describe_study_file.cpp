@@ -13,8 +13,9 @@ constexpr Need required = Need::required;
 
 void describe(Visitor& v, StudyFile& f)
 {
-    v.about("The study file says which runs `deadpoint sweep` makes of a case, and what `deadpoint sensitivity` varies. "
-            "It is one TOML file; values of the case are written as for --set on the command line.");
+    v.about(
+        "The study file says which runs `deadpoint sweep` makes of a case, and what `deadpoint sensitivity` varies. "
+        "It is one TOML file; values of the case are written as for --set on the command line.");
     v.integer({"format", "version of this format; 1", required}, f.format, {1, 1, false});
     v.text({"name", "name in reports", required}, f.name);
     v.text({"note", "remarks for the reader"}, f.note);

@@ -27,11 +27,11 @@ bool is_screening(const SensitivityReport& report)
 
 std::vector<std::string> head(const SensitivityReport& report, const std::vector<std::string>& warnings)
 {
-    std::vector<std::string> lines{fmt::format("deadpoint {}", version),
-                                   fmt::format("study {}, base case {}", report.study.name, report.study.base),
-                                   fmt::format("machine {}, case hash {}", report.machine, report.hash),
-                                   fmt::format("{} runs on the reduced model {}", report.result.runs,
-                                               report.reduced_model)};
+    std::vector<std::string> lines{
+        fmt::format("deadpoint {}", version),
+        fmt::format("study {}, base case {}", report.study.name, report.study.base),
+        fmt::format("machine {}, case hash {}", report.machine, report.hash),
+        fmt::format("{} runs on the reduced model {}", report.result.runs, report.reduced_model)};
     for (const auto& warning : warnings)
         lines.push_back("warning: " + warning);
     return lines;

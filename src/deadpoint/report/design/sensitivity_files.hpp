@@ -33,6 +33,10 @@ void write_sensitivity_files(const std::filesystem::path& folder, const Sensitiv
 /// The same for the terminal: per figure the parameters that matter, strongest first.
 std::string sensitivity_text(const SensitivityReport& report);
 
+/// Figures whose indices the points do not tell, as warnings: a band of a total index is wider than one, since some
+/// points lie far off, as where a time to warm jumps.
+std::vector<std::string> vague_figures(const study::SensitivityResult& result);
+
 /// Writes the page of such a folder; complete or absent. @throws as write_sweep_report()
 void write_sensitivity_page(const std::filesystem::path& file, const std::filesystem::path& folder,
                             IfThere if_there = IfThere::replace);

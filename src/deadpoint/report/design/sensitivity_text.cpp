@@ -37,15 +37,22 @@ std::string share(const design::Band& band)
     return fmt::format("{:.2f}  ({:.2f} to {:.2f})", band.value, band.low, band.high);
 }
 
+std::string name_of(const study::SensitivityResult& result, const study::Figure& figure)
+{
+    const auto& name = result.outputs[figure.output].name;
+    switch (figure.kind) {
+    case study::Figure::Kind::warm:
+        return fmt::format("{}, time to warm (95 %)", name);
+    case study::Figure::Kind::end:
+        return fmt::format("{} at the end", name);
+    default:
+        return fmt::format("{} after {}", name, figure_name(figure));
+    }
+}
+
 std::string title_of(const SensitivityReport& report, const FigureSensitivity& figure)
 {
-    const auto& name = report.result.outputs[figure.figure.output].name;
-    std::string title = figure.figure.kind == study::Figure::Kind::warm ? fmt::format("{}, time to warm (95 %)", name)
-                                                                         : fmt::format("{} at {}", name,
-                                                                                       figure.figure.kind ==
-                                                                                               study::Figure::Kind::end
-                                                                                           ? "the end"
-                                                                                           : figure_name(figure.figure));
+    const auto title = name_of(report.result, figure.figure);
     if (!figure.morris.empty())
         return title;
     const auto value = shown_figure(figure.figure, report.result.outputs);
@@ -84,6 +91,24 @@ std::string figure_text(const SensitivityReport& report, const FigureSensitivity
 }
 
 }  // namespace
+
+std::vector<std::string> vague_figures(const study::SensitivityResult& result)
+{
+    std::vector<std::string> texts;
+    for (const auto& figure : result.figures) {
+        const auto vague = std::ranges::find_if(figure.sobol.inputs, [](const design::SobolIndex& index) {
+            return index.total.high - index.total.low > 1;
+        });
+        if (vague == figure.sobol.inputs.end())
+            continue;
+        const auto place = static_cast<std::size_t>(vague - figure.sobol.inputs.begin());
+        texts.push_back(fmt::format(
+            "{}: single points lie so far off that the indices are vague (total index of {}: {:.1f} "
+            "to {:.1f}); take more points or narrower ranges",
+            name_of(result, figure.figure), result.ranges[place].name, vague->total.low, vague->total.high));
+    }
+    return texts;
+}
 
 std::string sensitivity_text(const SensitivityReport& report)
 {

@@ -5,12 +5,22 @@
 #include "deadpoint/study/design/figures.hpp"
 #include "deadpoint/study/design/varied.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace deadpoint::report {
 namespace {
 
 constexpr double hours = 1.0 / 3600;
+
+// "30 min", "2 h"; other times as duration_text().
+std::string time_text(double seconds)
+{
+    if (std::fmod(seconds, 3600) == 0)
+        return fmt::format("{:.0f} h", seconds * hours);
+    return std::fmod(seconds, 60) == 0 && seconds < 3600 ? fmt::format("{:.0f} min", seconds / 60)
+                                                         : duration_text(seconds);
+}
 
 bool is_probe(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs)
 {
@@ -27,7 +37,7 @@ std::string figure_name(const study::Figure& figure)
     case study::Figure::Kind::warm:
         return "time to warm";
     default:
-        return duration_text(figure.time);
+        return time_text(figure.time);
     }
 }
 
@@ -62,7 +72,7 @@ Shown shown_range(const study::VariedRange& range)
 std::string range_text(const study::VariedRange& range)
 {
     const auto shown = shown_range(range);
-    const auto low = significant(shown.of(range.low), 4), high = significant(shown.of(range.high), 4);
+    const auto low = fmt::format("{:.4g}", shown.of(range.low)), high = fmt::format("{:.4g}", shown.of(range.high));
     if (range.kind == study::VariedRange::Kind::factor)
         return fmt::format("x {} to {}", low, high);
     if (range.kind == study::VariedRange::Kind::shift)

@@ -266,10 +266,12 @@ inline constexpr std::array strength{
     Column{"strength_high", "mu* high", "", "upper end of its band of 90 %"}};
 inline constexpr Column mean{"mean", "mu", "", "mean effect, with its sign"};
 inline constexpr Column deviation{"deviation", "sigma", "", "standard deviation of the effect"};
-inline constexpr std::array all{output,   figure, parameter,   first[0],    first[1],    first[2], total[0],
-                                total[1], total[2], bound, unit, strength[0], strength[1], strength[2], mean, deviation};
-inline constexpr std::array over_time{output,   time,  parameter, first[0],    first[1],    first[2],    total[0], total[1],
-                                      total[2], unit,  strength[0], strength[1], strength[2], mean, deviation};
+inline constexpr std::array all{output,      figure,      parameter, first[0], first[1], first[2],
+                                total[0],    total[1],    total[2],  bound,    unit,     strength[0],
+                                strength[1], strength[2], mean,      deviation};
+inline constexpr std::array over_time{output,      time,        parameter,   first[0], first[1],
+                                      first[2],    total[0],    total[1],    total[2], unit,
+                                      strength[0], strength[1], strength[2], mean,     deviation};
 }  // namespace indices
 
 namespace samples {

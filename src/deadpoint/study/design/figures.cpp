@@ -84,8 +84,7 @@ std::vector<std::vector<double>> figure_slopes(const ForwardModel& model, const 
                 continue;
             }
             // y(t) = y_end + share (y_start - y_end): dt = ((1 - share) dy_end - dy(t)) / y'(t)
-            const auto at =
-                crossing_of(forecast.time, forecast.value[output], model.start_of(model.outputs()[output]));
+            const auto at = crossing_of(forecast.time, forecast.value[output], model.start_of(model.outputs()[output]));
             slopes.push_back(!at ? 0
                                  : ((1 - at->share) * slope.back() - (1 - at->place) * slope[at->row] -
                                     at->place * slope[at->row + 1]) /

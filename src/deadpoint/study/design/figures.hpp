@@ -13,9 +13,9 @@ inline constexpr double cold_share = 0.05;
 
 struct Figure {
     enum class Kind {
-        end,     ///< value at the end of the run
-        at_time, ///< value at a time
-        warm     ///< time from which the output stays within cold_share of its change, at the end of the run
+        end,      ///< value at the end of the run
+        at_time,  ///< value at a time
+        warm      ///< time from which the output stays within cold_share of its change, at the end of the run
     };
     Kind kind = Kind::end;
     std::size_t output = 0;  ///< place in ForwardModel::outputs()

@@ -103,8 +103,8 @@ private:
                 shares[k] = end;
                 for (const auto& text : model_.outside(thetas_at(varied_.ranges, shares)))
                     if (said.insert(text).second)
-                        result_.outside.push_back(fmt::format("{} at an end of its range: {}", varied_.ranges[k].name,
-                                                              text));
+                        result_.outside.push_back(
+                            fmt::format("{} at an end of its range: {}", varied_.ranges[k].name, text));
             }
     }
 
@@ -112,9 +112,10 @@ private:
     {
         const double count = static_cast<double>(points) * static_cast<double>(figures_.size());
         if (count > most_values)
-            throw InputError(fmt::format("the design has {} points of {} figures, {:.1g} numbers in all; at most {:.0g} "
-                                         "are kept\n  help: take fewer points, fewer outputs or fewer course_times",
-                                         points, figures_.size(), count, most_values));
+            throw InputError(
+                fmt::format("the design has {} points of {} figures, {:.1g} numbers in all; at most {:.0g} "
+                            "are kept\n  help: take fewer points, fewer outputs or fewer course_times",
+                            points, figures_.size(), count, most_values));
     }
 
     void compute(const design::Point& shares, double* values)
@@ -240,8 +241,7 @@ private:
             if (observer_.cancelled())
                 return;
             Observer silent;
-            slopes[p] =
-                figure_slopes(model_, model_.run(thetas_at(varied_.ranges, points[p]), true, silent), own);
+            slopes[p] = figure_slopes(model_, model_.run(thetas_at(varied_.ranges, points[p]), true, silent), own);
             for (std::size_t k = 0; k < inputs; ++k)
                 for (double& slope : slopes[p][k])
                     slope *= varied_.ranges[k].theta_slope(points[p][k]);

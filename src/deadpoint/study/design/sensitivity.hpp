@@ -30,7 +30,7 @@ struct SensitivityResult {
     std::vector<FigureSensitivity> figures;  ///< per chosen output: at the times, at the end, time to warm
     std::vector<FigureSensitivity> course;   ///< at evenly spread times, output by output
     std::size_t runs = 0, failed = 0;
-    std::string failure;  ///< reason of the first point that failed
+    std::string failure;               ///< reason of the first point that failed
     std::vector<std::string> outside;  ///< coefficients that leave the range of the reduced model at an end of a range
     std::vector<std::vector<double>> points;  ///< per run the values of the ranges; empty unless asked for
     std::vector<std::vector<double>> values;  ///< per run the figures

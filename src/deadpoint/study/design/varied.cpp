@@ -30,10 +30,7 @@ double VariedRange::value_at(double share) const
     return kind == Kind::factor ? low * std::pow(high / low, share) : low + share * (high - low);
 }
 
-double VariedRange::theta_of_value(double value) const
-{
-    return scaled ? std::log(value / centre) : value - centre;
-}
+double VariedRange::theta_of_value(double value) const { return scaled ? std::log(value / centre) : value - centre; }
 
 double VariedRange::theta_by_value(double value) const { return scaled ? 1 / value : 1; }
 

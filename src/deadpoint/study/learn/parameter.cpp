@@ -39,9 +39,10 @@ std::vector<std::string> keys_of(const casefile::Case& input, const std::vector<
     for (const auto& pattern : patterns) {
         const auto found = casefile::numbers_matching(numbers, pattern);
         if (found.empty())
-            throw InputError(fmt::format("{}: the case has no number '{}'\n  help: did you mean '{}'? A pattern has * for "
-                                         "any letters; the resolved case (case.toml of a run) shows all keys",
-                                         owner, pattern, casefile::nearest_key(numbers, pattern)));
+            throw InputError(
+                fmt::format("{}: the case has no number '{}'\n  help: did you mean '{}'? A pattern has * for "
+                            "any letters; the resolved case (case.toml of a run) shows all keys",
+                            owner, pattern, casefile::nearest_key(numbers, pattern)));
         for (const auto* number : found)
             if (std::ranges::find(keys, number->path) == keys.end())
                 keys.push_back(number->path);
