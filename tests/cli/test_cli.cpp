@@ -785,6 +785,64 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     CHECK(without_times(rows(content(folder / "map/points.csv"))) == without_times(rows(points)));
 }
 
+TEST_CASE("sensitivity tells which parameters matter, writes what it says and refuses what it cannot do")
+{
+    const Folder folder;
+    const auto model = folder / "blocks.rom", study = folder / "study.toml", target = folder / "matters";
+    REQUIRE(deadpoint("reduce -q " + two_blocks + " -o " + model).code == 0);
+    const auto write = [&](const std::string& method, const std::string& key) {
+        std::ofstream(study) << "format = 1\nname = \"matters\"\nbase = \"" << two_blocks
+                             << "\"\n[sensitivity]\npoints = 16\ntrajectories = 4\nmethod = \"" << method
+                             << "\"\nsamples = true\n[[sensitivity.parameters]]\nname = \"room\"\nkeys = "
+                                "[\"machine.ambient\"]\nshift = \"5 K\"\n[[sensitivity.parameters]]\nname = "
+                                "\"air\"\nkeys = [\""
+                             << key << "\"]\nfactor = 2\n";
+    };
+    const auto call = "sensitivity " + study + " --reduced " + model + " -o " + target;
+    write("sobol", "surfaces.air.film.coefficient");
+    const auto found = deadpoint(call);
+    REQUIRE(found.code == 0);
+    CHECK(has(found.out, "top at the end: 20"));
+    CHECK(has(found.out, "64 runs in "));
+    CHECK(has(found.out, "results are in " + target));
+    for (const auto* file : {"indices.csv", "indices_over_time.csv", "samples.csv", "sensitivity.json", "report.html"})
+        CHECK_MESSAGE(fs::exists(folder / "matters" / file), file);
+    CHECK(has(content(target + "/indices.csv"), "\ntop,end,room,"));
+    // 64 rows of samples: the room within 5 K, the end of the run within what the room may give.
+    std::istringstream samples(content(target + "/samples.csv"));
+    std::size_t rows = 0;
+    for (std::string line; std::getline(samples, line);)
+        rows += line.starts_with("#") || line.starts_with("parameter") ? 0 : 1;
+    CHECK(rows == 64);
+
+    // The same study gives the same numbers on one thread.
+    REQUIRE(deadpoint(call + " --force -j 1").code == 0);
+    const auto once = content(target + "/indices.csv");
+    REQUIRE(deadpoint(call + " --force -j 3").code == 0);
+    CHECK(once == content(target + "/indices.csv"));
+    const auto there = deadpoint(call);
+    CHECK(there.code == 5);
+    CHECK(has(there.err, "exists"));
+
+    write("morris", "surfaces.air.film.coefficient");
+    const auto screened = deadpoint(call + " --force");
+    CHECK(screened.code == 0);
+    CHECK(has(screened.out, "mu* [K]"));
+    CHECK(has(screened.out, "12 runs in "));
+    write("morris", "surfaces.air.film.coeficient");
+    const auto wrong = deadpoint(call + " --force");
+    CHECK(wrong.code == 2);
+    CHECK(has(wrong.err, "study.toml:14:9: error[unknown-key]: sensitivity.parameters.1.keys.0"));
+    CHECK(has(wrong.err, "did you mean 'surfaces.air.film.coefficient'?"));
+    write("morris", "materials.steel.density");
+    const auto fixed = deadpoint(call + " --force");
+    CHECK(fixed.code == 2);
+    CHECK(has(fixed.err, "changes what a reduced model cannot change"));
+    std::ofstream(study) << "format = 1\nname = \"n\"\nbase = \"" << two_blocks << "\"\n[[sets]]\nname = \"s\"\n";
+    CHECK(has(deadpoint(call + " --force").err, "has no section [sensitivity]"));
+    CHECK(has(screened.out, "results are in"));
+}
+
 TEST_CASE("run --reduce builds after the run what reduce builds by itself")
 {
     const Folder folder;

@@ -323,6 +323,24 @@ values = ["20 degC", "25 degC"]
 """
 
 
+MATTERS = """
+format = 1
+name = "what matters"
+base = "SOURCE/tests/data/cli/two-blocks.toml"
+[sensitivity]
+points = 16
+times = ["2 min"]
+[[sensitivity.parameters]]
+name = "room"
+keys = ["machine.ambient"]
+shift = "5 K"
+[[sensitivity.parameters]]
+name = "air"
+keys = ["surfaces.air.film.coefficient"]
+factor = 2
+"""
+
+
 def read_study(folder):
     with open(folder + "/sweep.csv") as file:
         rows = list(csv.reader(line for line in file if not line.startswith("#")))
@@ -404,6 +422,31 @@ def check_study_table(page, folder):
     page.run("dispatchEvent(new Event('afterprint'))")
 
 
+def check_sensitivity(page, folder, width):
+    """Bars, curves and table of a study of sensitivity against its file."""
+    page.size(width, 900, phone=width < 500)
+    page.open(folder + "/report.html")
+    page.settle()
+    near(page.run("document.documentElement.scrollWidth"), width, 0, f"sensitivity, {width} px: width of the page")
+    with open(folder + "/sensitivity.json") as file:
+        found = json.load(file)
+    output = page.run("document.querySelector('[data-control=output]').selectedOptions[0].textContent")
+    figures = [figure for figure in found["figures"] if figure["output"] == output]
+    ends = next(figure for figure in figures if figure["figure"] == "end")["parameters"]
+    ranked = sorted(ends, key=lambda name: -ends[name]["total"][0])
+    bars = page.run("""[...document.querySelectorAll('[data-chart^="bars-"]')].map((chart) => ({
+        names: [...chart.querySelectorAll("svg text[font-weight], svg text")].map((text) => text.textContent),
+        widths: [...chart.querySelectorAll("rect.bar")].map((bar) => Number(bar.getAttribute("width"))) }))""")
+    near(len(bars), len(figures), 0, f"sensitivity, {width} px: charts of bars")
+    widths = bars[[figure["figure"] for figure in figures].index("end")]["widths"]
+    for place, name in enumerate(ranked[1:], 1):
+        near(widths[place] / widths[0], max(0, ends[name]["total"][0]) / ends[ranked[0]]["total"][0], 0.02,
+             f"sensitivity, {width} px: bar of {name}")
+    charts = {chart["id"]: chart for chart in page.run(LINES)}
+    near(charts["course-" + output]["lines"], len(ends), 0, f"sensitivity, {width} px: curves over time")
+    near(len(cells(page, "#matrix tbody tr")), len(ends), 0, f"sensitivity, {width} px: rows of the table")
+
+
 def check_without_scripts(page, path, words):
     page.call("Emulation.setScriptExecutionDisabled", value=True)
     page.call("Page.navigate", url="file://" + os.path.abspath(path))
@@ -429,13 +472,18 @@ def compute(deadpoint, source, folder):
     press, blocks, both = folder + "/press", folder + "/blocks", folder + "/both.html"
     with open(folder + "/study.toml", "w") as file:
         file.write(STUDY.replace("SOURCE", os.path.abspath(source)).replace("LIMIT", "25"))
+    with open(folder + "/matters.toml", "w") as file:
+        file.write(MATTERS.replace("SOURCE", os.path.abspath(source)))
     for arguments in (
             ["run", source + "/cases/jl75g-60/case.toml", "-o", press, "--size", "5", "--quiet", "--set",
              "operation.0.duration=30 min"],
             ["run", source + "/tests/data/cli/two-blocks.toml", "-o", blocks, "--quiet"],
             ["report", blocks, "--pictures", folder + "/pictures"],
             ["report", press, blocks, "-o", both],
-            ["sweep", folder + "/study.toml", "-o", folder + "/study", "--size", "3", "--quiet"]):
+            ["sweep", folder + "/study.toml", "-o", folder + "/study", "--size", "3", "--quiet"],
+            ["reduce", source + "/tests/data/cli/two-blocks.toml", "-o", folder + "/blocks.rom", "--quiet"],
+            ["sensitivity", folder + "/matters.toml", "--reduced", folder + "/blocks.rom", "-o", folder + "/matters",
+             "--quiet"]):
         done = subprocess.run([deadpoint, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL)
         if done.returncode != 0:
             raise RuntimeError(f"deadpoint {' '.join(arguments)}: {done.stderr}")
@@ -470,6 +518,8 @@ def main():
             for width in (360, 1280):
                 check_study(page, folder + "/study", width, pictures)
             check_study_table(page, folder + "/study")
+            for width in (360, 1280):
+                check_sensitivity(page, folder + "/matters", width)
             check_without_scripts(page, report, ["E_SW at the end", "front left", "pivot_h", "Rises of the probes", "hash",
                                                  "Cite as", "switched off"])
             check_without_scripts(page, folder + "/study/report.html", ["Best windows", "speed=90_rpm", "-", "Cite as",

@@ -18,7 +18,8 @@ struct Scratch : ScratchFolder {
     Scratch() { fs::copy_file(fs::path(DEADPOINT_SOURCE_DIR) / "cases/starter/case.toml", path / "case.toml"); }
 };
 
-const std::string head = "format = 1\nname = \"n\"\nbase = \"case.toml\"\nset = [\"oil.pins=300 W/m^2/K\"]\n";
+const std::string head = "format = 1\nname = \"n\"\nbase = \"case.toml\"\nset = [\"oil.pins=300 W/m^2/K\", "
+                         "\"friction.gibs.viscous_part=0 W\"]\n";
 const std::string parameter = "[[sensitivity.parameters]]\n";  // line 5, or 6 after [sensitivity]
 
 StudyFile read(const std::string& body)
@@ -101,7 +102,9 @@ TEST_CASE("a mistake in a section for sensitivity is told with its place and its
     check_error(parameter + "name = \"a\"\nkeys = [\"oil.pins\"]\nfactor = 2\n" + parameter +
                     "name = \"a\"\nkeys = [\"oil.*\"]\nfactor = 3\n",
                 {"two entries are called 'a'", "'oil.pins' is varied twice"});
-    check_error(parameter + "keys = [\"friction.gibs.viscous_part\"]\nfactor = 1\n", {"factor"});
+    check_error(parameter + "keys = [\"friction.gibs.viscous_part\"]\nfactor = 2\n",
+                {"s.toml:6:8: error[inconsistent]", "is zero, which no factor changes"});
+    check_error(parameter + "keys = [\"friction.gibs.load_part\"]\nfactor = 1\n", {"factor"});
     check_error("[sensitivity]\noutputs = [\"slid\"]\n" + parameter + "keys = [\"oil.pins\"]\nfactor = 2\n",
                 {"s.toml:6:12: error[unknown-name]: sensitivity.outputs.0", "did you mean 'slide'?"});
     check_error("[sensitivity]\ntimes = [\"4 h\"]\n" + parameter + "keys = [\"oil.pins\"]\nfactor = 2\n",

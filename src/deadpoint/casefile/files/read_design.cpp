@@ -114,14 +114,14 @@ private:
         if (!(varied.low < varied.high))
             return report("inconsistent", at + last, "the range has no extent",
                           varied.kind == Kind::shift ? "give a shift above zero" : "let `from` be less than `to`");
-        for (const auto* number : found) {
-            if (varied.kind == Kind::factor && number->value == 0)
-                return report("inconsistent", at + ".keys",
-                              fmt::format("'{}' is zero, which no factor changes", number->by_name),
-                              "give `from` and `to`, or take this key out");
+        const auto is_zero = [](const CaseNumber* number) { return number->value == 0; };
+        if (varied.kind == Kind::factor && std::ranges::all_of(found, is_zero))
+            return report("inconsistent", at + ".keys",
+                          fmt::format("'{}' is zero, which no factor changes", found.front()->by_name),
+                          "give `from` and `to`");
+        for (const auto* number : found)
             for (const double end : {varied.low, varied.high})
                 check_end(varied, *number, end, at + last);
-        }
     }
 
     void check_end(const VariedKeys& varied, const CaseNumber& number, double end, const std::string& at)
