@@ -1,6 +1,7 @@
 // The page of a study of sensitivity: which parameters matter for which output, and when.
 
 const sensitivity = data.sensitivity;
+const { study: origin } = sensitivity;
 const main = document.getElementById("page");
 const screening = sensitivity.method === "morris";
 const outputs = [...new Set(sensitivity.figures.map((entry) => entry.output))];
@@ -148,8 +149,8 @@ function trustSection() {
 
 function aboutSection() {
     return make("section", { id: "about" }, make("h2", {}, "How to repeat this"),
-        table(["", ""], [["study", sensitivity.study.name], ["base case", sensitivity.study.base.replace(/^.*\//, "")],
-            ["changed in all runs", sensitivity.study.overrides.join(", ") || "nothing"], ["method", screening ? "Morris screening" : "Sobol' indices"],
+        table(["", ""], [["study", origin.name], ["base case", origin.base.replace(/^.*\//, "")],
+            ["changed in all runs", origin.overrides.join(", ") || "nothing"], ["method", screening ? "Morris screening" : "Sobol' indices"],
             [screening ? "trajectories" : "points", String(sensitivity.rows)], ["seed", String(sensitivity.seed)], ["runs", String(sensitivity.runs)],
             ["reduced model", sensitivity.reduced_model], ["case hash", sensitivity.case.hash], ["computed with", `deadpoint ${sensitivity.version}`],
             ["computing time", duration(sensitivity.seconds)]]));
@@ -169,7 +170,7 @@ function startStudy() {
     const sections = [outputSection(), matrixSection(), parametersSection(), trustSection(), aboutSection()].filter(Boolean);
     main.prepend(make("a", { class: "skip", href: "#outputs" }, "Skip to the results"));
     main.querySelector("h1").after(make("p", { class: "quiet" }, `A study of sensitivity with ${names.length} parameters in ${sensitivity.runs} runs, deadpoint `
-        + `${sensitivity.version}, machine ${sensitivity.case.name}`), contents, sensitivity.study.note ? make("p", {}, sensitivity.study.note) : "", lead());
+        + `${sensitivity.version}, machine ${sensitivity.case.name}`), contents, origin.note ? make("p", {}, origin.note) : "", lead());
     main.append(...sections);
     contents.replaceChildren(make("ul", {}, sections.map((section) => make("li", {}, make("a", { href: `#${section.id}` },
         section.querySelector("h2").textContent)))));

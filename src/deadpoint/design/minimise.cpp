@@ -11,8 +11,8 @@ namespace {
 nlopt::algorithm algorithm_of(MinimiseMethod method)
 {
     switch (method) {
-    case MinimiseMethod::mma:
-        return nlopt::LD_MMA;
+    case MinimiseMethod::ccsa:
+        return nlopt::LD_CCSAQ;
     case MinimiseMethod::cobyla:
         return nlopt::LN_COBYLA;
     default:
@@ -136,7 +136,8 @@ private:
         double result = HUGE_VAL;
         search.guarded([&] {
             const auto& found = search.at(point, !slope.empty());
-            std::ranges::copy(found.slope, slope.begin());
+            if (!slope.empty())
+                std::ranges::copy(found.slope, slope.begin());
             result = found.value;
         });
         return result;
@@ -175,8 +176,8 @@ Minimum minimise(const MinimiseProblem& problem, const Point& start, const Minim
 const char* name_of(MinimiseMethod method)
 {
     switch (method) {
-    case MinimiseMethod::mma:
-        return "mma";
+    case MinimiseMethod::ccsa:
+        return "ccsa";
     case MinimiseMethod::cobyla:
         return "cobyla";
     default:

@@ -29,7 +29,9 @@ struct MinimiseProblem {
 
 enum class MinimiseMethod {
     slsqp,  ///< sequential quadratic programming (Kraft 1994), with derivatives
-    mma,    ///< moving asymptotes (Svanberg, SIAM J. Optim. 12 (2002) 555), with derivatives
+    /// Conservative convex separable approximations (Svanberg, SIAM J. Optim. 12 (2002) 555), with derivatives. NLopt
+    /// 2.7.1's MMA, of the same paper, stays in a corner if it starts where a limit is exceeded.
+    ccsa,
     cobyla  ///< linear approximations (Powell 1994), without derivatives
 };
 
@@ -59,7 +61,7 @@ struct Minimum {
 /// exceeds them least. A limit is any quantity divided by its size, so that one tolerance serves all.
 Minimum minimise(const MinimiseProblem& problem, const Point& start, const MinimiseOptions& options);
 
-/// "slsqp", "mma", "cobyla".
+/// "slsqp", "ccsa", "cobyla".
 const char* name_of(MinimiseMethod method);
 
 }  // namespace deadpoint::design

@@ -136,7 +136,7 @@ TEST_CASE("a key that the case does not know, and a value that it refuses, are s
 
 TEST_CASE("axes and sets that do not make sense")
 {
-    CHECK(has(error_of(""), "'sets' is missing"));
+    CHECK(has(error_of(""), "the study has nothing to compute"));
     CHECK(has(error_of(speed), "the axis has no steps"));
     CHECK(has(error_of(speed + "values = []\n"), "the axis has no steps"));
     CHECK(has(error_of(set + "[[sets.axes]]\nvalues = [\"1\"]\n"), "the axis varies nothing"));
