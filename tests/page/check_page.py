@@ -444,7 +444,7 @@ def check_sensitivity(page, folder, width):
              f"sensitivity, {width} px: bar of {name}")
     charts = {chart["id"]: chart for chart in page.run(LINES)}
     near(charts["course-" + output]["lines"], len(ends), 0, f"sensitivity, {width} px: curves over time")
-    near(len(cells(page, "#matrix tbody tr")), len(ends), 0, f"sensitivity, {width} px: rows of the table")
+    near(len(cells(page, "#parameters tbody tr")), len(ends), 0, f"sensitivity, {width} px: rows of the table")
 
 
 def check_without_scripts(page, path, words):
