@@ -103,8 +103,8 @@ std::vector<std::string> vague_figures(const study::SensitivityResult& result)
             continue;
         const auto place = static_cast<std::size_t>(vague - figure.sobol.inputs.begin());
         texts.push_back(fmt::format(
-            "{}: single points lie so far off that the indices are vague (total index of {}: {:.1f} "
-            "to {:.1f}); take more points or narrower ranges",
+            "{}: the points do not tell the indices well (total index of {}: {:.1f} to {:.1f}); "
+            "take more points, or narrower ranges where single points lie far off",
             name_of(result, figure.figure), result.ranges[place].name, vague->total.low, vague->total.high));
     }
     return texts;
