@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/describe/library.hpp"
 #include "deadpoint/casefile/describe/visitor.hpp"
+#include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/casefile/files/reference_file.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/syntax/value_texts.hpp"
@@ -343,6 +344,8 @@ constexpr std::string_view preface = R"(
 
 - `include = ["parts.toml", ...]` at the top merges other files of the same folder tree; their paths are relative to the
   file that names them. A key stated twice is an error.
+- `replace = ["oil.pins=300 W/m^2/K", ...]` at the top of any of these files replaces what the files state; each text is
+  written as for `--set`. `deadpoint calibrate` writes such a file. `--set` comes last.
 - A quantity is text with a unit: `"300 kN"`, `"1.05e-5 1/K"`. Units are those of UDUNITS-2, with products as a space or
   `*` and quotients as `/`. Angles have the unit `deg` or `rad`, angular velocities `rpm`, `rad/s` or `deg/s`,
   temperatures `degC`, `degF` or `K`, temperature differences `K` only.
@@ -366,5 +369,7 @@ std::string reference_page()
 std::string reference_file_page() { return ReferenceWriter().run<ReferenceFile>("reference file"); }
 
 std::string study_file_page() { return ReferenceWriter().run<StudyFile>("study file"); }
+
+std::string calibration_file_page() { return ReferenceWriter().run<CalibrationFile>("calibration file"); }
 
 }  // namespace deadpoint::casefile

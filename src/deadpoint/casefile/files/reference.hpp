@@ -14,4 +14,7 @@ std::string reference_file_page();
 /// The same for the study files of `sweep`: docs/study-file.md.
 std::string study_file_page();
 
+/// The same for the calibration files of `calibrate`: docs/calibration-file.md.
+std::string calibration_file_page();
+
 }  // namespace deadpoint::casefile

@@ -54,7 +54,8 @@ bool lies_below(const std::filesystem::path& path, const std::filesystem::path& 
 /// Reads a case file and its includes, and applies the overrides.
 ///
 /// Includes are relative to the file that names them and must be allowed by `files`; tables of
-/// several files are merged, a key stated twice is an error. An override is "path=value" with
+/// several files are merged, a key stated twice is an error. A file's list `replace` holds texts "path=value" that
+/// replace what all files state, in the order of the files. An override is "path=value" with
 /// numbers for items of lists ("operation.0.speed=400 rpm"); a value that is not TOML is taken as
 /// text. Every text and every name is checked to be one line of printable characters of limited
 /// length, so that files and terminals can show it.

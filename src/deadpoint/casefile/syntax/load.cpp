@@ -34,6 +34,9 @@ public:
         }
     }
 
+    /// Values that replace those of all files, with their places.
+    [[nodiscard]] const std::vector<Node>& replacements() const { return replacements_; }
+
     Document run()
     {
         auto text = read_file(main_, largest_text);
@@ -60,6 +63,7 @@ private:
         const int file = diagnostics_.sources.add(shown.string(), text);
         document_.paths.push_back(chain.back());
         Node root = parse_toml(text, file, diagnostics_);
+        take_replacements(root);
         const auto found = std::ranges::find_if(root.children, [](const Node& n) { return n.key == "include"; });
         if (found == root.children.end()) {
             return root;
@@ -75,6 +79,25 @@ private:
             load_include(item, shown, chain, root);
         }
         return root;
+    }
+
+    void take_replacements(Node& root)
+    {
+        const auto found = std::ranges::find_if(root.children, [](const Node& n) { return n.key == "replace"; });
+        if (found == root.children.end()) {
+            return;
+        }
+        const Node replace = std::move(*found);
+        root.children.erase(found);
+        const bool texts =
+            replace.kind == Node::Kind::array &&
+            std::ranges::all_of(replace.children, [](const Node& n) { return n.kind == Node::Kind::string; });
+        if (!texts) {
+            report("wrong-type", replace.place, "replace", "needs a list of texts path=value",
+                   "write it like replace = [\"oil.pins=300 W/m^2/K\"]");
+            return;
+        }
+        replacements_.insert(replacements_.end(), replace.children.begin(), replace.children.end());
     }
 
     void load_include(const Node& item, const fs::path& shown, std::vector<fs::path>& chain, Node& root)
@@ -154,6 +177,7 @@ private:
     fs::path main_;
     Diagnostics& diagnostics_;
     Document document_;
+    std::vector<Node> replacements_;
     std::uintmax_t size_ = 0;  ///< size of all texts so far [byte]
 };
 
@@ -204,8 +228,9 @@ void set_places(Node& node, const Place& value, const Place& key)
 
 class Override {
 public:
-    Override(std::string text, int file, Diagnostics& diagnostics)
-        : text_(std::move(text)), file_(file), diagnostics_(diagnostics)
+    /// @param whole  place of the text where it stands in a file; else the parts of a text of its own are told apart
+    Override(std::string text, int file, Diagnostics& diagnostics, std::optional<Place> whole = {})
+        : text_(std::move(text)), file_(file), whole_(whole), diagnostics_(diagnostics)
     {}
 
     void apply(Node& root)
@@ -215,8 +240,8 @@ public:
             return report("an override is written path=value", "write it like operation.0.speed=\"400 rpm\"");
         }
         const auto steps = split_path(text_.substr(0, equals));
-        key_ = Place{file_, 1, 1, static_cast<int>(equals)};
-        value_ = Place{file_, 1, static_cast<int>(equals) + 2, 1 << 16};
+        key_ = whole_.value_or(Place{file_, 1, 1, static_cast<int>(equals)});
+        value_ = whole_.value_or(Place{file_, 1, static_cast<int>(equals) + 2, 1 << 16});
         Node* node = &root;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             node = descend(*node, steps[i]);
@@ -264,12 +289,13 @@ private:
 
     void report(std::string message, std::string help)
     {
-        diagnostics_.add({Severity::error, "override", Place{file_, 1, 1, 1 << 16}, "", std::move(message),
-                          std::move(help), std::nullopt, ""});
+        diagnostics_.add({Severity::error, "override", whole_.value_or(Place{file_, 1, 1, 1 << 16}), "",
+                          std::move(message), std::move(help), std::nullopt, ""});
     }
 
     std::string text_;
     int file_;
+    std::optional<Place> whole_;
     Diagnostics& diagnostics_;
     Place key_;
     Place value_;
@@ -362,7 +388,11 @@ bool lies_below(const fs::path& path, const fs::path& folder)
 Document load_document(const fs::path& path, const std::vector<std::string>& overrides, Diagnostics& diagnostics,
                        FileAccess files)
 {
-    Document document = Loader(path, files, diagnostics).run();
+    Loader loader(path, files, diagnostics);
+    Document document = loader.run();
+    for (const auto& replacement : loader.replacements()) {
+        Override(replacement.text, replacement.place.file, diagnostics, replacement.place).apply(document.root);
+    }
     const auto main = document.paths.front();
     document.first_override = static_cast<int>(document.paths.size());
     for (const auto& text : overrides) {
