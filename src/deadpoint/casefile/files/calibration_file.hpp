@@ -84,9 +84,10 @@ struct CalibrationRun {
 /// A further sensor or run that could be planned.
 struct CalibrationCandidate {
     std::string name;
-    std::string run;                   ///< in which the sensors are added; empty: all
-    std::vector<std::string> set;      ///< of a new run
-    std::vector<std::string> measure;  ///< probes and dimensions; of a new run by default all that are measured
+    std::string run;                    ///< in which the sensors are added; empty: all
+    std::vector<std::string> set;       ///< of a new run
+    std::vector<std::string> measure;   ///< probes and dimensions; of a new run by default all that are measured
+    std::shared_ptr<const Case> input;  ///< after reading: of a new run
 };
 
 struct CalibrationOptions {

@@ -261,7 +261,7 @@ private:
 
     void check_candidate(std::size_t k)
     {
-        const auto& c = file_.candidates[k];
+        auto& c = file_.candidates[k];
         const std::string at = fmt::format("candidates.{}", k);
         std::vector<std::string> names;
         for (const auto& run : file_.runs)
@@ -274,6 +274,7 @@ private:
         }
         CalibrationRun probe;
         probe.input = c.set.empty() ? std::make_shared<Case>(base_) : read_with(c.set, at + ".set");
+        c.input = c.set.empty() ? nullptr : probe.input;
         if (probe.input)
             (void)planned_curves(c.measure, probe, file_.sensors, reporter(at));
     }

@@ -1,0 +1,261 @@
+#include "deadpoint/study/learn/measured_runs.hpp"
+
+#include "deadpoint/calibration/curves.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/calibration_file.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/parallel/in_parallel.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace deadpoint::study {
+
+using calibration::Prediction;
+using calibration::Problem;
+using casefile::CalibrationRun;
+using casefile::MeasuredCurve;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double least_model_time = 600;  // [s], correlation time of the reduced model's error
+
+VectorXd as_vector(const std::vector<double>& values)
+{
+    return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+}
+
+/// What the sensor of a curve shows of an output with its derivatives by all unknowns.
+struct Shown {
+    VectorXd value;
+    MatrixXd jacobian;
+};
+
+Shown shown(const CurveOfRun& curve, const Forecast& forecast, const VectorXd& theta, bool jacobian)
+{
+    const auto& times = curve.measured->time;
+    const MatrixXd weights = calibration::interpolation(forecast.time, times);
+    VectorXd rows = as_vector(forecast.value[curve.output]);
+    const double constant = curve.time_constant * (curve.lag >= 0 ? std::exp(theta[curve.lag]) : 1);
+    const auto lag = [&](const VectorXd& of) {
+        return constant > 0 ? calibration::lagged(forecast.time, of, constant).value : of;
+    };
+    Shown result{weights * lag(rows), MatrixXd()};
+    result.value.array() += (curve.bias >= 0 ? theta[curve.bias] : 0) - curve.start;
+    if (!jacobian)
+        return result;
+    result.jacobian = MatrixXd::Zero(result.value.size(), theta.size());
+    for (std::size_t k = 0; k < forecast.derivative.size(); ++k)
+        result.jacobian.col(static_cast<Index>(k)) = weights * lag(as_vector(forecast.derivative[k][curve.output]));
+    if (curve.bias >= 0)
+        result.jacobian.col(curve.bias).setOnes();
+    if (curve.lag >= 0)
+        result.jacobian.col(curve.lag) = weights * calibration::lagged(forecast.time, rows, constant).by_log_constant;
+    return result;
+}
+
+FittedParameter unknown_of_case(const casefile::CalibrationParameter& from)
+{
+    const bool factor = from.kind == casefile::CalibrationParameter::Kind::factor;
+    FittedParameter result;
+    result.name = from.name;
+    result.kind = factor ? FittedParameter::Kind::factor : FittedParameter::Kind::shift;
+    result.unit = factor ? "" : std::string(dimension_info(from.dimension).si_unit);
+    result.place = from.place;
+    result.prior = from.prior;
+    return result;
+}
+
+std::string sensor_place(std::size_t sensor, const std::string& output) { return fmt::format("{}|{}", sensor, output); }
+
+}  // namespace
+
+std::pair<double, double> stated_errors(const ReducedPress& press)
+{
+    std::pair<double, double> result{0, 0};
+    for (const auto& error : press.errors)
+        result = {std::max(result.first, error.temperature), std::max(result.second, error.gap)};
+    return result;
+}
+
+MeasuredRuns::MeasuredRuns(const casefile::CalibrationFile& file, const ReducedPress& press, int threads)
+    : file_(file), press_(press), threads_(threads)
+{
+    std::tie(reduced_temperature_, reduced_gap_) = stated_errors(press);
+    for (const auto& from : file.parameters) {
+        const bool factor = from.kind == casefile::CalibrationParameter::Kind::factor;
+        parameters_.push_back(
+            {from.name, from.keys, factor ? CaseParameter::Kind::factor : CaseParameter::Kind::shift});
+        unknowns_.push_back(unknown_of_case(from));
+        calibration::Parameter prior{from.name, from.prior};
+        if (from.least != 0 || from.most != 0) {
+            prior.lower = from.least;
+            prior.upper = from.most;
+        }
+        priors_.push_back(std::move(prior));
+    }
+    of_case_ = parameters_.size();
+    add_sensor_unknowns();
+    for (const auto& run : file.runs)
+        runs_.push_back(modelled(run));
+}
+
+void MeasuredRuns::add_sensor_unknowns()
+{
+    const auto add = [&](FittedParameter::Kind kind, const std::string& name, const std::string& place, double prior,
+                         const char* unit) {
+        if (unknown_of(kind, place) >= 0)
+            return;
+        FittedParameter unknown;
+        unknown.name = name;
+        unknown.kind = kind;
+        unknown.unit = unit;
+        unknown.place = place;
+        unknown.prior = prior;
+        unknowns_.push_back(unknown);
+        priors_.push_back({name, prior});
+    };
+    for (const auto& run : file_.runs)
+        for (const auto& curve : run.curves) {
+            const auto& sensor = file_.sensors[curve.sensor];
+            const auto place = sensor_place(curve.sensor, curve.output);
+            if (sensor.bias_sigma > 0)
+                add(FittedParameter::Kind::bias, "bias of " + curve.output, place, sensor.bias_sigma,
+                    curve.of_gap ? "m" : "K");
+            if (sensor.time_constant && sensor.time_constant_factor > 1)
+                add(FittedParameter::Kind::lag, "lag of " + curve.output, place, std::log(sensor.time_constant_factor),
+                    "");
+        }
+}
+
+Index MeasuredRuns::unknown_of(FittedParameter::Kind kind, const std::string& place) const
+{
+    const auto found = std::ranges::find_if(
+        unknowns_, [&](const auto& unknown) { return unknown.kind == kind && unknown.place == place; });
+    return found == unknowns_.end() ? -1 : found - unknowns_.begin();
+}
+
+ModelledRun MeasuredRuns::modelled(const CalibrationRun& run) const
+{
+    ModelledRun result;
+    result.run = &run;
+    ForwardOptions options;
+    options.fixed_step = file_.options.fixed_step;
+    options.threads = threads_;
+    try {
+        result.model = std::make_unique<ForwardModel>(*run.input, press_, parameters_, options);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("the run '{}': {}", run.name, error.what()));
+    }
+    for (const auto& curve : run.curves)
+        add_curve(result, curve);
+    return result;
+}
+
+void MeasuredRuns::add_curve(ModelledRun& to, const MeasuredCurve& measured) const
+{
+    const auto& outputs = to.model->outputs();
+    const auto found = std::ranges::find(outputs, measured.output, &ForwardOutput::name);
+    if (found == outputs.end())
+        throw InputError(fmt::format("the reduced model has no '{}'\n  help: build it again with 'deadpoint reduce'",
+                                     measured.output));
+    const auto& sensor = file_.sensors[measured.sensor];
+    const auto place = sensor_place(measured.sensor, measured.output);
+    CurveOfRun curve;
+    curve.measured = &measured;
+    curve.output = static_cast<std::size_t>(found - outputs.begin());
+    curve.bias = unknown_of(FittedParameter::Kind::bias, place);
+    curve.lag = unknown_of(FittedParameter::Kind::lag, place);
+    curve.time_constant = sensor.time_constant.value_or(0);
+    curve.start = measured.rise ? to.model->start_of(*found) : 0;
+    to.curves.push_back(curve);
+}
+
+Problem MeasuredRuns::problem_of(std::vector<const ModelledRun*> runs) const
+{
+    Problem result;
+    result.parameters = priors_;
+    for (const auto* run : runs)
+        for (const auto& curve : run->curves) {
+            const auto& measured = *curve.measured;
+            const auto& sensor = file_.sensors[measured.sensor];
+            calibration::Curve of{fmt::format("{} in {}", measured.output, run->run->name),
+                                  as_vector(measured.time),
+                                  as_vector(measured.value),
+                                  {sensor.sigma, sensor.correlation_time, 0, least_model_time}};
+            // The largest error that the build found counts as two standard deviations.
+            of.noise.model_error = 0.5 * (measured.of_gap ? reduced_gap_ : reduced_temperature_);
+            of.noise.model_time = std::max(least_model_time, run->model->end() / 3);
+            if (measured.value.empty())  // planned
+                of.measured = VectorXd::Zero(of.time.size());
+            result.curves.push_back(std::move(of));
+        }
+    result.model = [this, all = std::move(runs)](const VectorXd& theta, bool jacobian) {
+        return predict(all, theta, jacobian);
+    };
+    return result;
+}
+
+Problem MeasuredRuns::problem_of(const ModelledRun& run) const
+{
+    return problem_of(std::vector<const ModelledRun*>{&run});
+}
+
+Problem MeasuredRuns::problem(bool hold_out) const
+{
+    std::vector<const ModelledRun*> wanted;
+    for (const auto& run : runs_)
+        if (run.run->hold_out == hold_out && !run.curves.empty())
+            wanted.push_back(&run);
+    return problem_of(std::move(wanted));
+}
+
+std::vector<std::pair<const ModelledRun*, const CurveOfRun*>> MeasuredRuns::curves(bool hold_out) const
+{
+    std::vector<std::pair<const ModelledRun*, const CurveOfRun*>> result;
+    for (const auto& run : runs_)
+        if (run.run->hold_out == hold_out)
+            for (const auto& curve : run.curves)
+                result.emplace_back(&run, &curve);
+    return result;
+}
+
+std::vector<double> MeasuredRuns::theta_of_case(const VectorXd& theta) const
+{
+    return {theta.data(), theta.data() + of_case_};
+}
+
+Prediction MeasuredRuns::predict(const std::vector<const ModelledRun*>& runs, const VectorXd& theta,
+                                 bool jacobian) const
+{
+    std::vector<std::vector<Shown>> parts(runs.size());
+    const auto of_case = theta_of_case(theta);
+    reduce::in_parallel(threads_, runs.size(), [&](std::size_t r) {
+        Observer silent;
+        const auto forecast = runs[r]->model->run(of_case, jacobian, silent);
+        for (const auto& curve : runs[r]->curves)
+            parts[r].push_back(shown(curve, forecast, theta, jacobian));
+    });
+    Index count = 0;
+    for (const auto& run : parts)
+        for (const auto& part : run)
+            count += part.value.size();
+    Prediction result{VectorXd(count), MatrixXd(jacobian ? count : 0, jacobian ? theta.size() : 0)};
+    Index at = 0;
+    for (const auto& run : parts)
+        for (const auto& part : run) {
+            result.value.segment(at, part.value.size()) = part.value;
+            if (jacobian)
+                result.jacobian.middleRows(at, part.value.size()) = part.jacobian;
+            at += part.value.size();
+        }
+    return result;
+}
+
+}  // namespace deadpoint::study
