@@ -27,6 +27,7 @@ constexpr const char* examples = R"(Examples:
   deadpoint run my-press/case.toml -o fast --size 2 --set "operation.0.speed=300 rpm"
   deadpoint sweep my-press/study.toml -o study              many runs: speeds, forces, ...
   deadpoint sensitivity my-press/study.toml --reduced press.rom -o what-matters   which unknowns matter?
+  deadpoint calibrate my-press/case.toml measured.toml --reduced press.rom -o calibrated   fit it to measurements
   deadpoint compare my-press/results measured.toml          how good is it against what was measured?
   deadpoint view my-press/results                           see it as a page in the browser
   deadpoint report a b -o a-and-b.html                      two results on one page
@@ -36,18 +37,17 @@ Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 fil
 
 constexpr int other_error = 1;
 
-const std::vector<std::string> subcommands{"init",   "check", "mesh",        "loads",   "heat",   "run",
-                                           "reduce", "sweep", "sensitivity", "compare", "report", "view"};
+const std::vector<std::string> subcommands{"init",  "check",       "mesh",      "loads",   "heat",   "run", "reduce",
+                                           "sweep", "sensitivity", "calibrate", "compare", "report", "view"};
 
 /// Says that a word is no subcommand, and which one it may have meant.
 int refuse_subcommand(const std::string& word)
 {
     const auto meant = deadpoint::closest_name(word, subcommands);
-    print_err(
-        "error: there is no subcommand '{}'\n  help: {}\n", word,
-        meant.empty()
-            ? "give one of init, check, mesh, loads, heat, run, reduce, sweep, sensitivity, compare, report and view"
-            : fmt::format("did you mean '{}'?", meant));
+    print_err("error: there is no subcommand '{}'\n  help: {}\n", word,
+              meant.empty() ? "give one of init, check, mesh, loads, heat, run, reduce, sweep, sensitivity, calibrate, "
+                              "compare, report and view"
+                            : fmt::format("did you mean '{}'?", meant));
     return static_cast<int>(deadpoint::ErrorKind::input);
 }
 
@@ -68,6 +68,7 @@ int run(int argc, char** argv)
     add_reduce(app, exit_code);
     add_sweep(app, exit_code);
     add_sensitivity(app, exit_code);
+    add_calibrate(app, exit_code);
     add_report(app, exit_code);
     add_view(app, exit_code);
     if (argc == 3 && std::string_view(argv[1]) == "--write-manual") {  // used when the program is packaged

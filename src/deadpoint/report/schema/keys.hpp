@@ -13,6 +13,8 @@ Keys motion_keys();
 Keys sweep_keys();
 Keys compare_keys();
 Keys sensitivity_study_keys();
+Keys calibration_keys();
+Keys plan_keys();
 Keys manifest_keys();
 
 /// Friction at every operating point, which two files hold.

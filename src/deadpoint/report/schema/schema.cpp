@@ -1,5 +1,6 @@
 #include "deadpoint/report/schema/schema.hpp"
 
+#include "deadpoint/report/schema/calibration_columns.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/schema/keys.hpp"
 
@@ -101,10 +102,28 @@ std::vector<File> other_files()
     };
 }
 
+std::vector<File> calibration_files()
+{
+    const std::string by = "calibrate";
+    return {
+        other("calibrated.toml", by, "the calibrated values, to include in the case"),
+        document("calibration.json", by, "figures of a calibration", calibration_keys()),
+        document("plan.json", "calibrate --plan", "what planned measurements can determine", plan_keys()),
+        table("parameters.csv", by, "one row for each unknown", calibration::parameters),
+        table("combinations.csv", by, "combinations of unknowns, the best determined first", calibration::combinations),
+        table("correlation.csv", by, "correlation of the unknowns", calibration::correlations),
+        table("residuals.csv", by, "measured values beside the model", calibration::residuals),
+        table("prediction_{run}.csv", by, "a run of the calibrated case with bands", calibration::predictions),
+        table("posterior.csv", by, "draws of the unknowns, if samples were asked for", calibration::posterior),
+        table("candidates.csv", "calibrate --plan", "what further sensors and runs would tell, the best first",
+              calibration::candidates),
+    };
+}
+
 std::vector<File> all_files()
 {
     auto all = run_files();
-    for (const auto& more : {loads_files(), other_files()}) {
+    for (const auto& more : {loads_files(), other_files(), calibration_files()}) {
         all.insert(all.end(), more.begin(), more.end());
     }
     return all;
@@ -132,7 +151,12 @@ const std::vector<File>& files()
 
 const File& file(std::string_view name)
 {
-    const auto found = std::ranges::find(files(), name, &File::name);
+    auto found = std::ranges::find(files(), name, &File::name);
+    if (found == files().end()) {
+        found = std::ranges::find_if(files(), [&](const File& of) {
+            return !of.columns.empty() && !name_in(of.name, std::string(name)).empty();
+        });
+    }
     if (found == files().end()) {
         throw std::logic_error(fmt::format("the schema knows no file '{}'", name));
     }

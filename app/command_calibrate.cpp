@@ -1,0 +1,135 @@
+#include "commands.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/calibration_file.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/report/calibration/calibration_files.hpp"
+#include "deadpoint/study/learn/calibrate.hpp"
+#include "deadpoint/study/learn/parameter.hpp"
+#include "deadpoint/study/pipeline/press.hpp"
+#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/study/reduce/run_reduced.hpp"
+#include "deadpoint/study/result/reduced_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+#include "interrupt.hpp"
+#include "options/result_options.hpp"
+#include "output.hpp"
+#include "ranks.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+using namespace deadpoint;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct CalibrateOptions : ResultOptions {
+    std::string calibration;
+    std::string reduced;
+    int jobs = 0;
+    bool plan = false;
+    bool full_run = false;
+};
+
+casefile::CalibrationFile read_file(const CalibrateOptions& options)
+{
+    casefile::CalibratedCase of;
+    of.path = options.path;
+    of.overrides = options.overrides;
+    of.files = options.files;
+    of.keys_of = [](const casefile::Case& input, const std::vector<std::string>& patterns) {
+        return study::keys_of(input, patterns, "keys");
+    };
+    auto file = casefile::read_calibration(options.calibration, of, options.plan);
+    if (!options.reduced.empty())
+        file.options.reduced = options.reduced;
+    if (file.options.reduced.empty())
+        throw InputError("the calibration needs a reduced model\n  help: build one with 'deadpoint reduce CASE -o "
+                         "press.rom', and name it with --reduced press.rom");
+    return file;
+}
+
+/// A full run of the first fitted run with the calibrated values, against the reduced one.
+std::pair<double, double> check_by_full_run(const CalibrateOptions& options, const casefile::CalibrationFile& file,
+                                            const study::ReducedPress& reduced, const study::Calibration& result,
+                                            Console& console)
+{
+    const auto first = std::ranges::find(file.runs, false, &casefile::CalibrationRun::hold_out);
+    auto overrides = options.overrides;
+    overrides.insert(overrides.end(), first->set.begin(), first->set.end());
+    overrides.insert(overrides.end(), result.settings.begin(), result.settings.end());
+    overrides.emplace_back("output.fields=false");
+    const auto input = casefile::read_case(options.path, overrides, options.files).value;
+    study::Press press(input, reduced.size_scale);
+    const auto full = press.run({}, console);
+    const auto quick = study::run_reduced(input, reduced, {}, study::ReducedDetail::figures, console);
+    const auto error = study::difference_to_full(quick, reduced, full);
+    return {error.temperature, error.gap};
+}
+
+int calibrate(const CalibrateOptions& options, const OnRanks& ranks)
+{
+    if (options.size_scale != 1)
+        throw InputError("calibrate computes without a mesh\n  help: leave out --size");
+    if (!ranks.first)
+        return 0;
+    auto& console = ranks.console;
+    const auto read = read_case(options, console);
+    const auto file = read_file(options);
+    const auto press = study::read_reduced(file.options.reduced);
+    const int threads =
+        options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    auto inputs = input_files(read);
+    inputs.insert(inputs.end(), {options.calibration, file.options.reduced});
+    using enum report::ResultFolder::IfExists;
+    report::ResultFolder folder(claim_folder(options.folder, console), options.force ? replace : refuse, inputs);
+    const auto model = fs::path(file.options.reduced).filename().string();
+    std::string text;
+    if (options.plan) {
+        auto plan = study::plan_calibration(file, press, threads, console);
+        plan.reduced_file = model;
+        console.finish();
+        report::write_plan_files(folder.path(), plan);
+        text = report::calibration_text(plan);
+    } else {
+        auto result = study::calibrate(file, press, threads, console);
+        result.reduced_file = model;
+        if (options.full_run)
+            result.full_run = check_by_full_run(options, file, press, result, console);
+        console.finish();
+        report::write_calibration_files(folder.path(), result);
+        text = report::calibration_text(result);
+    }
+    commit(folder, console);
+    print_out("{}\nresults are in {}\n", text, folder.target().string());
+    return 0;
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, int& exit_code)
+{
+    auto* command = app.add_subcommand("calibrate", "find unknown values of a case from measurements");
+    const auto options = std::make_shared<CalibrateOptions>();
+    add_result_options(*command, *options);
+    command->add_option("calibration", options->calibration, "the calibration file (TOML)")
+        ->required()
+        ->type_name("CALIBRATION");
+    command
+        ->add_option("--reduced", options->reduced,
+                     "compute with this reduced model of the press, which 'reduce' has written")
+        ->type_name("FILE");
+    command->add_flag("--plan", options->plan,
+                      "say what the planned measurements can determine, and which further one would help most");
+    command->add_flag("--full-run", options->full_run,
+                      "check the calibrated case by a full run of its first fitted run");
+    command->add_option("-j,--jobs", options->jobs, "threads; default: as many as processors")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command->callback([options, &exit_code] {
+        exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return calibrate(*options, ranks); });
+    });
+}

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace deadpoint::study {
+struct Calibration;
+struct CalibrationPlan;
+}  // namespace deadpoint::study
+
+/// Files and texts of a calibration.
+namespace deadpoint::report {
+
+/// Writes calibrated.toml, calibration.json, parameters.csv, correlation.csv, combinations.csv, residuals.csv,
+/// prediction_RUN.csv of every run, posterior.csv if samples were drawn, and the page report.html. @throws IoError
+void write_calibration_files(const std::filesystem::path& folder, const study::Calibration& result);
+
+/// Writes plan.json, parameters.csv, combinations.csv and candidates.csv. @throws IoError
+void write_plan_files(const std::filesystem::path& folder, const study::CalibrationPlan& plan);
+
+/// What the data say, one sentence each: what they determine, what is prior only, whether the model explains them.
+std::vector<std::string> conclusions(const study::Calibration& result);
+std::vector<std::string> conclusions(const study::CalibrationPlan& plan);
+
+/// For the terminal: tables and conclusions.
+std::string calibration_text(const study::Calibration& result);
+std::string calibration_text(const study::CalibrationPlan& plan);
+
+}  // namespace deadpoint::report

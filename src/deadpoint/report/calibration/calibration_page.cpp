@@ -1,0 +1,100 @@
+#include "deadpoint/report/calibration/calibration_page.hpp"
+
+#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/core/version.hpp"
+#include "deadpoint/report/calibration/calibration_files.hpp"
+#include "deadpoint/report/page/page_parts.hpp"
+#include "deadpoint/report/page/page_shell.hpp"
+#include "deadpoint/report/schema/schema.hpp"
+#include "deadpoint/study/learn/calibration_result.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace deadpoint::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using study::Calibration;
+
+constexpr std::size_t most_rows = 400;
+constexpr double hour = 3600;
+
+Json numbers(const std::vector<double>& values, const std::vector<std::size_t>& rows, double factor, double offset)
+{
+    Json json = Json::array();
+    for (const auto row : rows)
+        json.push_back(factor * values[row] + offset);
+    return json;
+}
+
+std::vector<std::size_t> few_rows(std::size_t count)
+{
+    std::vector<std::size_t> rows;
+    const std::size_t step = std::max<std::size_t>(1, count / most_rows);
+    for (std::size_t row = 0; row < count; row += step)
+        rows.push_back(row);
+    if (count > 0 && rows.back() != count - 1)
+        rows.push_back(count - 1);
+    return rows;
+}
+
+// Measured values of a run's output, in the units of the predictions; rises count from the start.
+Json marks_of(const Calibration& result, const study::PredictedRun& run, const study::PredictedCurve& curve)
+{
+    Json marks = Json::array();
+    for (const auto& measured : result.curves) {
+        if (measured.run != run.name || measured.output != curve.output)
+            continue;
+        const bool rise =
+            !measured.of_gap && !measured.measured.empty() && measured.predicted.front() < 0.5 * zero_celsius;
+        const double start = rise ? curve.value.front() : 0;
+        for (std::size_t k = 0; k < measured.time.size(); ++k)
+            marks.push_back({{"x", measured.time[k] / hour},
+                             {"y", curve.of_gap ? micrometre * measured.measured[k]
+                                                : measured.measured[k] + start - zero_celsius}});
+    }
+    return marks;
+}
+
+Json courses(const Calibration& result)
+{
+    Json json = Json::array();
+    for (const auto& run : result.predictions) {
+        const auto rows = few_rows(run.time.size());
+        Json entry{{"run", run.name}, {"held_out", run.hold_out}, {"hours", numbers(run.time, rows, 1 / hour, 0)}};
+        entry["curves"] = Json::array();
+        for (const auto& curve : run.curves) {
+            const double factor = curve.of_gap ? micrometre : 1, offset = curve.of_gap ? 0 : -zero_celsius;
+            entry["curves"].push_back({{"quantity", curve.output},
+                                       {"unit", curve.of_gap ? "µm" : "°C"},
+                                       {"before", numbers(curve.before, rows, factor, offset)},
+                                       {"value", numbers(curve.value, rows, factor, offset)},
+                                       {"lower", numbers(curve.lower, rows, factor, offset)},
+                                       {"upper", numbers(curve.upper, rows, factor, offset)},
+                                       {"measured", marks_of(result, run, curve)}});
+        }
+        json.push_back(std::move(entry));
+    }
+    return json;
+}
+
+}  // namespace
+
+void write_calibration_page(const std::filesystem::path& file, const Calibration& result, const Json& json)
+{
+    PageContent content;
+    content.title = result.name;
+    content.data = {{"version", version},
+                    {"schema", Json::parse(schema::script_json())},
+                    {"runs", Json::array()},
+                    {"calibration", json},
+                    {"courses", courses(result)}};
+    content.without_scripts = "<p>This page draws its charts with scripts, which are switched off here.</p>\n<pre>" +
+                              xml_text(calibration_text(result)) + "</pre>\n";
+    const std::array scripts{page_data_script(), page_charts_script(), page_calibration_script()};
+    write_page(file, content, scripts, IfThere::replace);
+}
+
+}  // namespace deadpoint::report
