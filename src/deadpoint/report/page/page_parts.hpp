@@ -19,5 +19,6 @@ std::string_view page_sections_script();
 std::string_view page_main_script();
 std::string_view page_sweep_script();
 std::string_view page_sensitivity_script();
+std::string_view page_calibration_script();
 
 }  // namespace deadpoint::report

@@ -1,0 +1,246 @@
+/// Requirement: a calibration finds the values that made the data, says what data determine, and does not hide a wrong
+/// model in them.
+#include "deadpoint/study/learn/calibrate.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/calibration_file.hpp"
+#include "deadpoint/error.hpp"
+#include "deadpoint/study/learn/forward.hpp"
+#include "starter_press.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace deadpoint;
+using namespace deadpoint::study;
+using casefile::CalibrationFile;
+using casefile::CalibrationParameter;
+using casefile::CalibrationRun;
+using doctest::Approx;
+
+namespace {
+
+constexpr double noise = 0.05;  // [K]
+
+CalibrationParameter factor(const std::string& name, const std::vector<std::string>& patterns, double uncertainty)
+{
+    CalibrationParameter result;
+    result.name = name;
+    result.keys = keys_of(starter_press::input(), patterns, name);
+    result.prior = std::log(uncertainty);
+    result.place = "c.toml:1";
+    return result;
+}
+
+/// A run whose data are those of a case with these values, with noise.
+CalibrationRun measured(const CalibrationFile& file, const std::vector<std::string>& set,
+                        const std::vector<double>& truth, const std::vector<std::string>& outputs, unsigned seed,
+                        const std::vector<std::string>& other_laws = {})
+{
+    CalibrationRun run;
+    run.name = "run " + std::to_string(seed);
+    run.input = std::make_shared<casefile::Case>(starter_press::input(set));
+    auto true_set = set;
+    true_set.insert(true_set.end(), other_laws.begin(), other_laws.end());
+    std::vector<CaseParameter> parameters;
+    for (const auto& p : file.parameters)
+        parameters.push_back({p.name, p.keys, CaseParameter::Kind::factor});
+    Observer quiet;
+    const ForwardModel model(starter_press::input(true_set), starter_press::press(), parameters, {120, 1, nullptr});
+    const auto found = model.run(truth, false, quiet);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    for (std::size_t o = 0; o < model.outputs().size(); ++o) {
+        const auto& output = model.outputs()[o];
+        if (std::ranges::find(outputs, output.name) == outputs.end())
+            continue;
+        casefile::MeasuredCurve curve{
+            output.name, output.name, output.kind == ForwardOutput::Kind::dimension, false, 0, {}, {}, "log.csv"};
+        curve.sensor = curve.of_gap ? 1 : 0;
+        for (std::size_t row = 2; row < found.time.size(); row += 2) {
+            curve.time.push_back(found.time[row]);
+            curve.value.push_back(found.value[o][row] + (curve.of_gap ? 2e-7 : noise) * normal(random));
+        }
+        run.curves.push_back(std::move(curve));
+    }
+    return run;
+}
+
+CalibrationFile file_of(const std::vector<CalibrationParameter>& parameters)
+{
+    CalibrationFile file;
+    file.name = "test";
+    file.parameters = parameters;
+    file.sensors.resize(2);
+    file.sensors[0].sigma = noise;
+    file.sensors[0].dimension = Dimension::temperature_difference;
+    file.sensors[1].sigma = 2e-7;
+    file.sensors[1].dimension = Dimension::length;
+    file.options.starts = 2;
+    file.options.profiles = false;
+    return file;
+}
+
+CalibrationFile two_unknowns()
+{
+    return file_of({factor("friction", {"friction.*.viscous_part", "friction.*.load_part"}, 2),
+                    factor("air", {"surfaces.air_*.film.coefficient"}, 2)});
+}
+
+/// The press without its stated error, which here compares the model with itself.
+const ReducedPress& exact_press()
+{
+    static const auto press = [] {
+        auto result = starter_press::press();
+        result.errors.clear();
+        return result;
+    }();
+    return press;
+}
+
+Calibration calibrated(const CalibrationFile& file)
+{
+    Observer quiet;
+    return calibrate(file, exact_press(), 2, quiet);
+}
+
+}  // namespace
+
+TEST_CASE("the values that made the data lie within the intervals, and held-out data within the bands")
+{
+    auto file = two_unknowns();
+    const std::vector<double> truth{0.3, -0.4};
+    file.runs.push_back(measured(file, {}, truth, {"slide", "bearing_front", "upright", "E_SW"}, 1));
+    file.runs.push_back(measured(file, {"operation.0.speed=90 rpm"}, truth, {"slide", "upright"}, 2));
+    file.runs.back().hold_out = true;
+    file.options.profiles = true;
+    const auto found = calibrated(file);
+    CHECK(found.converged);
+    CHECK_FALSE(found.model_differs);
+    REQUIRE(found.parameters.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto& p = found.parameters[k];
+        // 4 standard deviations: a probability of 6e-5 to fail by chance.
+        CHECK(std::abs(p.theta - truth[k]) < 4 * p.deviation);
+        CHECK(p.estimate == Approx(std::exp(p.theta)));
+        CHECK(p.by_profile);
+        CHECK(p.lower < p.estimate);
+        CHECK(p.upper > p.estimate);
+        // Nearly linear: the profile is that of the normal distribution to a tenth.
+        CHECK(std::log(p.upper) - p.theta == Approx(1.645 * p.deviation).epsilon(0.1));
+    }
+    CHECK(found.parameters[0].shrinkage > 0.9);
+    CHECK(found.after.front().by_data);
+    for (const auto& curve : found.curves) {
+        CHECK(curve.rms < 1.5 * (curve.of_gap ? 2e-7 : noise));
+        CHECK(curve.inside > 0.6);
+        CHECK(curve.rms_before > curve.rms);
+        CHECK(curve.hold_out == (curve.run == "run 2"));
+        CHECK(curve.rms_mean.has_value() == (curve.output == "slide" || curve.output == "upright"));
+    }
+    CHECK(found.predictions.size() == 2);
+    CHECK(found.settings.size() == file.parameters[0].keys.size() + file.parameters[1].keys.size());
+    CHECK(found.cost < found.cost_before);
+}
+
+TEST_CASE("biases and lags of sensors are found beside the unknowns of the case")
+{
+    auto file = two_unknowns();
+    file.parameters.pop_back();
+    file.sensors[0].bias_sigma = 1;
+    file.runs.push_back(measured(file, {}, {0.2}, {"slide", "bearing_front"}, 3));
+    for (double& value : file.runs.front().curves.front().value)
+        value += 0.7;  // of the slide's or the bearing's sensor, the first in the order of outputs
+    const auto biased = file.runs.front().curves.front().output;
+    const auto found = calibrated(file);
+    const auto bias = std::ranges::find(found.parameters, "bias of " + biased, &FittedParameter::name);
+    REQUIRE(bias != found.parameters.end());
+    CHECK(bias->unit == "K");
+    CHECK(std::abs(bias->estimate - 0.7) < 4 * bias->deviation);
+    CHECK(bias->deviation < 0.1);
+    CHECK(std::abs(found.parameters[0].theta - 0.2) < 4 * found.parameters[0].deviation);
+    CHECK(found.parameters[0].values.size() == file.parameters[0].keys.size());
+    CHECK(bias->values.empty());
+}
+
+TEST_CASE("a wrong law is reported, and intervals grow with it")
+{
+    auto right = two_unknowns(), wrong = right;
+    right.runs.push_back(measured(right, {}, {0.1, 0.1}, {"slide", "bearing_front", "upright"}, 4));
+    // The truth has oil that takes the pins' heat, which the case's oil does by far less.
+    wrong.runs.push_back(measured(wrong, {}, {0.1, 0.1}, {"slide", "bearing_front", "upright"}, 4,
+                                  {"oil.pins=3000 W/m^2/K", "oil.gibs=2000 W/m^2/K"}));
+    wrong.runs.back().name = "other laws";
+    const auto good = calibrated(right), bad = calibrated(wrong);
+    CHECK_FALSE(good.model_differs);
+    CHECK(bad.model_differs);
+    CHECK(bad.parameters[0].deviation > 2 * good.parameters[0].deviation);
+    CHECK(std::ranges::any_of(bad.warnings, [](const auto& text) { return text.find("do not explain") != text.npos; }));
+    CHECK(std::ranges::any_of(bad.curves, [](const auto& curve) { return curve.model_error > noise; }));
+}
+
+TEST_CASE("a parameter without influence is refused with its place")
+{
+    auto file = two_unknowns();
+    file.parameters.push_back(factor("play", {"joints.crank_bearing.clearance"}, 2));
+    file.parameters.back().place = "c.toml:12";
+    file.runs.push_back(measured(file, {}, {0, 0, 0}, {"slide"}, 5));
+    CHECK_THROWS_WITH_AS(calibrated(file), doctest::Contains("c.toml:12: the parameter 'play' has no influence"),
+                         InputError);
+}
+
+TEST_CASE("samples of the posterior agree with the normal distribution about the fit")
+{
+    auto file = two_unknowns();
+    file.runs.push_back(measured(file, {}, {0.2, 0.1}, {"slide", "bearing_front", "upright"}, 6));
+    file.options.samples = 20000;
+    const auto found = calibrated(file);
+    REQUIRE(found.samples);
+    CHECK(found.samples->surrogate_error < 0.05);
+    for (std::size_t k = 0; k < 2; ++k) {
+        // 20 000 correlated draws: quantiles to some percent of the interval's width.
+        const double width = found.parameters[k].upper - found.parameters[k].lower;
+        CHECK(std::abs(found.samples->intervals[k].first - found.parameters[k].lower) < 0.15 * width);
+        CHECK(std::abs(found.samples->intervals[k].second - found.parameters[k].upper) < 0.15 * width);
+    }
+}
+
+TEST_CASE("a plan foretells what the fit then determines, and what a further sensor adds")
+{
+    auto file = two_unknowns();
+    file.runs.push_back(measured(file, {}, {0, 0}, {"slide"}, 7));
+    casefile::CalibrationCandidate bearing, twice;
+    bearing.name = "bearing";
+    bearing.measure = {"bearing_front"};
+    twice.name = "faster";
+    twice.set = {"operation.0.speed=90 rpm"};
+    twice.input = std::make_shared<casefile::Case>(starter_press::input({"operation.0.speed=90 rpm"}));
+    file.candidates = {bearing, twice};
+    Observer quiet;
+    const auto plan = plan_calibration(file, exact_press(), 2, quiet);
+    const auto fit = calibrated(file);
+    for (std::size_t k = 0; k < 2; ++k)
+        CHECK(plan.parameters[k].shrinkage == Approx(fit.parameters[k].expected).epsilon(1e-9));
+    REQUIRE(plan.candidates.size() == 2);
+    CHECK(plan.candidates[0].information >= plan.candidates[1].information);
+
+    // What the bearing adds is what a plan with it has in addition: ln det of both covariances.
+    auto more = file;
+    auto run = more.runs.front();
+    run.name = "also";
+    casefile::MeasuredCurve curve{"bearing_front", "bearing_front", false, false, 0, {}, {}, {}};
+    for (int k = 1; k <= 6; ++k)
+        curve.time.push_back(600.0 * k);
+    run.curves = {curve};
+    more.runs.push_back(run);
+    const auto with = plan_calibration(more, exact_press(), 2, quiet);
+    const auto log_det = [](const CalibrationPlan& of) {
+        double sum = 0;
+        for (const auto& c : of.combinations)
+            sum += std::log(1 + c.singular_value * c.singular_value);
+        return 0.5 * sum;
+    };
+    const auto gain = std::ranges::find(plan.candidates, "bearing", &CandidateGain::name)->information;
+    CHECK(gain == Approx(log_det(with) - log_det(plan)).epsilon(1e-6));
+}
