@@ -35,16 +35,16 @@ const std::string film =
     "[[parameters]]\nname = \"film\"\nkeys = [\"surfaces.air_frame.film.coefficient\"]\nfactor = 2\n";
 const std::string run = "[[runs]]\nname = \"r\"\ndata = \"log.csv\"\n";
 const std::string sensor = "[[sensors]]\ncolumns = [\"*\"]\nnoise = \"0.2 K\"\n";
-const std::string log = "time [min],slide [degC],upright [degC]\n0,20,20\n10,21,20.5\n20,22,20.75\n";
+const std::string logged = "time [min],slide [degC],upright [degC]\n0,20,20\n10,21,20.5\n20,22,20.75\n";
 
-CalibrationFile read(const std::string& body, const std::string& csv = log, bool plan = false)
+CalibrationFile read(const std::string& body, const std::string& csv = logged, bool plan = false)
 {
     const ScratchFolder scratch;
     (void)scratch.file("log.csv", csv);
     return read_calibration(scratch.file("c.toml", body), {starter, {}, FileAccess::below, keys_of}, plan);
 }
 
-std::string error_of(const std::string& body, const std::string& csv = log, bool plan = false)
+std::string error_of(const std::string& body, const std::string& csv = logged, bool plan = false)
 {
     try {
         (void)read(body, csv, plan);
@@ -168,7 +168,7 @@ TEST_CASE("mistakes in parameters, runs and candidates are told with their place
     CHECK(has(error_of(head + film + "[[runs]]\nname = \"r\"\n" + sensor), "has no measured values"));
     CHECK(has(error_of(head + film + run + "hold_out = true\n" + sensor), "no run is fitted"));
     CHECK(has(error_of(head + film + run + run + sensor), "two runs are called 'r'"));
-    CHECK(has(error_of(head + film + "[[runs]]\nname = \"r\"\nmeasure = [\"slid\"]\n" + sensor, log, true),
+    CHECK(has(error_of(head + film + "[[runs]]\nname = \"r\"\nmeasure = [\"slid\"]\n" + sensor, logged, true),
               "did you mean 'slide'?"));
     CHECK(
         has(error_of(head + film + run + sensor + "[[candidates]]\nname = \"c\"\nrun = \"s\"\nmeasure = [\"slide\"]\n"),
@@ -186,13 +186,13 @@ TEST_CASE("shifts have the unit of their keys, limits count from the case's valu
     CHECK(file.parameters[0].most == 1e300);
     CHECK(file.parameters[1].prior == 2);
     CHECK(file.parameters[1].most == 5);
-    CHECK(file.parameters[1].place.find("c.toml:8") != std::string::npos);
+    CHECK(file.parameters[1].place.find("c.toml:9") != std::string::npos);
 }
 
 TEST_CASE("planned curves have times and no values")
 {
     const auto file = read(
-        head + film + "[[runs]]\nname = \"r\"\nmeasure = [\"slide\"]\ninterval = \"30 min\"\n" + sensor, log, true);
+        head + film + "[[runs]]\nname = \"r\"\nmeasure = [\"slide\"]\ninterval = \"30 min\"\n" + sensor, logged, true);
     const auto& curve = file.runs.front().curves.front();
     CHECK(curve.time == std::vector<double>{1800, 3600, 5400, 7200, 9000, 10800});
     CHECK(curve.value.empty());
