@@ -87,24 +87,26 @@ int calibrate(const CalibrateOptions& options, const OnRanks& ranks)
     using enum report::ResultFolder::IfExists;
     report::ResultFolder folder(claim_folder(options.folder, console), options.force ? replace : refuse, inputs);
     const auto model = fs::path(file.options.reduced).filename().string();
-    std::string text;
     if (options.plan) {
         auto plan = study::plan_calibration(file, press, threads, console);
         plan.reduced_file = model;
         console.finish();
         report::write_plan_files(folder.path(), plan);
-        text = report::calibration_text(plan);
-    } else {
-        auto result = study::calibrate(file, press, threads, console);
-        result.reduced_file = model;
-        if (options.full_run)
-            result.full_run = check_by_full_run(options, file, press, result, console);
-        console.finish();
-        report::write_calibration_files(folder.path(), result);
-        text = report::calibration_text(result);
+        commit(folder, console);
+        print_out("{}\nresults are in {}\n", report::calibration_text(plan), folder.target().string());
+        return 0;
     }
+    auto result = study::calibrate(file, press, threads, console);
+    result.reduced_file = model;
+    if (options.full_run)
+        result.full_run = check_by_full_run(options, file, press, result, console);
+    console.finish();
+    report::write_calibration_files(folder.path(), result);
     commit(folder, console);
-    print_out("{}\nresults are in {}\n", text, folder.target().string());
+    const auto page = folder.target() / "report.html";
+    report::write_calibration_page(page, result);
+    print_out("{}\nresults are in {}\nthe page is {}\n", report::calibration_text(result), folder.target().string(),
+              page.string());
     return 0;
 }
 

@@ -3,7 +3,7 @@
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/io/write_file.hpp"
-#include "deadpoint/report/calibration/calibration_page.hpp"
+#include "deadpoint/report/calibration/calibration_json.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
@@ -260,34 +260,6 @@ Json fit_json(const Calibration& result)
             {"other_minima", std::move(minima)}};
 }
 
-Json calibration_json(const Calibration& result)
-{
-    Json json = head_json(result);
-    json["fit"] = fit_json(result);
-    json["model"] = {{"differs", result.model_differs},
-                     {"probability", result.model_probability},
-                     {"reduced_error_K", result.reduced_temperature},
-                     {"reduced_error_um", micrometre * result.reduced_gap},
-                     {"step_error_K", result.step_temperature},
-                     {"step_error_um", micrometre * result.step_gap},
-                     {"outside", result.outside}};
-    json["combinations"] = combination_json(result.after);
-    json["combinations_before"] = combination_json(result.before);
-    json["correlation"] = result.correlation;
-    json["curves"] = Json::array();
-    for (const auto& curve : result.curves)
-        json["curves"].push_back(curve_json(curve));
-    json["full_run"] = result.full_run ? Json{{"difference_K", result.full_run->first},
-                                              {"difference_um", micrometre * result.full_run->second}}
-                                       : Json(nullptr);
-    json["samples"] = result.samples ? Json{{"count", result.samples->values.size()},
-                                            {"accepted", result.samples->accepted},
-                                            {"surrogate_error", result.samples->surrogate_error},
-                                            {"intervals", result.samples->intervals}}
-                                     : Json(nullptr);
-    return json;
-}
-
 Json plan_json(const CalibrationPlan& plan)
 {
     Json json = head_json(plan);
@@ -341,12 +313,39 @@ void write_case_values(const std::filesystem::path& path, const Calibration& res
 
 }  // namespace
 
+Json calibration_json(const Calibration& result)
+{
+    Json json = head_json(result);
+    json["fit"] = fit_json(result);
+    json["model"] = {{"differs", result.model_differs},
+                     {"probability", result.model_probability},
+                     {"reduced_error_K", result.reduced_temperature},
+                     {"reduced_error_um", micrometre * result.reduced_gap},
+                     {"step_error_K", result.step_temperature},
+                     {"step_error_um", micrometre * result.step_gap},
+                     {"outside", result.outside}};
+    json["combinations"] = combination_json(result.after);
+    json["combinations_before"] = combination_json(result.before);
+    json["correlation"] = result.correlation;
+    json["curves"] = Json::array();
+    for (const auto& curve : result.curves)
+        json["curves"].push_back(curve_json(curve));
+    json["full_run"] = result.full_run ? Json{{"difference_K", result.full_run->first},
+                                              {"difference_um", micrometre * result.full_run->second}}
+                                       : Json(nullptr);
+    json["samples"] = result.samples ? Json{{"count", result.samples->values.size()},
+                                            {"accepted", result.samples->accepted},
+                                            {"surrogate_error", result.samples->surrogate_error},
+                                            {"intervals", result.samples->intervals}}
+                                     : Json(nullptr);
+    return json;
+}
+
 void write_calibration_files(const std::filesystem::path& folder, const Calibration& result)
 {
     const auto comments = head(result);
-    const auto json = calibration_json(result);
     write_case_values(folder / "calibrated.toml", result);
-    write_json(folder / "calibration.json", json);
+    write_json(folder / "calibration.json", calibration_json(result));
     write_table(folder / "parameters.csv", comments, parameter_table(result.parameters));
     write_table(folder / "combinations.csv", comments, combination_table(result.after, result.parameters));
     write_table(folder / "correlation.csv", comments, correlation_table(result));
@@ -356,7 +355,6 @@ void write_calibration_files(const std::filesystem::path& folder, const Calibrat
                     prediction_table(run));
     if (result.samples)
         write_table(folder / "posterior.csv", comments, posterior_table(result));
-    write_calibration_page(folder / "report.html", result, json);
 }
 
 void write_plan_files(const std::filesystem::path& folder, const CalibrationPlan& plan)

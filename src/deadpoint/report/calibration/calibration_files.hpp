@@ -13,8 +13,13 @@ struct CalibrationPlan;
 namespace deadpoint::report {
 
 /// Writes calibrated.toml, calibration.json, parameters.csv, correlation.csv, combinations.csv, residuals.csv,
-/// prediction_RUN.csv of every run, posterior.csv if samples were drawn, and the page report.html. @throws IoError
+/// prediction_RUN.csv of every run, and posterior.csv if samples were drawn. @throws IoError
 void write_calibration_files(const std::filesystem::path& folder, const study::Calibration& result);
+
+/// Writes the page of a calibration into its finished folder: what the data determine, every measured curve beside the
+/// model before and after, bands, profiles. Curves are thinned to about as many rows as a screen has pixels.
+/// @throws IoError
+void write_calibration_page(const std::filesystem::path& file, const study::Calibration& result);
 
 /// Writes plan.json, parameters.csv, combinations.csv and candidates.csv. @throws IoError
 void write_plan_files(const std::filesystem::path& folder, const study::CalibrationPlan& plan);

@@ -1,9 +1,8 @@
-#include "deadpoint/report/calibration/calibration_page.hpp"
-
 #include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/report/calibration/calibration_files.hpp"
+#include "deadpoint/report/calibration/calibration_json.hpp"
 #include "deadpoint/report/page/page_parts.hpp"
 #include "deadpoint/report/page/page_shell.hpp"
 #include "deadpoint/report/schema/schema.hpp"
@@ -82,14 +81,14 @@ Json courses(const Calibration& result)
 
 }  // namespace
 
-void write_calibration_page(const std::filesystem::path& file, const Calibration& result, const Json& json)
+void write_calibration_page(const std::filesystem::path& file, const Calibration& result)
 {
     PageContent content;
     content.title = result.name;
     content.data = {{"version", version},
                     {"schema", Json::parse(schema::script_json())},
                     {"runs", Json::array()},
-                    {"calibration", json},
+                    {"calibration", calibration_json(result)},
                     {"courses", courses(result)}};
     content.without_scripts = "<p>This page draws its charts with scripts, which are switched off here.</p>\n<pre>" +
                               xml_text(calibration_text(result)) + "</pre>\n";
