@@ -3,8 +3,10 @@
 #include "deadpoint/report/schema/schema.hpp"
 
 #include "../../scratch_folder.hpp"
+#include "calibration_of_all.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/design/sensitivity_files.hpp"
+#include "deadpoint/report/calibration/calibration_files.hpp"
 #include "deadpoint/report/files/compare_files.hpp"
 #include "deadpoint/report/files/heat_files.hpp"
 #include "deadpoint/report/files/mesh_files.hpp"
@@ -41,6 +43,8 @@ void write_all(const fs::path& folder)
     write_mesh_files(folder, machine, {});
     write_sweep_files(folder, sweep_of_all(), {});
     PointTable(folder / "points.csv", "a study").add({"slow", "mark", {}, brief(record())});
+    write_plan_files(folder, plan_of_all());
+    write_calibration_files(folder, calibration_of_all());
     write_compare_files(folder / "compare", record(), comparison_of_all(), IfThere::replace);
     write_sensitivity_files(folder, sensitivity_of_all().report(), {});
     fs::create_directory(folder / "screening");
@@ -197,6 +201,7 @@ TEST_CASE("the page reads no column and no key that the schema does not know")
     known.insert({"case_file"});                                                     // of the page itself
     for (const std::string name :
          {"charts", "data", "flow", "gaps", "linkage", "main", "sections", "sensitivity", "stage", "sweep", "view"}) {
+         {"calibration", "charts", "data", "flow", "gaps", "linkage", "main", "sections", "stage", "sweep", "view"}) {
         const auto text = source("web/" + name + ".js");
         for (const char* pattern : {R"(\.([a-zA-Z]+_\w+))", R"(\{ *(\w+_\w+) *[,:}])", R"re("([a-z]+_\w+)")re"}) {
             for (const auto& read : matches(text, pattern)) {
@@ -209,6 +214,7 @@ TEST_CASE("the page reads no column and no key that the schema does not know")
                                                                           {"view", {"view.json", ""}},
                                                                           {"motion", {"motion.json", ""}},
                                                                           {"sensitivity", {"sensitivity.json", ""}},
+                                                                          {"calibration", {"calibration.json", ""}},
                                                                           {"study", {"sweep.json", ""}}}) {
             for (const auto& chain : matches(text, "\\b" + variable + R"(((?:\??\.[a-zA-Z]\w*)+))")) {
                 CHECK_MESSAGE(known_chain(place, chain), name << ".js reads " << variable << chain);

@@ -290,6 +290,8 @@ std::vector<CsvColumn> candidate_table(const CalibrationPlan& plan)
 
 std::string toml_text(const std::string& text)
 {
+    if (text.find('\'') == std::string::npos)
+        return "'" + text + "'";
     std::string result = "\"";
     for (const char c : text)
         result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};

@@ -1,0 +1,80 @@
+/// Requirement: files and texts of a calibration show what it found, in the units that people read, and say in words
+/// what data determine.
+#include "../../scratch_folder.hpp"
+#include "calibration_of_all.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/report/calibration/calibration_files.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+using namespace deadpoint;
+using namespace everything;
+
+namespace {
+
+bool has(const std::string& text, const std::string& piece)
+{
+    if (text.find(piece) != std::string::npos)
+        return true;
+    MESSAGE(text);
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("tables hold lengths in micrometres and temperatures in degrees where they are predicted")
+{
+    const ScratchFolder folder;
+    report::write_calibration_files(folder.path, calibration_of_all());
+    CHECK(has(content(folder.path / "parameters.csv"), "bias of E_SW,bias,um,2,1,3,"));
+    CHECK(has(content(folder.path / "residuals.csv"), "slow,top,K,no,3600,303,302,297,301,303.5"));
+    CHECK(has(content(folder.path / "residuals.csv"), "fast,E_SW,um,yes,3600,303,302,297,301,303.5"));
+    CHECK(has(content(folder.path / "prediction_slow.csv"), "time [s],top [degC],top lower [degC]"));
+    CHECK(has(content(folder.path / "prediction_slow.csv"), "\n0,20,19.85,20.85,20\n"));
+    CHECK(has(content(folder.path / "prediction_fast_run.csv"), "\n60,2,1,3,1\n"));
+    CHECK(has(content(folder.path / "posterior.csv"), "\n1,2,3\n"));
+    const auto json = nlohmann::json::parse(content(folder.path / "calibration.json"));
+    CHECK(json["curves"][1]["rms"] == doctest::Approx(0.7));
+    CHECK(json["full_run"]["difference_um"] == doctest::Approx(0.1));
+}
+
+TEST_CASE("the calibrated values are a file that a case includes")
+{
+    const ScratchFolder folder;
+    auto found = calibration_of_all();
+    found.settings = {R"(surfaces.air_frame.film.coefficient="7.5 W/m^2/K")"};
+    report::write_calibration_files(folder.path, found);
+    std::filesystem::copy_file(std::filesystem::path(DEADPOINT_SOURCE_DIR) / "cases/starter/case.toml",
+                               folder.path / "base.toml");
+    const auto with = folder.file("with.toml", "include = [\"base.toml\", \"calibrated.toml\"]\n");
+    const auto set = casefile::read_case(folder.path / "base.toml", found.settings).value;
+    CHECK(casefile::read_case(with).value.surfaces.at("air_frame").film->coefficient ==
+          set.surfaces.at("air_frame").film->coefficient);
+    CHECK(set.surfaces.at("air_frame").film->coefficient == 7.5);
+}
+
+TEST_CASE("the text says what the data determine, what is prior only, and that the model is wrong")
+{
+    const auto text = report::calibration_text(calibration_of_all());
+    CHECK(has(text, "Known by the data: pins."));
+    CHECK(has(text, "Prior only, that is as uncertain as before: gibs."));
+    CHECK(has(text, "The data determine 1 of 2 combinations of the unknowns: pins."));
+    CHECK(has(text, "The model does not explain the data within the stated errors (probability 0.001)."));
+    CHECK(has(text, "top in slow (0.5 K)"));
+    CHECK(has(text,
+              "Held-out dimensions: 0.7 um rms, 4 with the unchanged case, 7 if nothing changed; 100 % of 2 values"));
+    CHECK(has(text, "A full run of the calibrated case differs by at most 0.02 K and 0.1 um"));
+    auto right = calibration_of_all();
+    right.model_differs = false;
+    CHECK(has(report::calibration_text(right), "the data do not contradict the model"));
+}
+
+TEST_CASE("a plan says what would help most")
+{
+    const auto text = report::calibration_text(plan_of_all());
+    CHECK(has(text, "The data will determine 1 of 2 combinations"));
+    CHECK(has(text, "Most would be gained by 'sensor at gib' (1.50 nat), which tells most about 'gibs': its standard "
+                    "deviation falls to 30 %."));
+}
