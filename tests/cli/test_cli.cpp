@@ -614,6 +614,74 @@ TEST_CASE("a study that is stopped keeps what is finished, and no half of a poin
     CHECK(has(content(target + "/sweep.csv"), "left"));
 }
 
+// Data are a run with more journal friction, so that the fit must find the factor. 60 runs with derivatives of a press
+// of 60 states take a few seconds.
+void check_calibrate(const Folder& folder, const std::string& press, const std::string& model)
+{
+    const auto truth = folder / "truth";
+    REQUIRE(
+        deadpoint("run " + press + " --reduced " + model + " -o " + truth +
+                  " --set friction.journals.load_part='\"90 W\"' --set friction.journals.viscous_part='\"0.75 W\"'" +
+                  " --set output.history_interval='\"20 min\"'")
+            .code == 0);
+    std::istringstream history(content(truth + "/history.csv"));
+    std::ofstream log(folder / "log.csv");
+    log << "time [s],bearing_front [degC],slide [degC]\n";
+    for (std::string line; std::getline(history, line);)
+        if (std::isdigit(static_cast<unsigned char>(line.front())) != 0) {
+            std::istringstream cells(line);
+            std::string time, bearing, slide;
+            std::getline(std::getline(std::getline(cells, time, ','), bearing, ','), slide, ',');
+            log << time << ',' << bearing << ',' << slide << '\n';
+        }
+    log.close();
+    const auto write = [&](const std::string& name, const std::string& keys, const std::string& data) {
+        std::ofstream(folder / name)
+            << "format = 1\nname = \"shop\"\n[[parameters]]\nname = \"journals\"\nkeys = [\"" << keys
+            << "\"]\nfactor = 2\n[[runs]]\nname = \"slow\"\n"
+            << data
+            << "[[runs]]\nname = \"fast\"\nset = [\"operation.0.speed=90 rpm\"]\nhold_out = "
+               "true\n[[sensors]]\ncolumns = [\"*\"]\nnoise = \"0.1 K\"\n[[sensors]]\ncolumns = "
+               "[\"E_SW\"]\nnoise = \"1 um\"\n[options]\nstarts = 2\n";
+        return folder / name;
+    };
+    const auto file = write("c.toml", "friction.journals.*_part", "data = \"log.csv\"\n");
+    const auto call = [&](const std::string& with, const std::string& more) {
+        return deadpoint("calibrate " + press + " " + with + " --reduced " + model + " " + more);
+    };
+    const auto fitted = call(file, "-o " + (folder / "fitted"));
+    CHECK(fitted.code == 0);
+    CHECK(has(fitted.out, "Known by the data: journals."));
+    CHECK(has(fitted.out, "the data do not contradict the model"));
+    const auto table = content(folder / "fitted/parameters.csv");
+    const auto row = table.substr(table.find("journals,factor,,") + 17);
+    CHECK(std::stod(row) == doctest::Approx(1.5).epsilon(0.03));  // 0.1 K of 9 K, and the model's stated error
+    CHECK(has(content(folder / "fitted/prediction_fast.csv"), "E_SW upper [um]"));
+    CHECK(has(content(folder / "fitted/report.html"), "What the data say"));
+    CHECK(call(file, "-o " + (folder / "fitted")).code == 5);
+    CHECK(call(file, "--force -o " + (folder / "fitted")).code == 0);
+
+    // The file of values is one more include of the case.
+    fs::copy_file(folder / "fitted/calibrated.toml", folder / "press/calibrated.toml");
+    std::ofstream(folder / "press/with.toml") << "include = [\"case.toml\", \"calibrated.toml\"]\n";
+    CHECK(deadpoint("check " + (folder / "press/with.toml") + " --size 4").code == 0);
+
+    const auto plan = write("p.toml", "friction.journals.*_part", "measure = [\"slide\"]\n");
+    const auto planned = call(plan, "--plan -o " + (folder / "planned"));
+    CHECK(planned.code == 2);  // the second run measures nothing
+    CHECK(has(planned.err, "the run 'fast' measures nothing"));
+    const auto wrong =
+        call(write("w.toml", "friction.journal.*_part", "data = \"log.csv\"\n"), "-o " + (folder / "no"));
+    CHECK(wrong.code == 2);
+    CHECK(has(wrong.err, "w.toml:5:"));
+    CHECK(has(wrong.err, "did you mean"));
+    const auto useless =
+        call(write("u.toml", "joints.crank_bearing.clearance", "data = \"log.csv\"\n"), "-o " + (folder / "no"));
+    CHECK(useless.code == 2);
+    CHECK(has(useless.err, "u.toml:4: the parameter 'journals' has no influence"));
+    CHECK_FALSE(fs::exists(folder / "no"));
+}
+
 TEST_CASE("reduce makes a model that runs and sweeps like the press, and says where it does not fit")
 {
     const Folder folder;
@@ -783,6 +851,7 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     };
     const auto rows = [](const std::string& of) { return of.substr(of.rfind("reason\n") + 7); };
     CHECK(without_times(rows(content(folder / "map/points.csv"))) == without_times(rows(points)));
+    check_calibrate(folder, press, model);
 }
 
 TEST_CASE("sensitivity tells which parameters matter, writes what it says and refuses what it cannot do")
