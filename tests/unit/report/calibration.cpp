@@ -62,10 +62,11 @@ TEST_CASE("the text says what the data determine, what is prior only, and that t
     CHECK(has(text, "Prior only, that is as uncertain as before: gibs."));
     CHECK(has(text, "The data determine 1 of 2 combinations of the unknowns: pins."));
     CHECK(has(text, "The model does not explain the data within the stated errors (probability 0.001)."));
-    CHECK(has(text, "top in slow (0.5 K)"));
-    CHECK(has(text,
-              "Held-out dimensions: 0.7 um rms, 4 with the unchanged case, 7 if nothing changed; 100 % of 2 values"));
-    CHECK(has(text, "A full run of the calibrated case differs by at most 0.02 K and 0.1 um"));
+    CHECK(has(text, "top in slow (0.50 K)"));
+    CHECK(has(
+        text,
+        "Held-out dimensions: 0.700 um rms, 4.00 with the unchanged case, 7.00 if nothing changed; 100 % of 2 values"));
+    CHECK(has(text, "A full run of the calibrated case differs by at most 0.020 K and 0.10 um"));
     auto right = calibration_of_all();
     right.model_differs = false;
     CHECK(has(report::calibration_text(right), "the data do not contradict the model"));

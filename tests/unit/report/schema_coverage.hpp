@@ -74,7 +74,7 @@ public:
                 const auto pattern = steps_of(key.path);
                 known = known || fits(steps, pattern, false);
                 if (fits(steps, pattern, true)) {
-                    seen_[file].insert(key.path);
+                    seen_[schema::file(file).name].insert(key.path);
                 }
             }
             if (!known) {
@@ -98,7 +98,7 @@ public:
             if (schema::file(file).column(kind) == nullptr) {
                 unknown.push_back(file + ": " + kind);
             }
-            seen_[file].insert(kind);
+            seen_[schema::file(file).name].insert(kind);
         }
         return unknown;
     }
