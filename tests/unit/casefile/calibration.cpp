@@ -102,7 +102,9 @@ TEST_CASE("reference files are read as compare reads them")
     (void)scratch.file(
         "paper.toml",
         "format = 1\nname = \"p\"\nsource = \"s\"\n[[rises]]\ntime = \"1 h\"\nvalues = { slide = \"3 K\" }\n"
-        "[[rises]]\ntime = \"2 h\"\nvalues = { slide = \"4 K\" }\n[[chain]]\ndimension = \"E_SW\"\nat = "
+        "[[rises]]\ntime = \"2 h\"\nvalues = { slide = \"3.5 K\" }\n[[rises]]\ntime = \"2 h\"\nvalues = { slide = "
+        "\"4.5 K\" "
+        "}\n[[chain]]\ndimension = \"E_SW\"\nat = "
         "\"end\"\nvalue = \"5 um\"\nopposite_sign = true\n[[chain]]\ndimension = \"E_SW\"\nat = \"largest\"\n"
         "value = \"6 um\"\n");
     const auto path =
@@ -117,7 +119,9 @@ TEST_CASE("reference files are read as compare reads them")
     CHECK(curves[0].time == std::vector<double>{10800});  // the end of the case
     CHECK(curves[0].value == std::vector<double>{-5e-6});
     CHECK(curves[1].value == std::vector<double>{3, 4});
-    CHECK(has(file.notes.front(), "1 value of"));
+    REQUIRE(file.notes.size() == 2);
+    CHECK(has(file.notes[0], "'slide' has 2 values at"));
+    CHECK(has(file.notes[1], "1 value of"));
 }
 
 TEST_CASE("curves of more values than the statistics can take are thinned, which is said")

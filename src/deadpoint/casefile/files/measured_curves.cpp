@@ -147,11 +147,19 @@ private:
             return;
         curve->rise = rise;
         std::ranges::sort(points);
-        for (const auto& [time, value] : points)
+        for (std::size_t k = 0, same = 1; k < points.size(); k += same) {
+            const auto [time, value] = points[k];
+            double sum = 0;
+            for (same = 0; k + same < points.size() && points[k + same].first <= time * (1 + same_time); ++same)
+                sum += points[k + same].second;
+            if (same > 1)
+                notes_.push_back(fmt::format("run '{}': '{}' has {} values at {}; their mean is used", run_.name,
+                                             output, same, format_quantity(time, Dimension::time)));
             if (!run_.until || time <= *run_.until * (1 + same_time)) {
                 curve->time.push_back(std::min(time, end_));
-                curve->value.push_back(value);
+                curve->value.push_back(sum / static_cast<double>(same));
             }
+        }
         keep(std::move(*curve), "reference");
     }
 
