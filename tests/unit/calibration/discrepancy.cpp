@@ -64,3 +64,16 @@ TEST_CASE("a slow course in residuals is found with its size")
     const auto none = residual_of({"c", time, residual, {0.05, 0, 0, 1}}, 0.05 * draw(120, 9));
     CHECK(none.model_error < 0.02);
 }
+
+TEST_CASE("a regular course far below the stated errors is no wrong model, one of their size is")
+{
+    const VectorXd time = even_times(60);
+    VectorXd course(60);
+    for (Index k = 0; k < 60; ++k)
+        course[k] = std::sin(time[k] / 600);
+    const auto probability = [&](double size) {
+        return residual_of({"c", time, size * course, {0.1, 0, 0, 1}}, size * course).probability;
+    };
+    CHECK(probability(0.001) > 0.9);
+    CHECK(probability(0.2) < 1e-6);
+}

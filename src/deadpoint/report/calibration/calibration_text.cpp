@@ -92,9 +92,11 @@ void add_model(const Calibration& result, std::vector<std::string>& lines)
         if (!curve.hold_out && curve.model_error > 0)
             worst.push_back(fmt::format("{} in {} ({} {})", curve.output, curve.run,
                                         significant(shown(curve, curve.model_error), 2), curve_unit(curve)));
-    lines.push_back(fmt::format("The model does not explain the data within the stated errors (probability {:.1g}). A "
-                                "model error was added: {}.",
-                                result.model_probability, fmt::join(worst, ", ")));
+    lines.push_back(
+        fmt::format("The model does not explain the data within the stated errors (probability {:.1g}). {}.",
+                    result.model_probability,
+                    worst.empty() ? "No slow model error was found, so that the stated noise is too small"
+                                  : fmt::format("A model error was added: {}", fmt::join(worst, ", "))));
 }
 
 void add_held_out(const Calibration& result, std::vector<std::string>& lines)
