@@ -5,8 +5,8 @@
 #include "../../scratch_folder.hpp"
 #include "calibration_of_all.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/calibration/calibration_files.hpp"
+#include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/files/compare_files.hpp"
 #include "deadpoint/report/files/heat_files.hpp"
 #include "deadpoint/report/files/mesh_files.hpp"
@@ -199,9 +199,8 @@ TEST_CASE("the page reads no column and no key that the schema does not know")
     auto known = known_names();
     known.insert({"rigid_bearing_force", "flexible_bearing_force", "joint_force"});  // with _x and _y behind
     known.insert({"case_file"});                                                     // of the page itself
-    for (const std::string name :
-         {"charts", "data", "flow", "gaps", "linkage", "main", "sections", "sensitivity", "stage", "sweep", "view"}) {
-         {"calibration", "charts", "data", "flow", "gaps", "linkage", "main", "sections", "stage", "sweep", "view"}) {
+    for (const std::string name : {"calibration", "charts", "data", "flow", "gaps", "linkage", "main", "sections",
+                                   "sensitivity", "stage", "sweep", "view"}) {
         const auto text = source("web/" + name + ".js");
         for (const char* pattern : {R"(\.([a-zA-Z]+_\w+))", R"(\{ *(\w+_\w+) *[,:}])", R"re("([a-z]+_\w+)")re"}) {
             for (const auto& read : matches(text, pattern)) {
