@@ -1,0 +1,163 @@
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/calibration_file.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/learn/calibrate.hpp"
+#include "deadpoint/study/learn/forward.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <random>
+#include <string>
+
+// Whether intervals of calibrate hold the truth as often as they say, and whether it notices a wrong model:
+//   benchmark_calibration_coverage case.toml model.rom finer.rom draws
+// The truths are drawn from the prior and computed on the reduced press of a finer mesh. Each is fitted by the first
+// one.
+//   same laws:    the truth has the model's laws
+//   other films:  natural convection and radiation by law in place of the model's constant films
+//   wrong law:    oil takes heat from pins and guides, which the model's press does not have
+// Prints for each the share of true values in their 90 % intervals and how often the model was called wrong.
+
+namespace {
+
+using namespace deadpoint;
+using casefile::CalibrationFile;
+
+constexpr double noise = 0.1, gap_noise = 5e-7;  // [K], [m]
+
+casefile::CalibrationParameter unknown(const casefile::Case& input, const std::string& name, const std::string& keys,
+                                       double prior)
+{
+    casefile::CalibrationParameter result;
+    result.name = name;
+    result.keys = study::keys_of(input, {keys}, name);
+    result.prior = prior;
+    result.place = "coverage";
+    if (name == "room") {
+        result.kind = casefile::CalibrationParameter::Kind::shift;
+        result.dimension = Dimension::temperature_difference;
+    }
+    return result;
+}
+
+CalibrationFile file_of(const casefile::Case& input)
+{
+    CalibrationFile file;
+    file.name = "coverage";
+    file.parameters = {unknown(input, "journals", "friction.journals.*_part", std::log(1.5)),
+                       unknown(input, "pins", "friction.pins.*_part", std::log(1.5)),
+                       unknown(input, "guides", "friction.gibs.*_part", std::log(1.5)),
+                       unknown(input, "room", "machine.ambient", 1),
+                       unknown(input, "films", "surfaces.air_*.film.coefficient", std::log(1.5))};
+    file.sensors.resize(3);
+    for (auto& sensor : file.sensors) {
+        sensor.sigma = noise;
+        sensor.dimension = Dimension::temperature_difference;
+    }
+    file.sensors[1].bias_sigma = 0.5;
+    file.sensors[2].sigma = gap_noise;
+    file.sensors[2].dimension = Dimension::length;
+    file.options.starts = 0;
+    file.options.profiles = false;
+    return file;
+}
+
+class Study {
+public:
+    Study(std::string path, const study::ReducedPress& model, const study::ReducedPress& finer)
+        : path_(std::move(path)), input_(casefile::read_case(path_).value), model_(model), finer_(finer)
+    {}
+
+    void run(const char* name, const std::vector<std::string>& laws, bool films_known, int draws)
+    {
+        const auto file = file_of(input_);
+        std::vector<study::CaseParameter> parameters;
+        for (const auto& p : file.parameters)
+            if (films_known || p.name != "films")
+                parameters.push_back(
+                    {p.name, p.keys,
+                     p.name == "room" ? study::CaseParameter::Kind::shift : study::CaseParameter::Kind::factor});
+        const study::ForwardModel truth(casefile::read_case(path_, laws).value, finer_, parameters, {120, 1, nullptr});
+        int flagged = 0;
+        std::vector<int> inside(file.parameters.size() + 1, 0);
+        for (int draw = 0; draw < draws; ++draw)
+            flagged += one(file, truth, static_cast<unsigned>(draw), inside) ? 1 : 0;
+        std::printf("%s: %d draws, called wrong %d; in the interval:", name, draws, flagged);
+        for (std::size_t k = 0; k < inside.size(); ++k)
+            if (films_known || k != 4)
+                std::printf(" %s %.1f %%", k < file.parameters.size() ? file.parameters[k].name.c_str() : "bias",
+                            100.0 * inside[k] / draws);
+        std::printf("\n");
+        std::fflush(stdout);
+    }
+
+private:
+    // @return whether the model was called wrong
+    bool one(CalibrationFile file, const study::ForwardModel& truth, unsigned seed, std::vector<int>& inside)
+    {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> normal;
+        std::vector<double> theta;
+        for (const auto& p : file.parameters)
+            theta.push_back(p.prior * normal(random));
+        const double bias = file.sensors[1].bias_sigma * normal(random);
+        auto of_truth = theta;
+        of_truth.resize(truth.parameters().size());
+        const auto found = truth.run(of_truth, false, observer_);
+        casefile::CalibrationRun run;
+        run.name = "run";
+        run.input = std::make_shared<casefile::Case>(input_);
+        const std::vector<std::pair<std::string, std::size_t>> sensors{
+            {"bearing_front", 1}, {"slide", 0}, {"upright", 0}, {"E_SW", 2}};
+        for (const auto& [output, sensor] : sensors) {
+            const auto at = std::ranges::find(truth.outputs(), output, &study::ForwardOutput::name);
+            const auto& values = found.value[static_cast<std::size_t>(at - truth.outputs().begin())];
+            casefile::MeasuredCurve curve{output, output, sensor == 2, false, sensor, {}, {}, "data"};
+            for (std::size_t row = 3; row < found.time.size(); row += 3) {
+                curve.time.push_back(found.time[row]);
+                curve.value.push_back(values[row] + file.sensors[sensor].sigma * normal(random) +
+                                      (sensor == 1 ? bias : 0));
+            }
+            run.curves.push_back(std::move(curve));
+        }
+        file.runs.push_back(std::move(run));
+        const auto result = study::calibrate(file, model_, 2, observer_);
+        theta.push_back(bias);
+        for (std::size_t k = 0; k < theta.size(); ++k) {
+            const auto& p = result.parameters[k];
+            inside[k] += std::abs(p.theta - theta[k]) < 1.6449 * p.deviation ? 1 : 0;
+        }
+        return result.model_differs;
+    }
+
+    std::string path_;
+    casefile::Case input_;
+    const study::ReducedPress& model_;
+    const study::ReducedPress& finer_;
+    Observer observer_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 5) {
+        std::fprintf(stderr, "usage: benchmark_calibration_coverage CASE MODEL.rom FINER.rom DRAWS\n");
+        return 2;
+    }
+    const auto model = study::read_reduced(argv[2]), finer = study::read_reduced(argv[3]);
+    const int draws = std::atoi(argv[4]);
+    Study study(argv[1], model, finer);
+    study.run("same laws", {}, true, draws);
+    study.run("other films",
+              {R"(surfaces.air_frame.film={law="vertical", length="1 m", emissivity=0.6})",
+               R"(surfaces.air_moving.film={law="vertical", length="0.4 m", emissivity=0.6})"},
+              false, draws);
+    study.run("wrong law", {"oil.pins=300 W/m^2/K", "oil.gibs=300 W/m^2/K"}, true, std::min(draws, 20));
+    return 0;
+}
