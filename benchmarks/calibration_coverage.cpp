@@ -73,9 +73,11 @@ public:
         : path_(std::move(path)), input_(casefile::read_case(path_).value), model_(model), finer_(finer)
     {}
 
-    void run(const char* name, const std::vector<std::string>& laws, bool films_known, int draws)
+    void run(const char* name, const std::vector<std::string>& laws, bool films_known, int draws, double model_error)
     {
-        const auto file = file_of(input_);
+        auto file = file_of(input_);
+        for (auto& sensor : file.sensors)
+            sensor.model_sigma = sensor.dimension == Dimension::length ? 1e-5 * model_error : model_error;
         std::vector<study::CaseParameter> parameters;
         for (const auto& p : file.parameters)
             if (films_known || p.name != "films")
@@ -153,11 +155,12 @@ int main(int argc, char** argv)
     const auto model = study::read_reduced(argv[2]), finer = study::read_reduced(argv[3]);
     const int draws = std::atoi(argv[4]);
     Study study(argv[1], model, finer);
-    study.run("same laws", {}, true, draws);
-    study.run("other films",
-              {R"(surfaces.air_frame.film={law="vertical", length="1 m", emissivity=0.6})",
-               R"(surfaces.air_moving.film={law="vertical", length="0.4 m", emissivity=0.6})"},
-              false, draws);
-    study.run("wrong law", {"oil.pins=300 W/m^2/K", "oil.gibs=300 W/m^2/K"}, true, std::min(draws, 20));
+    const std::vector<std::string> films{
+        R"(surfaces.air_frame.film={law="vertical", length="1 m", emissivity=0.6})",
+        R"(surfaces.air_moving.film={law="vertical", length="0.4 m", emissivity=0.6})"};
+    study.run("same laws", {}, true, draws, 0);
+    study.run("wrong law", {"oil.pins=300 W/m^2/K", "oil.gibs=300 W/m^2/K"}, true, std::min(draws, 20), 0);
+    study.run("other films", films, false, draws, 0);
+    study.run("other films, stated model error 0.3 K and 3 um", films, false, draws, 0.3);
     return 0;
 }

@@ -66,8 +66,9 @@ bool has(const std::string& text, const std::string& piece)
 
 TEST_CASE("a logger's file becomes curves in SI units, each with its sensor")
 {
-    const auto file = read(head + film + run + "set = [\"operation.0.speed=90 rpm\"]\nuntil = \"15 min\"\n" +
-                           "[[sensors]]\ncolumns = [\"slide\"]\nnoise = \"0.1 K\"\nbias = \"0.5 K\"\n" + sensor);
+    const auto file = read(
+        head + film + run + "set = [\"operation.0.speed=90 rpm\"]\nuntil = \"15 min\"\n" +
+        "[[sensors]]\ncolumns = [\"slide\"]\nnoise = \"0.1 K\"\nbias = \"0.5 K\"\nmodel_error = \"0.3 K\"\n" + sensor);
     REQUIRE(file.runs.front().curves.size() == 2);
     const auto& slide = file.runs.front().curves.front();
     CHECK(slide.output == "slide");
@@ -76,6 +77,7 @@ TEST_CASE("a logger's file becomes curves in SI units, each with its sensor")
     CHECK(slide.value.back() == Approx(294.15).epsilon(1e-14));
     CHECK(file.runs.front().curves.back().sensor == 1);
     CHECK(file.sensors.front().bias_sigma == 0.5);
+    CHECK(file.sensors.front().model_sigma == 0.3);
     CHECK(file.parameters.front().prior == Approx(std::log(2)));
     CHECK(file.runs.front().input->operation.front().speed == Approx(90 * 2 * M_PI / 60));
 }

@@ -180,6 +180,18 @@ TEST_CASE("a wrong law is reported, and intervals grow with it")
     CHECK(std::ranges::any_of(bad.curves, [](const auto& curve) { return curve.model_error > noise; }));
 }
 
+TEST_CASE("a model error that is stated beforehand widens intervals although the residuals look right")
+{
+    auto file = two_unknowns();
+    file.runs.push_back(measured(file, {}, {0.1, 0.1}, {"slide", "bearing_front", "upright"}, 8));
+    const auto perfect = calibrated(file);
+    file.sensors[0].model_sigma = 10 * noise;
+    const auto careful = calibrated(file);
+    CHECK_FALSE(careful.model_differs);
+    for (std::size_t k = 0; k < 2; ++k)
+        CHECK(careful.parameters[k].deviation > 3 * perfect.parameters[k].deviation);
+}
+
 TEST_CASE("a parameter without influence is refused with its place")
 {
     auto file = two_unknowns();

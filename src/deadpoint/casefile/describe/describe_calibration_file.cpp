@@ -92,6 +92,11 @@ void describe(Visitor& v, CalibrationSensor& s)
     v.text({"probe", "probe or dimension that it measures, where its column has another name"}, s.probe);
     v.setting({"noise", "standard deviation of a value, with its unit: \"0.2 K\", \"1 um\"", required}, s.noise);
     v.setting({"bias", "standard deviation of a constant error, which is then fitted as well: \"0.5 K\""}, s.bias);
+    v.setting({"model_error",
+               "standard deviation of what the model may be off in a slow course, besides the stated error "
+               "of the reduced model: \"0.3 K\". Residuals cannot show what the unknowns can imitate, so "
+               "that without it intervals are those of a perfect model"},
+              s.model_error);
     v.quantity({"correlation_time", "time over which the noise changes; 0: every value has its own"},
                s.correlation_time, D::time, non_negative);
     v.flag({"estimate_correlation", "the correlation time is estimated from the residuals"}, s.estimate_correlation);

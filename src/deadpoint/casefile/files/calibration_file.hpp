@@ -37,14 +37,16 @@ struct CalibrationParameter {
 
 /// The errors of one sensor or of several alike.
 struct CalibrationSensor {
-    std::vector<std::string> columns;       ///< patterns of columns, probes and dimensions
-    std::string probe;                      ///< what it measures, where the column has another name
-    std::string noise;                      ///< standard deviation with its unit
-    std::string bias;                       ///< standard deviation of an unknown constant error with its unit
-    double correlation_time = 0;            ///< [s]
-    bool estimate_correlation = false;      ///< from the residuals
+    std::vector<std::string> columns;   ///< patterns of columns, probes and dimensions
+    std::string probe;                  ///< what it measures, where the column has another name
+    std::string noise;                  ///< standard deviation with its unit
+    std::string bias;                   ///< standard deviation of an unknown constant error with its unit
+    std::string model_error;            ///< standard deviation of what the model is off in a slow course, with its unit
+    double correlation_time = 0;        ///< [s]
+    bool estimate_correlation = false;  ///< from the residuals
     std::optional<double> time_constant;    ///< of the sensor's lag [s]
     double time_constant_factor = 1;        ///< of its uncertainty; 1: known
+    double model_sigma = 0;                 ///< after reading [K] or [m]; 0: only the stated error of the reduced model
     double sigma = 0;                       ///< after reading: noise [K] or [m]
     double bias_sigma = 0;                  ///< after reading [K] or [m]; 0: none
     Dimension dimension = Dimension::none;  ///< after reading: temperature difference or length

@@ -169,6 +169,11 @@ private:
         s.sigma = number_of(s.dimension == Dimension::length ? as_length : as_temperature, at + ".noise");
         if (!s.bias.empty())
             s.bias_sigma = number_of(try_parse_quantity(s.bias, s.dimension), at + ".bias");
+        if (!s.model_error.empty())
+            s.model_sigma = number_of(try_parse_quantity(s.model_error, s.dimension), at + ".model_error");
+        if (s.model_sigma < 0)
+            report("out-of-range", at + ".model_error", "the model error is below zero",
+                   "state its size, such as \"0.3 K\"");
         if (!(s.sigma > 0))
             report("out-of-range", at + ".noise", "the noise is not above zero, so that the fit is singular",
                    "state how far two values of the same temperature may differ, such as \"0.1 K\"");

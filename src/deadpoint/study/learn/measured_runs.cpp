@@ -190,7 +190,8 @@ Problem MeasuredRuns::problem_of(std::vector<const ModelledRun*> runs) const
                                   as_vector(measured.value),
                                   {sensor.sigma, sensor.correlation_time, 0, least_model_time}};
             // The largest error that the build found counts as two standard deviations.
-            of.noise.model_error = 0.5 * (measured.of_gap ? reduced_gap_ : reduced_temperature_);
+            of.noise.model_error =
+                std::hypot(0.5 * (measured.of_gap ? reduced_gap_ : reduced_temperature_), sensor.model_sigma);
             of.noise.model_time = std::max(least_model_time, run->model->end() / 3);
             if (measured.value.empty())  // planned
                 of.measured = VectorXd::Zero(of.time.size());
