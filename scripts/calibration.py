@@ -134,7 +134,7 @@ calibration file states beforehand (`model_error`).
 The wrong law's truth has oil on pins and guides, which the model lacks. Intervals with a probability of 90 % are right if
 about 90 % of them hold the truth. Meshes differ in the same way in all draws, so that an interval can miss or hold
 the truth in all of them. **What the table shows**: without a stated model error the mesh alone moves the pins' friction out of
-its narrow interval, under residuals like noise. A stated error as large as the mesh's mends that. Other films need a larger
+its narrow interval, under residuals like noise. A stated error as large as the mesh's nearly mends that. Other films need a larger
 one, and a wrong law is noticed only if no stated error covers it.
 
 | truth | draws | model called wrong | true value in its 90 % interval |
