@@ -123,7 +123,7 @@ def coverage(options):
             call([options.benchmark, STARTER, model, finer, str(options.draws)], file)
     with open(log) as file:
         lines = file.read().splitlines()
-    text = f"""## Synthetic presses
+    text = """## Synthetic presses
 
 The starter press on a coarse mesh (60 states) is fitted to truths on a finer mesh (80 states). Friction of journals, pins
 and guides is drawn from its prior (a factor of 1.5), the room's temperature (1 K) and the bias of one sensor (0.5 K) as well.
