@@ -112,3 +112,56 @@ TEST_CASE("a mistake in a section for sensitivity is told with its place and its
     check_error("[sensitivity]\nmethod = \"fast\"\n", {"method", "sobol", "parameters"});
     check_error("", {"the study has nothing to compute"});
 }
+
+TEST_CASE("a section for an optimum reads its limits in the unit of their outputs and takes the rate of the case")
+{
+    const auto section = *read(R"(
+[optimise]
+objective = "warm-up"
+rate = "2 um/h"
+[optimise.speed_profile]
+ends = ["20 min", "1 h"]
+from = "40 rpm"
+to = "90 rpm"
+least_mean = "50 rpm"
+[[optimise.variables]]
+keys = ["oil.pins"]
+factor = 2
+[[optimise.limits]]
+output = "slide"
+most = "30 degC"
+[[optimise.limits]]
+output = "E_SW"
+least = "-80 um"
+from = "10 min"
+)")
+                              .optimise;
+    CHECK(section.objective() == Objective::warm_up);
+    CHECK(section.rate == Approx(2e-6 / 3600).epsilon(1e-12));
+    CHECK(section.speed_profile->ends == std::vector<double>{1200, 3600});
+    CHECK(section.variables[0].name == "pins");
+    CHECK(*section.limits[0].most_value == Approx(303.15).epsilon(1e-12));
+    CHECK_FALSE(section.limits[0].least_value);
+    CHECK(*section.limits[1].least_value == Approx(-8e-5).epsilon(1e-12));
+    CHECK(section.limits[1].from == 600);
+}
+
+TEST_CASE("a mistake in a section for an optimum is told with its place and its remedy")
+{
+    const std::string variable = "[[optimise.variables]]\nkeys = [\"oil.pins\"]\nfactor = 2\n";
+    check_error("[optimise]\n", {"nothing may change", "give [[optimise.variables]] or [optimise.speed_profile]"});
+    check_error("[optimise]\nobjective = \"fast\"\n" + variable, {"s.toml:6:", "warm-up"});
+    check_error("[optimise]\nfrom = \"3 h\"\n" + variable,
+                {"s.toml:6:8: error[out-of-range]: optimise.from", "the run ends at"});
+    check_error(variable + "[[optimise.limits]]\noutput = \"slid\"\nmost = \"30 degC\"\n",
+                {"error[unknown-name]: optimise.limits.0.output", "outputs are"});
+    check_error(variable + "[[optimise.limits]]\noutput = \"slide\"\nmost = \"30 um\"\n",
+                {"error[unit-mismatch]: optimise.limits.0.most"});
+    check_error(variable + "[[optimise.limits]]\noutput = \"slide\"\n", {"no limit is given"});
+    check_error("[optimise.speed_profile]\nends = [\"3 h\"]\nfrom = \"40 rpm\"\nto = \"90 rpm\"\n",
+                {"s.toml:6:8: error[out-of-range]: optimise.speed_profile.ends", "let the last interval end"});
+    check_error("[optimise.speed_profile]\nends = [\"2 h\", \"1 h\"]\nfrom = \"40 rpm\"\nto = \"90 rpm\"\n",
+                {"s.toml:6:8: error", "the ends do not ascend"});
+    check_error("[optimise.speed_profile]\nends = [\"1 h\"]\nfrom = \"90 rpm\"\nto = \"40 rpm\"\n",
+                {"s.toml:8:6: error", "the range has no extent"});
+}

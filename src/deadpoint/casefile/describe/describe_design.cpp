@@ -1,13 +1,17 @@
 #include "deadpoint/casefile/describe/visitor.hpp"
 #include "deadpoint/casefile/files/design_section.hpp"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 
 namespace deadpoint::casefile {
 namespace {
 
 constexpr Need required = Need::required;
 constexpr std::array<std::string_view, 2> methods{"sobol", "morris"};
+constexpr std::array<std::string_view, 3> objectives{"drift", "warm-up", "ambient"};
+constexpr std::array<std::string_view, 3> optimisers{"slsqp", "ccsa", "cobyla"};
 
 }  // namespace
 
@@ -56,6 +60,62 @@ void describe(Visitor& v, SensitivitySection& s)
     v.flag({"samples", "also write all points with their figures, as samples.csv"}, s.samples);
     v.list({"parameters", "what varies", required}, s.parameters);
     v.expect(!s.parameters.empty(), "parameters", "nothing varies", "list at least one parameter");
+}
+
+void describe(Visitor& v, SpeedProfile& p)
+{
+    v.about("A speed for each interval from the start of a segment, as variables; behind the last interval the segment "
+            "keeps its own speed.");
+    v.integer({"segment", "segment of the operation, counted from 0"}, p.segment, {0, 9999, false});
+    v.quantities(
+        {"ends", "ends of the intervals from the start of the segment, ascending: [\"20 min\", \"1 h\"]", required},
+        p.ends, Dimension::time, positive);
+    v.quantity({"from", "least speed", required}, p.least, Dimension::angular_velocity, positive);
+    v.quantity({"to", "largest speed", required}, p.most, Dimension::angular_velocity, positive);
+    v.quantity({"least_mean", "least mean speed over the intervals"}, p.least_mean, Dimension::angular_velocity,
+               positive);
+    v.expect(p.least < p.most, "to", "the range has no extent", "let `from` be less than `to`");
+    v.expect(std::ranges::is_sorted(p.ends, std::less_equal<>()), "ends", "the ends do not ascend",
+             "give each interval an end after the one before");
+}
+
+void describe(Visitor& v, OptimiseLimit& l)
+{
+    v.about("A limit of an output at all times: `most`, `least` or both.");
+    v.text({"output", "probe, dimension of the chain or corner", required}, l.output);
+    v.setting({"most", "largest allowed value: \"60 degC\" of a probe, \"80 um\" of a dimension"}, l.most);
+    v.setting({"least", "least allowed value"}, l.least);
+    v.quantity({"from", "from this time of the run on"}, l.from, Dimension::time, non_negative);
+    v.expect(!l.most.empty() || !l.least.empty(), "", "no limit is given", "give `most`, `least` or both");
+}
+
+void describe(Visitor& v, OptimiseSection& s)
+{
+    v.about("What `deadpoint optimise` looks for: the variables within their limits that make the objective least.");
+    v.choice({"objective",
+              "`drift`: root mean square of the change of E_SW since `from`; `warm-up`: time from which E_SW "
+              "changes more slowly than `rate`; `ambient`: root mean square from `from` on of the change of "
+              "E_SW per kelvin of the ambient"},
+             s.objective_name, objectives);
+    v.quantity({"from", "time from which drift and ambient count"}, s.from, Dimension::time, non_negative);
+    v.quantity({"rate", "rate of E_SW below which the press is warm; default: drift_rate_limit of the chain"}, s.rate,
+               Dimension::velocity, non_negative);
+    v.quantity({"ambient_step", "change of the ambient up and down by which its effect is computed"}, s.ambient_step,
+               Dimension::temperature_difference, positive);
+    v.quantity({"warm_within", "latest time to warm that is allowed, by `rate`"}, s.warm_within, Dimension::time,
+               positive);
+    v.choice({"method", "`slsqp` and `ccsa` use derivatives, `cobyla` does not"}, s.method_name, optimisers);
+    v.integer({"starts", "number of starts: the case itself, then points spread over the ranges"}, s.starts,
+              {1, 1000, false});
+    v.integer({"evaluations", "most evaluations per start"}, s.evaluations, {1, 10000, false});
+    v.integer({"seed", "of the starts"}, s.seed, {0, 2147483647, false});
+    v.quantity({"step", "time step of the runs, which is fixed so that results change smoothly"}, s.step,
+               Dimension::time, positive);
+    v.table({"speed_profile", "speeds at the start of a segment"}, s.speed_profile);
+    v.list({"variables", "further variables; their ranges are their limits"}, s.variables);
+    v.list({"limits", "limits of outputs"}, s.limits);
+    v.expect(s.speed_profile || !s.variables.empty(), "", "nothing may change",
+             "give [[optimise.variables]] or [optimise.speed_profile]");
 }
 
 }  // namespace deadpoint::casefile

@@ -13,9 +13,9 @@ constexpr Need required = Need::required;
 
 void describe(Visitor& v, StudyFile& f)
 {
-    v.about(
-        "The study file says which runs `deadpoint sweep` makes of a case, and what `deadpoint sensitivity` varies. "
-        "It is one TOML file; values of the case are written as for --set on the command line.");
+    v.about("The study file says which runs `deadpoint sweep` makes of a case, and what `deadpoint sensitivity` "
+            "and `deadpoint optimise` vary. "
+            "It is one TOML file; values of the case are written as for --set on the command line.");
     v.integer({"format", "version of this format; 1", required}, f.format, {1, 1, false});
     v.text({"name", "name in reports", required}, f.name);
     v.text({"note", "remarks for the reader"}, f.note);
@@ -24,8 +24,9 @@ void describe(Visitor& v, StudyFile& f)
     v.list({"sets", "sets of runs of a sweep; a run that belongs to several is computed once"}, f.sets);
     v.table({"limits", "allowed drift"}, f.limits);
     v.table({"sensitivity", "a study of sensitivity"}, f.sensitivity);
-    v.expect(!f.sets.empty() || f.sensitivity, "sets", "the study has nothing to compute",
-             "give `[[sets]]` for a sweep, or `[sensitivity]`");
+    v.table({"optimise", "a search for better values"}, f.optimise);
+    v.expect(!f.sets.empty() || f.sensitivity || f.optimise, "sets", "the study has nothing to compute",
+             "give `[[sets]]` for a sweep, `[sensitivity]` or `[optimise]`");
     v.expect(std::ranges::all_of(f.set, [](const auto& text) { return text.find('=') != std::string::npos; }), "set",
              "a setting is written path=value", "write it like \"operation.0.speed=300 rpm\"");
 }

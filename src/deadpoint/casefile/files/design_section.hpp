@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/quantity.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,57 @@ struct SensitivitySection {
     }
 };
 
+/// A speed for each interval from the start of a segment; behind the last one the segment keeps its own.
+struct SpeedProfile {
+    int segment = 0;
+    std::vector<double> ends;          ///< of the intervals, from the start of the segment [s]
+    double least = 0, most = 0;        ///< [rad/s]
+    std::optional<double> least_mean;  ///< of the mean speed over the intervals [rad/s]
+};
+
+/// A limit on an output at all times from one on.
+struct OptimiseLimit {
+    std::string output;
+    std::string most, least;  ///< texts, in the unit of the output
+    double from = 0;          ///< [s]
+    // After reading:
+    std::optional<double> most_value, least_value;  ///< [K] or [m]
+};
+
+enum class Objective { drift, warm_up, ambient };
+enum class Optimiser { slsqp, ccsa, cobyla };
+
+struct OptimiseSection {
+    std::string objective_name = "drift";
+    std::string method_name = "slsqp";
+    double from = 0;          ///< of drift and ambient [s]
+    double rate = 0;          ///< of warm-up; 0: chain.drift_rate_limit [m/s]
+    double ambient_step = 2;  ///< of the ambient's effect [K]
+    int starts = 4;
+    int evaluations = 60;  ///< per start, at most
+    int seed = 1;
+    double step = 120;                  ///< of time [s]
+    std::optional<double> warm_within;  ///< limit of the time to warm [s]
+    std::optional<SpeedProfile> speed_profile;
+    std::vector<VariedKeys> variables;
+    std::vector<OptimiseLimit> limits;
+    [[nodiscard]] Objective objective() const
+    {
+        return objective_name == "warm-up"   ? Objective::warm_up
+               : objective_name == "ambient" ? Objective::ambient
+                                             : Objective::drift;
+    }
+    [[nodiscard]] Optimiser method() const
+    {
+        return method_name == "ccsa" ? Optimiser::ccsa : method_name == "cobyla" ? Optimiser::cobyla : Optimiser::slsqp;
+    }
+};
+
 void describe(Visitor& v, VariedKeys& k);
 void describe(Visitor& v, SensitivitySection& s);
+void describe(Visitor& v, SpeedProfile& p);
+void describe(Visitor& v, OptimiseLimit& l);
+void describe(Visitor& v, OptimiseSection& s);
 
 /// Finds the keys of patterns, reads the ranges and names what has no name; adds every mistake with its place.
 /// @param at  path of the list in the document: "sensitivity.parameters"
@@ -58,5 +108,8 @@ void complete_varied(std::vector<VariedKeys>& list, const std::string& at, const
 /// Checks names of outputs and times against the base case.
 void check_sensitivity(SensitivitySection& section, const Case& base, const Document& document,
                        Diagnostics& diagnostics);
+
+/// Checks variables, profile and limits against the base case, and reads the values of the limits.
+void check_optimise(OptimiseSection& section, const Case& base, const Document& document, Diagnostics& diagnostics);
 
 }  // namespace deadpoint::casefile

@@ -50,6 +50,16 @@ public:
                           std::move(help), std::nullopt, ""});
     }
 
+    double quantity(const std::string& text, Dimension dimension, const std::string& at)
+    {
+        const auto read = try_parse_quantity(text, dimension);
+        if (const auto* problem = std::get_if<QuantityProblem>(&read)) {
+            report(problem->code, at, problem->message, problem->help);
+            return 0;
+        }
+        return std::get<double>(read);
+    }
+
 private:
     static std::string last_word(const CaseNumber* number)
     {
@@ -74,16 +84,6 @@ private:
                     result.push_back(number);
         }
         return all_found ? result : std::vector<const CaseNumber*>();
-    }
-
-    double quantity(const std::string& text, Dimension dimension, const std::string& at)
-    {
-        const auto read = try_parse_quantity(text, dimension);
-        if (const auto* problem = std::get_if<QuantityProblem>(&read)) {
-            report(problem->code, at, problem->message, problem->help);
-            return 0;
-        }
-        return std::get<double>(read);
     }
 
     void read_range(VariedKeys& varied, const std::string& at)
@@ -173,6 +173,40 @@ double length_of(const Case& base)
                            [](double sum, const Segment& segment) { return sum + segment.duration; });
 }
 
+void check_profile(const OptimiseSection& section, const Case& base, VariedReader& reader)
+{
+    if (!section.speed_profile)
+        return;
+    const auto& profile = *section.speed_profile;
+    const auto segment = static_cast<std::size_t>(profile.segment);
+    if (segment >= base.operation.size())
+        return reader.report("out-of-range", "optimise.speed_profile.segment",
+                             fmt::format("the operation has {} segments", base.operation.size()), "count them from 0");
+    if (profile.ends.empty() || profile.ends.back() >= base.operation[segment].duration)
+        reader.report(
+            "out-of-range", "optimise.speed_profile.ends",
+            fmt::format("the segment takes {}", format_quantity(base.operation[segment].duration, Dimension::time)),
+            "let the last interval end before the segment does");
+    if (base.operation[segment].ambient &&
+        (base.operation[segment].ambient->table || base.operation[segment].ambient->daily))
+        reader.report("inconsistent", "optimise.speed_profile.segment",
+                      "the segment has an ambient over time, which cannot be divided",
+                      "state the ambient in [machine]");
+}
+
+void read_limit(OptimiseLimit& limit, const std::string& at, const Case& base, VariedReader& reader)
+{
+    const auto names = outputs_of(base);
+    if (std::ranges::find(names, limit.output) == names.end() && !limit.output.starts_with("corner "))
+        return reader.report("unknown-name", at + ".output", fmt::format("the case has no output '{}'", limit.output),
+                             fmt::format("outputs are {}", fmt::join(names, ", ")));
+    const auto dimension = base.probes.contains(limit.output) ? Dimension::temperature : Dimension::length;
+    if (!limit.most.empty())
+        limit.most_value = reader.quantity(limit.most, dimension, at + ".most");
+    if (!limit.least.empty())
+        limit.least_value = reader.quantity(limit.least, dimension, at + ".least");
+}
+
 }  // namespace
 
 void complete_varied(std::vector<VariedKeys>& list, const std::string& at, const Case& base, const Document& document,
@@ -205,6 +239,28 @@ void check_sensitivity(SensitivitySection& section, const Case& base, const Docu
             reader.report("out-of-range", fmt::format("sensitivity.times.{}", k),
                           fmt::format("the run ends at {}", format_quantity(end, Dimension::time)),
                           "give a time within the operation of the case");
+}
+
+void check_optimise(OptimiseSection& section, const Case& base, const Document& document, Diagnostics& diagnostics)
+{
+    complete_varied(section.variables, "optimise.variables", base, document, diagnostics);
+    VariedReader reader(base, document, diagnostics);
+    if (!base.chain)
+        reader.report("inconsistent", "optimise", "the base case has no dimension chain, so that E_SW is not known",
+                      "add [chain] to the case");
+    if (section.rate == 0 && base.chain)
+        section.rate = base.chain->drift_rate_limit;
+    if (section.rate == 0 && (section.objective() == Objective::warm_up || section.warm_within))
+        reader.report("inconsistent", "optimise.rate", "neither study nor case states a rate of drift",
+                      "give `rate`, like \"1 um/h\"");
+    const double end = length_of(base);
+    if (section.from >= end)
+        reader.report("out-of-range", "optimise.from",
+                      fmt::format("the run ends at {}", format_quantity(end, Dimension::time)),
+                      "give a time within the operation of the case");
+    check_profile(section, base, reader);
+    for (std::size_t k = 0; k < section.limits.size(); ++k)
+        read_limit(section.limits[k], fmt::format("optimise.limits.{}", k), base, reader);
 }
 
 }  // namespace deadpoint::casefile

@@ -399,9 +399,14 @@ StudyFile read_study(const std::filesystem::path& path, FileAccess files)
     stop_at_errors(diagnostics);
     StudyChecker(file, document, diagnostics).run();
     stop_at_errors(diagnostics);
-    if (file.sensitivity) {
+    if (file.sensitivity || file.optimise) {
         const auto base = read_case(file.base, file.set, file.files).value;
-        check_sensitivity(*file.sensitivity, base, document, diagnostics);
+        if (file.sensitivity) {
+            check_sensitivity(*file.sensitivity, base, document, diagnostics);
+        }
+        if (file.optimise) {
+            check_optimise(*file.optimise, base, document, diagnostics);
+        }
     }
     stop_at_errors(diagnostics);
     return file;

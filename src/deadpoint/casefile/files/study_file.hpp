@@ -44,6 +44,7 @@ struct StudyFile {
     std::vector<StudySet> sets;
     std::optional<StudyLimits> limits;
     std::optional<SensitivitySection> sensitivity;
+    std::optional<OptimiseSection> optimise;
     FileAccess files = FileAccess::below;  ///< files that the base case may name
 };
 

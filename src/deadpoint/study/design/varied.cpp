@@ -30,6 +30,11 @@ double VariedRange::value_at(double share) const
     return kind == Kind::factor ? low * std::pow(high / low, share) : low + share * (high - low);
 }
 
+double VariedRange::share_of(double value) const
+{
+    return kind == Kind::factor ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
 double VariedRange::theta_of_value(double value) const { return scaled ? std::log(value / centre) : value - centre; }
 
 double VariedRange::theta_by_value(double value) const { return scaled ? 1 / value : 1; }

@@ -22,6 +22,7 @@ struct VariedRange {
 
     /// Factor, shift or value at a share.
     [[nodiscard]] double value_at(double share) const;
+    [[nodiscard]] double share_of(double value) const;
     [[nodiscard]] double theta_of_value(double value) const;
     [[nodiscard]] double theta_at(double share) const { return theta_of_value(value_at(share)); }
     /// d theta / d value.
