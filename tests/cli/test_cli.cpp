@@ -910,6 +910,14 @@ TEST_CASE("sensitivity tells which parameters matter, writes what it says and re
     CHECK(has(fixed.err, "changes what a reduced model cannot change"));
     std::ofstream(study) << "format = 1\nname = \"n\"\nbase = \"" << two_blocks << "\"\n[[sets]]\nname = \"s\"\n";
     CHECK(has(deadpoint(call + " --force").err, "has no section [sensitivity]"));
+    const auto optimise = "optimise " + study + " --reduced " + model + " -o " + (folder / "best");
+    CHECK(has(deadpoint(optimise).err, "has no section [optimise]"));
+    std::ofstream(study) << "format = 1\nname = \"n\"\nbase = \"" << two_blocks
+                         << "\"\n[[optimise.variables]]\nkeys = [\"surfaces.air.film.coefficient\"]\nfactor = 2\n";
+    const auto without_chain = deadpoint(optimise);
+    CHECK(without_chain.code == 2);
+    CHECK(has(without_chain.err, "the base case has no dimension chain"));
+    CHECK_FALSE(fs::exists(folder / "best"));
 }
 
 TEST_CASE("run --reduce builds after the run what reduce builds by itself")

@@ -5,9 +5,11 @@
 #include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/exchange/gaps.hpp"
 #include "deadpoint/report/charts/sweep_figures.hpp"
+#include "deadpoint/report/design/optimise_files.hpp"
 #include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/files/sweep_files.hpp"
 #include "deadpoint/study/compare/compare.hpp"
+#include "deadpoint/study/design/optimise.hpp"
 #include "deadpoint/study/design/sensitivity.hpp"
 #include "deadpoint/study/pipeline/heat_tables.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
@@ -289,6 +291,34 @@ inline SensitivityOfAll screening_of_all()
             figure.bound.clear();
             figure.morris = {{{2e-6, 1e-6, 3e-6}, -1e-6, 1e-6}, {{4e-6, 3e-6, 5e-6}, 4e-6, 0}};
         }
+    return all;
+}
+
+/// A search for an optimum with what its report refers to.
+struct OptimiseOfAll {
+    casefile::StudyFile study;
+    study::OptimiseResult result;
+    study::FullDesign full;
+    [[nodiscard]] OptimiseReport report() const { return {study, result, &full, "press", "0123", "press.rom", 2}; }
+};
+
+inline OptimiseOfAll optimise_of_all()
+{
+    OptimiseOfAll all;
+    all.study.name = "best";
+    auto& section = all.study.optimise.emplace();
+    section.rate = 1e-6 / 3600;
+    section.speed_profile = casefile::SpeedProfile{0, {600}, 10, 20, {}};
+    section.limits = {{"top", "60 degC", "", 0, 333.15, {}}, {"E_SW", "", "-80 um", 0, {}, -8e-5}};
+    all.result.ranges.resize(1);
+    all.result.ranges[0] = {"speed 1", study::VariedRange::Kind::value, 10, 20, Dimension::angular_velocity, 14.14};
+    all.result.starts = {
+        {{0.5}, {{0.7}, 3600, true, "the objective no longer changed", {{{0.7}, 3600, 0}}}, {"objective"}}};
+    all.result.feasible = true;
+    all.result.minima = 1;
+    all.result.before = all.result.after = all.full.figures = {1e-6, 2e-6, 3600, 1e-7, {330, -7e-5}};
+    all.result.course_before = all.result.course_after = all.full.course = {{0, 3600}, {0, 1e-6}};
+    all.result.optimum = case_of_all();
     return all;
 }
 

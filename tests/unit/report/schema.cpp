@@ -6,6 +6,7 @@
 #include "calibration_of_all.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/calibration/calibration_files.hpp"
+#include "deadpoint/report/design/optimise_files.hpp"
 #include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/files/compare_files.hpp"
 #include "deadpoint/report/files/heat_files.hpp"
@@ -47,6 +48,7 @@ void write_all(const fs::path& folder)
     write_calibration_files(folder, calibration_of_all());
     write_compare_files(folder / "compare", record(), comparison_of_all(), IfThere::replace);
     write_sensitivity_files(folder, sensitivity_of_all().report(), {});
+    write_optimise_files(folder, optimise_of_all().report(), {});
     fs::create_directory(folder / "screening");
     write_sensitivity_files(folder / "screening", screening_of_all().report(), {});
     write_manifest(folder);
@@ -199,8 +201,8 @@ TEST_CASE("the page reads no column and no key that the schema does not know")
     auto known = known_names();
     known.insert({"rigid_bearing_force", "flexible_bearing_force", "joint_force"});  // with _x and _y behind
     known.insert({"case_file"});                                                     // of the page itself
-    for (const std::string name : {"calibration", "charts", "data", "flow", "gaps", "linkage", "main", "sections",
-                                   "sensitivity", "stage", "sweep", "view"}) {
+    for (const std::string name : {"calibration", "charts", "data", "flow", "gaps", "linkage", "main", "optimise",
+                                   "sections", "sensitivity", "stage", "sweep", "view"}) {
         const auto text = source("web/" + name + ".js");
         for (const char* pattern : {R"(\.([a-zA-Z]+_\w+))", R"(\{ *(\w+_\w+) *[,:}])", R"re("([a-z]+_\w+)")re"}) {
             for (const auto& read : matches(text, pattern)) {
@@ -214,6 +216,7 @@ TEST_CASE("the page reads no column and no key that the schema does not know")
                                                                           {"motion", {"motion.json", ""}},
                                                                           {"sensitivity", {"sensitivity.json", ""}},
                                                                           {"calibration", {"calibration.json", ""}},
+                                                                          {"optimise", {"optimise.json", ""}},
                                                                           {"study", {"sweep.json", ""}}}) {
             for (const auto& chain : matches(text, "\\b" + variable + R"(((?:\??\.[a-zA-Z]\w*)+))")) {
                 CHECK_MESSAGE(known_chain(place, chain), name << ".js reads " << variable << chain);
@@ -248,8 +251,8 @@ TEST_CASE("what reads results in the program asks for nothing that the schema do
     auto known = known_names();
     known.insert({"runs", "summary", "loads", "points", "machine"});  // of the page's own data
     known.insert("end");                                              // a {time}
-    for (const std::string name :
-         {"folder/read_result", "page/page", "page/page_tables", "page/sweep_page", "design/sensitivity_page"}) {
+    for (const std::string name : {"folder/read_result", "page/page", "page/page_tables", "page/sweep_page",
+                                   "design/optimise_page", "design/sensitivity_page"}) {
         const auto text = source("src/deadpoint/report/" + name + ".cpp");
         for (const auto& read : matches(text, R"re((?:\.at|\.value|\.contains)\("(\w+)")re")) {
             CHECK_MESSAGE(known.contains(read), name << " reads '" << read << "'");

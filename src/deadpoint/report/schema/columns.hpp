@@ -281,4 +281,23 @@ inline constexpr Column figure{"figure", "{figure}", "{unit}", "output and figur
 inline constexpr std::array all{parameter, figure};
 }  // namespace samples
 
+/// One row for each evaluation of a search for an optimum.
+namespace search {
+inline constexpr Column start{"start", "start", "", "number of the start; the first one is the case itself"};
+inline constexpr Column stage{"stage", "stage", "",
+                              "objective: the value is that of the study; else the largest rate over its limit"};
+inline constexpr Column value{"value", "value", "", "of what the stage makes least, in the unit of optimise.json"};
+inline constexpr Column exceeded{"exceeded", "exceeded", "",
+                                 "largest exceeded limit, divided by 10 K, 10 um or the limit itself; 0: all are kept"};
+inline constexpr Column variable{"variable", "variable {variable}", "{unit}", "factor, shift or value of the variable"};
+inline constexpr std::array all{start, stage, value, exceeded, variable};
+}  // namespace search
+
+namespace courses {
+inline constexpr Column gap{"gap_of_design", "E_SW, {design}", "um",
+                            "change of the gap: before, optimum on the reduced model, optimum in full"};
+inline constexpr Column rate{"rate_of_design", "rate of E_SW, {design}", "um/h", "its mean rate since the row before"};
+inline constexpr std::array all{time, gap, rate};
+}  // namespace courses
+
 }  // namespace deadpoint::report::schema

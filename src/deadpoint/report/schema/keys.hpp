@@ -15,6 +15,7 @@ Keys compare_keys();
 Keys sensitivity_study_keys();
 Keys calibration_keys();
 Keys plan_keys();
+Keys optimise_keys();
 Keys manifest_keys();
 
 /// Friction at every operating point, which two files hold.

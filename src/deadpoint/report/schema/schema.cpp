@@ -97,6 +97,11 @@ std::vector<File> other_files()
         table("indices.csv", "sensitivity", "Sobol' indices, or effects of a screening, of all figures", indices::all),
         table("indices_over_time.csv", "sensitivity", "the same at evenly spread times", indices::over_time),
         table("samples.csv", "sensitivity", "all points with their figures, if the study asks for them", samples::all),
+        document("optimise.json", "optimise", "variables, starts and figures of a search for an optimum",
+                 optimise_keys()),
+        other("optimum.toml", "optimise", "the case at the optimum, ready for a run"),
+        table("search.csv", "optimise", "every evaluation of the search", search::all),
+        table("courses.csv", "optimise", "the gap over time before and at the optimum", courses::all),
         document("compare.json", "compare", "a result against a reference", compare_keys()),
         other("compare.md", "compare", "the same as text"),
     };

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "deadpoint/io/write_file.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace deadpoint::casefile {
+struct StudyFile;
+}
+namespace deadpoint::study {
+struct FullDesign;
+struct OptimiseResult;
+}  // namespace deadpoint::study
+
+/// Files, text and page of a search for an optimum.
+namespace deadpoint::report {
+
+struct OptimiseReport {
+    const casefile::StudyFile& study;
+    const study::OptimiseResult& result;
+    const study::FullDesign* full = nullptr;  ///< of the optimum; null: left out
+    std::string machine;                      ///< name of the case
+    std::string hash;                         ///< of the case with the settings of the study
+    std::string reduced_model;                ///< name of its file
+    double seconds = 0;                       ///< wall time
+};
+
+/// Writes optimum.toml, search.csv, courses.csv and optimise.json. @throws IoError
+void write_optimise_files(const std::filesystem::path& folder, const OptimiseReport& report,
+                          const std::vector<std::string>& warnings);
+
+/// The same for the terminal.
+std::string optimise_text(const OptimiseReport& report);
+
+/// Writes the page of such a folder; complete or absent. @throws as write_sweep_report()
+void write_optimise_page(const std::filesystem::path& file, const std::filesystem::path& folder,
+                         IfThere if_there = IfThere::replace);
+
+}  // namespace deadpoint::report
