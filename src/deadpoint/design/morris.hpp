@@ -17,6 +17,8 @@ public:
     [[nodiscard]] std::size_t trajectories() const { return points_.size() / (inputs_ + 1); }
     [[nodiscard]] std::size_t size() const { return points_.size(); }
     [[nodiscard]] const Point& point(std::size_t number) const { return points_[number]; }
+    /// As SobolDesign::in_turn().
+    [[nodiscard]] std::size_t in_turn(std::size_t k) const { return k; }
 
 private:
     std::size_t inputs_;

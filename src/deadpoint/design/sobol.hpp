@@ -18,6 +18,8 @@ public:
     [[nodiscard]] std::size_t rows() const { return both_.size(); }
     [[nodiscard]] std::size_t size() const { return rows() * (inputs_ + 2); }
     [[nodiscard]] Point point(std::size_t number) const;
+    /// The point to evaluate as the k-th: row by row, since points of a row share most of their inputs.
+    [[nodiscard]] std::size_t in_turn(std::size_t k) const { return k % (inputs_ + 2) * rows() + k / (inputs_ + 2); }
 
 private:
     std::size_t inputs_;

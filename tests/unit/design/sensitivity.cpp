@@ -90,6 +90,13 @@ TEST_CASE("a design has A, B and A with one column of B")
             CHECK(design.point((2 + i) * 8 + row) == mixed);
         }
     }
+    // In turn: each point once, row by row.
+    std::set<std::size_t> seen;
+    for (std::size_t k = 0; k < design.size(); ++k) {
+        seen.insert(design.in_turn(k));
+        CHECK(design.in_turn(k) % 8 == k / 5);
+    }
+    CHECK(seen.size() == design.size());
 }
 
 TEST_CASE("Sobol' indices of Ishigami's function are within 1 %")

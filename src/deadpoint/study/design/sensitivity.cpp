@@ -143,9 +143,10 @@ private:
         std::vector<double> all(design.size() * count);
         observer_.stage("points");
         std::size_t done = 0;
-        reduce::in_parallel(threads_, design.size(), [&](std::size_t point) {
+        reduce::in_parallel(threads_, design.size(), [&](std::size_t turn) {
             if (observer_.cancelled())
                 return;
+            const auto point = design.in_turn(turn);
             compute(design.point(point), &all[point * count]);
             const std::lock_guard lock(mutex_);
             ++done;
