@@ -49,6 +49,7 @@ ElasticSolver::ElasticSolver(const Discretisation& space, const std::vector<Mate
     choose_solver(size);
     DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "deformation_"));
     DEADPOINT_PETSC(KSPSetFromOptions(solver_));
+    find_factor();
 
     solution_ = create_vector(space_, 3);
     rhs_ = create_vector(space_, 3);
@@ -73,14 +74,14 @@ void ElasticSolver::keep_upper_half()
 // of iterations for; beyond its memory, multigrid with the rigid motions.
 void ElasticSolver::choose_solver(PetscInt size)
 {
-    has_factor_ = size <= largest_factor;
+    const bool direct = size <= largest_factor;
     DEADPOINT_PETSC(KSPCreate(PETSC_COMM_WORLD, solver_.out()));
     DEADPOINT_PETSC(KSPSetType(solver_, KSPCG));
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_TRUE));
     DEADPOINT_PETSC(KSPSetTolerances(solver_, relative_tolerance, 1e-300, 1e12, 2000));
     PC preconditioner = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
-    if (has_factor_) {
+    if (direct) {
         keep_upper_half();
         DEADPOINT_PETSC(PCSetType(preconditioner, PCCHOLESKY));
         DEADPOINT_PETSC(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
@@ -90,6 +91,16 @@ void ElasticSolver::choose_solver(PetscInt size)
         DEADPOINT_PETSC(PCSetType(preconditioner, PCGAMG));
     }
     DEADPOINT_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
+}
+
+// Options may have chosen another solver.
+void ElasticSolver::find_factor()
+{
+    PC preconditioner = nullptr;
+    PetscBool is_factor = PETSC_FALSE;
+    DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
+    DEADPOINT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner), PCCHOLESKY, &is_factor));
+    has_factor_ = is_factor == PETSC_TRUE;
 }
 
 void ElasticSolver::take_free_load()

@@ -52,6 +52,7 @@ private:
     void assemble();
     void keep_upper_half();
     void choose_solver(PetscInt size);
+    void find_factor();
     void set_near_null_space();
     void solve_free(const char* what);
     /// @param load  sets rhs_ to the load of that number
