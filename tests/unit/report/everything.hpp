@@ -253,7 +253,7 @@ inline study::Comparison comparison_of_all()
 struct SensitivityOfAll {
     casefile::StudyFile study;
     study::SensitivityResult result;
-    [[nodiscard]] SensitivityReport report() const { return {study, result, "press", "0123", "press.rom", 2}; }
+    [[nodiscard]] SensitivityReport report() const { return {{study, "press", "0123", "press.rom", 2}, result}; }
 };
 
 inline SensitivityOfAll sensitivity_of_all()
@@ -299,7 +299,7 @@ struct OptimiseOfAll {
     casefile::StudyFile study;
     study::OptimiseResult result;
     study::FullDesign full;
-    [[nodiscard]] OptimiseReport report() const { return {study, result, &full, "press", "0123", "press.rom", 2}; }
+    [[nodiscard]] OptimiseReport report() const { return {{study, "press", "0123", "press.rom", 2}, result, &full}; }
 };
 
 inline OptimiseOfAll optimise_of_all()

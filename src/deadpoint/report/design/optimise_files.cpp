@@ -3,9 +3,9 @@
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/units.hpp"
-#include "deadpoint/core/version.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/design/shown_figures.hpp"
+#include "deadpoint/report/design/studied_json.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/schema/columns.hpp"
@@ -23,17 +23,6 @@ using casefile::Objective;
 using study::DesignFigures;
 
 constexpr double hours = 1.0 / 3600;
-
-std::vector<std::string> head(const OptimiseReport& report, const std::vector<std::string>& warnings)
-{
-    std::vector<std::string> lines{fmt::format("deadpoint {}", version),
-                                   fmt::format("study {}, base case {}", report.study.name, report.study.base),
-                                   fmt::format("machine {}, case hash {}", report.machine, report.hash),
-                                   fmt::format("computed on the reduced model {}", report.reduced_model)};
-    for (const auto& warning : warnings)
-        lines.push_back("warning: " + warning);
-    return lines;
-}
 
 // Objectives in the units of files: um, h or um/K.
 double shown_objective(const OptimiseReport& report, double value)
@@ -176,19 +165,12 @@ Json variable_json(const OptimiseReport& report, std::size_t v)
 Json study_json(const OptimiseReport& report, const std::vector<std::string>& warnings)
 {
     const auto& section = *report.study.optimise;
-    Json json{{"version", version}, {"case", {{"name", report.machine}, {"hash", report.hash}}}};
-    json["study"] = {{"name", report.study.name},
-                     {"note", report.study.note},
-                     {"base", report.study.base},
-                     {"overrides", report.study.set}};
-    json["reduced_model"] = report.reduced_model;
-    json["warnings"] = warnings;
+    auto json = json_of(report, warnings);
     json["objective"] = section.objective_name;
     json["unit"] = objective_unit(report);
     json["rate_um_per_h"] = section.rate * micrometre / hours;
     json["from_s"] = section.from;
     json["method"] = section.method_name;
-    json["seconds"] = report.seconds;
     json["keeps_limits"] = report.result.feasible;
     json["best_start"] = report.result.best + 1;
     json["minima"] = report.result.minima;
@@ -213,7 +195,7 @@ Json study_json(const OptimiseReport& report, const std::vector<std::string>& wa
 void write_optimise_files(const std::filesystem::path& folder, const OptimiseReport& report,
                           const std::vector<std::string>& warnings)
 {
-    const auto comments = head(report, warnings);
+    const auto comments = comments_of(report, warnings);
     write_file(folder / "optimum.toml", casefile::write_case(report.result.optimum));
     write_table(folder / "search.csv", comments, search_table(report));
     write_table(folder / "courses.csv", comments, course_table(report));

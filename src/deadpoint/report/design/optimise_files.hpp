@@ -1,14 +1,12 @@
 #pragma once
 
 #include "deadpoint/io/write_file.hpp"
+#include "deadpoint/report/design/studied_case.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace deadpoint::casefile {
-struct StudyFile;
-}
 namespace deadpoint::study {
 struct FullDesign;
 struct OptimiseResult;
@@ -17,14 +15,9 @@ struct OptimiseResult;
 /// Files, text and page of a search for an optimum.
 namespace deadpoint::report {
 
-struct OptimiseReport {
-    const casefile::StudyFile& study;
+struct OptimiseReport : StudiedCase {
     const study::OptimiseResult& result;
     const study::FullDesign* full = nullptr;  ///< of the optimum; null: left out
-    std::string machine;                      ///< name of the case
-    std::string hash;                         ///< of the case with the settings of the study
-    std::string reduced_model;                ///< name of its file
-    double seconds = 0;                       ///< wall time
 };
 
 /// Writes optimum.toml, search.csv, courses.csv and optimise.json. @throws IoError

@@ -1,8 +1,8 @@
 #include "deadpoint/report/design/sensitivity_files.hpp"
 
 #include "deadpoint/casefile/files/study_file.hpp"
-#include "deadpoint/core/version.hpp"
 #include "deadpoint/report/design/shown_figures.hpp"
+#include "deadpoint/report/design/studied_json.hpp"
 #include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/schema/columns.hpp"
@@ -23,18 +23,6 @@ namespace table = schema::indices;
 bool is_screening(const SensitivityReport& report)
 {
     return report.study.sensitivity->method() == casefile::SensitivityMethod::morris;
-}
-
-std::vector<std::string> head(const SensitivityReport& report, const std::vector<std::string>& warnings)
-{
-    std::vector<std::string> lines{
-        fmt::format("deadpoint {}", version),
-        fmt::format("study {}, base case {}", report.study.name, report.study.base),
-        fmt::format("machine {}, case hash {}", report.machine, report.hash),
-        fmt::format("{} runs on the reduced model {}", report.result.runs, report.reduced_model)};
-    for (const auto& warning : warnings)
-        lines.push_back("warning: " + warning);
-    return lines;
 }
 
 /// A row for each figure and parameter.
@@ -219,19 +207,12 @@ Json parameter_json(const SensitivityReport& report, std::size_t k)
 Json study_json(const SensitivityReport& report, const std::vector<std::string>& warnings)
 {
     const auto& section = *report.study.sensitivity;
-    Json json{{"version", version}, {"case", {{"name", report.machine}, {"hash", report.hash}}}};
-    json["study"] = {{"name", report.study.name},
-                     {"note", report.study.note},
-                     {"base", report.study.base},
-                     {"overrides", report.study.set}};
-    json["reduced_model"] = report.reduced_model;
-    json["warnings"] = warnings;
+    auto json = json_of(report, warnings);
     json["method"] = section.method_name;
     json["rows"] = is_screening(report) ? section.trajectories : section.points;
     json["seed"] = section.seed;
     json["runs"] = report.result.runs;
     json["failed"] = report.result.failed;
-    json["seconds"] = report.seconds;
     json["parameters"] = Json::array();
     for (std::size_t k = 0; k < report.result.ranges.size(); ++k)
         json["parameters"].push_back(parameter_json(report, k));
@@ -250,7 +231,7 @@ Json study_json(const SensitivityReport& report, const std::vector<std::string>&
 void write_sensitivity_files(const std::filesystem::path& folder, const SensitivityReport& report,
                              const std::vector<std::string>& warnings)
 {
-    const auto comments = head(report, warnings);
+    const auto comments = comments_of(report, warnings);
     write_table(folder / "indices.csv", comments, IndexTable(report, report.result.figures).figures());
     if (!report.result.course.empty())
         write_table(folder / "indices_over_time.csv", comments, IndexTable(report, report.result.course).course());

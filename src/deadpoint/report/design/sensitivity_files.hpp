@@ -1,14 +1,12 @@
 #pragma once
 
 #include "deadpoint/io/write_file.hpp"
+#include "deadpoint/report/design/studied_case.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace deadpoint::casefile {
-struct StudyFile;
-}
 namespace deadpoint::study {
 struct SensitivityResult;
 }
@@ -17,13 +15,8 @@ struct SensitivityResult;
 namespace deadpoint::report {
 
 /// A study that was computed.
-struct SensitivityReport {
-    const casefile::StudyFile& study;
+struct SensitivityReport : StudiedCase {
     const study::SensitivityResult& result;
-    std::string machine;        ///< name of the case
-    std::string hash;           ///< of the case with the settings of the study
-    std::string reduced_model;  ///< name of its file
-    double seconds = 0;         ///< wall time
 };
 
 /// Writes indices.csv, indices_over_time.csv, samples.csv if asked for, and sensitivity.json. @throws IoError

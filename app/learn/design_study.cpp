@@ -1,0 +1,78 @@
+#include "learn/design_study.hpp"
+
+#include "deadpoint/casefile/files/write.hpp"
+#include "options/case_options.hpp"
+#include "output.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+using namespace deadpoint;
+namespace fs = std::filesystem;
+
+namespace {
+
+casefile::ReadResult read_base(const casefile::StudyFile& study, casefile::FileAccess files, Console& console)
+{
+    auto read = casefile::read_case(study.base, study.set, files);
+    for (const auto& warning : read.warnings) {
+        console.warn(warning);
+    }
+    return read;
+}
+
+std::vector<fs::path> inputs_of(const DesignOptions& options, const casefile::ReadResult& read)
+{
+    auto inputs = input_files(read);
+    inputs.emplace_back(options.study);
+    inputs.emplace_back(options.reduced);
+    return inputs;
+}
+
+}  // namespace
+
+int DesignOptions::threads() const
+{
+    return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+void add_design_options(CLI::App& command, DesignOptions& options, const std::string& section, const std::string& jobs)
+{
+    command.add_option("study", options.study, "the study file (TOML), with a section [" + section + "]")
+        ->required()
+        ->type_name("STUDY");
+    command.add_option("--reduced", options.reduced, "the reduced model of the base case, from 'deadpoint reduce'")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("-o,--output", options.folder, "the folder to write into; it must not exist")
+        ->required()
+        ->type_name("DIR");
+    command.add_flag("--force", options.force,
+                     "replace a folder that deadpoint wrote, once the new results are complete");
+    command.add_option("-j,--jobs", options.jobs, jobs)->check(CLI::Range(1, 1024));
+    add_file_access(command, options.files);
+    add_console_options(command, options.console);
+}
+
+DesignStudy::DesignStudy(const DesignOptions& options, casefile::StudyFile study_, Console& console)
+    : study(std::move(study_)), read(read_base(study, options.files, console)),
+      press(study::read_reduced(options.reduced)),
+      folder(claim_folder(options.folder, console),
+             options.force ? report::ResultFolder::IfExists::replace : report::ResultFolder::IfExists::refuse,
+             inputs_of(options, read))
+{}
+
+report::StudiedCase DesignStudy::studied(const DesignOptions& options) const
+{
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    return {study, read.value.machine.name, casefile::case_hash(read.value),
+            fs::path(options.reduced).filename().string(), seconds.count()};
+}
+
+void print_design(const std::string& text, const DesignOptions& options)
+{
+    print_out("{}\nresults are in {}\nthe page is {}\n", text, options.folder,
+              (fs::path(options.folder) / "report.html").string());
+}

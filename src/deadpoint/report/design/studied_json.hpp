@@ -1,0 +1,16 @@
+#pragma once
+
+#include "deadpoint/report/folder/json_file.hpp"
+
+#include <string>
+#include <vector>
+
+/// Internal to report/design, since it shows the JSON library.
+namespace deadpoint::report {
+
+struct StudiedCase;
+
+/// The first keys of a study's JSON file.
+nlohmann::ordered_json json_of(const StudiedCase& studied, const std::vector<std::string>& warnings);
+
+}  // namespace deadpoint::report
