@@ -1,4 +1,6 @@
 #include "commands.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/report/design/optimise_files.hpp"
@@ -6,11 +8,14 @@
 #include "deadpoint/study/design/optimise.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 #include "interrupt.hpp"
 #include "learn/design_study.hpp"
+#include "options/result_options.hpp"
 #include "ranks.hpp"
 
+#include <chrono>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -50,12 +55,16 @@ std::optional<study::FullDesign> run_in_full(const study::OptimiseResult& result
 
 int optimise(const OptimiseOptions& options, Console& console)
 {
-    DesignStudy design(options, read_section(options), console);
-    const auto& section = *design.study.optimise;
-    const auto result = study::run_optimise(design.read.value, design.press, section, options.threads(), console);
+    const auto start = std::chrono::steady_clock::now();
+    const auto study = read_section(options);
+    const auto base = read_base(options, study, console);
+    const auto press = study::read_reduced(options.reduced);
+    const auto folder = begin_folder(options, base, console);
+    const auto& section = *study.optimise;
+    const auto result = study::run_optimise(base.value, press, section, options.threads(), console);
     std::optional<study::FullDesign> full;
     if (result && !options.no_full_run) {
-        full = run_in_full(*result, design.press.size_scale, section, console);
+        full = run_in_full(*result, press.size_scale, section, console);
     }
     if (!result || console.cancelled()) {
         console.finish();
@@ -65,12 +74,12 @@ int optimise(const OptimiseOptions& options, Console& console)
         console.warn(fmt::format("the optimum lies outside the range of the reduced model: {}", text));
     }
     console.finish();
-    const report::OptimiseReport report{design.studied(options), *result, full ? &*full : nullptr};
-    auto& folder = design.folder;
-    report::write_optimise_files(folder.path(), report, console.warnings());
-    report::write_manifest(folder.path());
-    report::write_optimise_page(folder.path() / "report.html", folder.path());
-    commit(folder, console);
+    const report::OptimiseReport report{studied_case(options, study, base.value, start), *result,
+                                        full ? &*full : nullptr};
+    report::write_optimise_files(folder->path(), report, console.warnings());
+    report::write_manifest(folder->path());
+    report::write_optimise_page(folder->path() / "report.html", folder->path());
+    commit(*folder, console);
     print_design(report::optimise_text(report), options);
     return 0;
 }

@@ -1,11 +1,16 @@
 #include "commands.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/study/design/sensitivity.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
 #include "interrupt.hpp"
 #include "learn/design_study.hpp"
+#include "options/result_options.hpp"
 
+#include <chrono>
 #include <fmt/format.h>
 #include <memory>
 
@@ -28,9 +33,12 @@ casefile::StudyFile read_section(const DesignOptions& options)
 int sensitivity(const DesignOptions& options)
 {
     Console console(options.console);
-    DesignStudy design(options, read_section(options), console);
-    const auto result =
-        study::run_sensitivity(design.read.value, design.press, *design.study.sensitivity, options.threads(), console);
+    const auto start = std::chrono::steady_clock::now();
+    const auto study = read_section(options);
+    const auto base = read_base(options, study, console);
+    const auto press = study::read_reduced(options.reduced);
+    const auto folder = begin_folder(options, base, console);
+    const auto result = study::run_sensitivity(base.value, press, *study.sensitivity, options.threads(), console);
     if (!result) {
         console.finish();
         return interrupted_exit_code;
@@ -46,12 +54,11 @@ int sensitivity(const DesignOptions& options)
                                  result->runs, result->failure));
     }
     console.finish();
-    const report::SensitivityReport report{design.studied(options), *result};
-    auto& folder = design.folder;
-    report::write_sensitivity_files(folder.path(), report, console.warnings());
-    report::write_manifest(folder.path());
-    report::write_sensitivity_page(folder.path() / "report.html", folder.path());
-    commit(folder, console);
+    const report::SensitivityReport report{studied_case(options, study, base.value, start), *result};
+    report::write_sensitivity_files(folder->path(), report, console.warnings());
+    report::write_manifest(folder->path());
+    report::write_sensitivity_page(folder->path() / "report.html", folder->path());
+    commit(*folder, console);
     print_design(report::sensitivity_text(report), options);
     return 0;
 }

@@ -1,7 +1,9 @@
 #include "learn/design_study.hpp"
 
+#include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
-#include "options/case_options.hpp"
+#include "deadpoint/report/design/studied_case.hpp"
+#include "options/result_options.hpp"
 #include "output.hpp"
 
 #include <algorithm>
@@ -11,27 +13,6 @@
 
 using namespace deadpoint;
 namespace fs = std::filesystem;
-
-namespace {
-
-casefile::ReadResult read_base(const casefile::StudyFile& study, casefile::FileAccess files, Console& console)
-{
-    auto read = casefile::read_case(study.base, study.set, files);
-    for (const auto& warning : read.warnings) {
-        console.warn(warning);
-    }
-    return read;
-}
-
-std::vector<fs::path> inputs_of(const DesignOptions& options, const casefile::ReadResult& read)
-{
-    auto inputs = input_files(read);
-    inputs.emplace_back(options.study);
-    inputs.emplace_back(options.reduced);
-    return inputs;
-}
-
-}  // namespace
 
 int DesignOptions::threads() const
 {
@@ -56,19 +37,32 @@ void add_design_options(CLI::App& command, DesignOptions& options, const std::st
     add_console_options(command, options.console);
 }
 
-DesignStudy::DesignStudy(const DesignOptions& options, casefile::StudyFile study_, Console& console)
-    : study(std::move(study_)), read(read_base(study, options.files, console)),
-      press(study::read_reduced(options.reduced)),
-      folder(claim_folder(options.folder, console),
-             options.force ? report::ResultFolder::IfExists::replace : report::ResultFolder::IfExists::refuse,
-             inputs_of(options, read))
-{}
+casefile::ReadResult read_base(const DesignOptions& options, const casefile::StudyFile& study, Console& console)
+{
+    auto read = casefile::read_case(study.base, study.set, options.files);
+    for (const auto& warning : read.warnings) {
+        console.warn(warning);
+    }
+    return read;
+}
 
-report::StudiedCase DesignStudy::studied(const DesignOptions& options) const
+std::unique_ptr<report::ResultFolder> begin_folder(const DesignOptions& options, const casefile::ReadResult& base,
+                                                   Console& console)
+{
+    using IfExists = report::ResultFolder::IfExists;
+    auto inputs = input_files(base);
+    inputs.emplace_back(options.study);
+    inputs.emplace_back(options.reduced);
+    return std::make_unique<report::ResultFolder>(claim_folder(options.folder, console),
+                                                  options.force ? IfExists::replace : IfExists::refuse, inputs);
+}
+
+report::StudiedCase studied_case(const DesignOptions& options, const casefile::StudyFile& study,
+                                 const casefile::Case& base, std::chrono::steady_clock::time_point start)
 {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    return {study, read.value.machine.name, casefile::case_hash(read.value),
-            fs::path(options.reduced).filename().string(), seconds.count()};
+    return {study, base.machine.name, casefile::case_hash(base), fs::path(options.reduced).filename().string(),
+            seconds.count()};
 }
 
 void print_design(const std::string& text, const DesignOptions& options)

@@ -1,15 +1,26 @@
 #pragma once
 
-#include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/casefile/files/study_file.hpp"
-#include "deadpoint/report/design/studied_case.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "options/result_options.hpp"
+#include "console.hpp"
+#include "deadpoint/casefile/syntax/file_access.hpp"
 
 #include <chrono>
+#include <memory>
 #include <string>
 
-/// What the studies on a reduced model share: their options, what they read, and their folder.
+namespace CLI {
+class App;
+}
+namespace deadpoint::casefile {
+struct Case;
+struct ReadResult;
+struct StudyFile;
+}  // namespace deadpoint::casefile
+namespace deadpoint::report {
+class ResultFolder;
+struct StudiedCase;
+}  // namespace deadpoint::report
+
+/// Options that the studies on a reduced model share.
 struct DesignOptions {
     std::string study;
     std::string folder;
@@ -26,20 +37,18 @@ struct DesignOptions {
 /// @param jobs     help of --jobs
 void add_design_options(CLI::App& command, DesignOptions& options, const std::string& section, const std::string& jobs);
 
-/// A study that is about to be computed.
-struct DesignStudy {
-    /// Reads its files, shows the case's warnings and begins its folder. @throws as the readers and ResultFolder
-    DesignStudy(const DesignOptions& options, deadpoint::casefile::StudyFile study, Console& console);
+/// The base case of a study; shows its warnings. @throws as read_case()
+deadpoint::casefile::ReadResult read_base(const DesignOptions& options, const deadpoint::casefile::StudyFile& study,
+                                          Console& console);
 
-    deadpoint::casefile::StudyFile study;
-    deadpoint::casefile::ReadResult read;
-    deadpoint::study::ReducedPress press;
-    deadpoint::report::ResultFolder folder;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+/// Begins the folder of results that read these. @throws IoError as ResultFolder
+std::unique_ptr<deadpoint::report::ResultFolder>
+begin_folder(const DesignOptions& options, const deadpoint::casefile::ReadResult& base, Console& console);
 
-    /// For its files, now that it is computed.
-    [[nodiscard]] deadpoint::report::StudiedCase studied(const DesignOptions& options) const;
-};
+/// What a computed study names in its files. @param start  when it began
+deadpoint::report::StudiedCase studied_case(const DesignOptions& options, const deadpoint::casefile::StudyFile& study,
+                                            const deadpoint::casefile::Case& base,
+                                            std::chrono::steady_clock::time_point start);
 
 /// Says where the results are.
 void print_design(const std::string& text, const DesignOptions& options);

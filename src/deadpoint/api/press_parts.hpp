@@ -1,11 +1,14 @@
 #pragma once
 
-#include "deadpoint/casefile/syntax/file_access.hpp"
 #include "deadpoint/press.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 
 #include <filesystem>
 #include <vector>
+
+namespace deadpoint::casefile {
+enum class FileAccess;
+}
 
 /// Internal to api/: the implementation of a public press.
 namespace deadpoint {

@@ -87,7 +87,7 @@ TEST_CASE("names of laws serve every struct")
     const auto c = read_case(cases / "starter-by-laws/case.toml").value;
     CHECK(law_name(c.joints.at("guide").interfaces.at(0).conductance) == "cooper_mikic_yovanovich");
     CHECK(law_name(*c.surfaces.at("flywheel_rim").film) == "rotating_cylinder");
-    CHECK(law_name(Film{PlateFilm{PlateFilm::Facing::down, true, {}}, 0, {}}) == "paper_horizontal_down");
-    CHECK(law_name(Film{FilmCoefficient{5}, 0, {}}).empty());
+    CHECK(law_name(Film{PlateFilm{PlateFilm::Facing::down, true, {}}, {}, 0, {}}) == "paper_horizontal_down");
+    CHECK(law_name(Film{FilmCoefficient{5}, {}, 0, {}}).empty());
     CHECK(law_name(Conductance{SideFilms{}}).empty());
 }

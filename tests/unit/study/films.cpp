@@ -278,6 +278,29 @@ TEST_CASE("the heat problem takes conductances and film laws, one per segment")
     }
 }
 
+TEST_CASE("a stated film coefficient grows with the speed of each segment")
+{
+    auto input = press().input;
+    input.operation.push_back(input.operation[0]);
+    input.operation[0].speed = 2 * pi;
+    input.operation[1].speed = 0;
+    auto& film = *input.surfaces.at("air_bed").film;
+    film.law = casefile::FilmCoefficient{8};
+    film.with_speed = SpeedGrowth{0.8, pi, 0.5};
+    Observer quiet;
+    const auto problem = study::describe_heat(input, press().machine, quiet, &press().loads);
+    const auto bed = std::ranges::find(problem.surfaces, std::string("air_bed"), &SurfaceCondition::name);
+    REQUIRE(bed->laws.size() >= 2);
+    CHECK(bed->laws[0](293.15)(300).value == Approx(8 * (0.5 + 0.5 * std::pow(2, 0.8))).epsilon(exact));
+    CHECK(bed->laws[0](293.15)(300).slope == 0);
+    CHECK(bed->laws[1](293.15)(300).value == 4);
+    const auto tables = study::heat_tables(input, &press().machine, &press().loads, 0);
+    const auto shown = std::ranges::find(tables.films, std::string("air_bed"), &study::FilmTable::surface);
+    CHECK(shown->at_rest[0].convection == 4);
+    REQUIRE(!shown->running.empty());
+    CHECK(shown->running[0].convection == Approx(8 * (0.5 + 0.5 * std::pow(2, 0.8))).epsilon(exact));
+}
+
 TEST_CASE("the tables show what the run takes")
 {
     const auto tables = study::heat_tables(press().input, &press().machine, &press().loads, 0);

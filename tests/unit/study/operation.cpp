@@ -143,6 +143,27 @@ TEST_CASE("a resting press conducts as it did when it last ran, and its oil and 
     CHECK(problem_of(input).segments[1].body_heat[0](0) == Approx(50));
 }
 
+TEST_CASE("oil coefficients grow with the speed of each segment")
+{
+    auto input = starter();
+    input.oil_circuits.clear();
+    const double speed = input.operation[0].speed;
+    for (const double factor : {4.0, 0.0}) {
+        input.operation.push_back(input.operation[0]);
+        input.operation.back().speed = factor * speed;
+    }
+    input.oil_with_speed["journals"] = {0.5, speed, 0.2};
+    const auto problem = problem_of(input);
+    const auto bearing = first_interface(input, "crank_bearing"), pin = first_interface(input, "crank_pin");
+    const auto oil = [&](std::size_t segment, std::size_t i) { return problem.segments[segment].interfaces[i].oil; };
+    // 150 W/m2/K at the speed of the first segment
+    CHECK(oil(0, bearing) == Approx(150).epsilon(1e-14));
+    CHECK(oil(1, bearing) == Approx(150 * (0.2 + 0.8 * 2)).epsilon(1e-14));
+    CHECK(oil(2, bearing) == Approx(150 * 0.2).epsilon(1e-14));
+    CHECK(problem.interfaces[bearing].oil == Approx(150).epsilon(1e-14));
+    CHECK(oil(1, pin) == 150);
+}
+
 TEST_CASE("under a steady force the load heat falls over the half ring as the squared cosine")
 {
     const auto& input = starter();

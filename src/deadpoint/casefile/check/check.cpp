@@ -76,6 +76,9 @@ private:
         for (const auto& [law, coefficient] : c_.oil) {
             refer("oil." + law, "friction law", law, c_.friction);
         }
+        for (const auto& [law, growth] : c_.oil_with_speed) {
+            refer("oil_with_speed." + law, "friction law", law, c_.friction);
+        }
     }
 
     void check_heat_sources()

@@ -229,6 +229,7 @@ struct Case {
     std::map<std::string, Part> parts;
     std::map<std::string, Friction> friction;
     std::map<std::string, double> oil;  ///< oil coefficient per area of the joints, by friction law [W/m2/K]
+    std::map<std::string, SpeedGrowth> oil_with_speed;  ///< of the oil coefficients, by friction law
     std::map<std::string, OilCircuit> oil_circuits;
     std::map<std::string, Joint> joints;
     std::map<std::string, Surface> surfaces;

@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/describe/case_loads.hpp"
 #include "deadpoint/casefile/describe/spelling.hpp"
 #include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/laws/speed_growth.hpp"
 
 #include <array>
 #include <optional>
@@ -142,6 +143,7 @@ using FilmLaw = std::variant<FilmCoefficient, PlateFilm, RoundFilm, MovingFilm, 
 /// Convection and radiation of a surface.
 struct Film {
     FilmLaw law;
+    std::optional<SpeedGrowth> with_speed;  ///< of a known coefficient
     double emissivity = 0;
     std::optional<Course> ambient;  ///< else the operation's [K]
 };

@@ -83,6 +83,9 @@ void describe(Visitor& v, Case& c)
     v.named({"friction", "laws of friction heat"}, c.friction, "name");
     v.quantities({"oil", "heat transfer coefficient to the circulating oil, per area of the joints, by friction law"},
                  c.oil, D::heat_transfer_coefficient);
+    v.named({"oil_with_speed", "how oil coefficients change with the speed of the crank, by friction law: those of "
+                               "[oil], and `oil` of the interfaces of its joints"},
+            c.oil_with_speed, "friction law");
     v.named({"oil_circuits", "circulating oil that warms from joint to joint"}, c.oil_circuits, "name");
     v.named({"joints", "connections of two bodies"}, c.joints, "name");
     v.named({"surfaces", "named sets of faces, with a boundary condition"}, c.surfaces, "name");

@@ -196,6 +196,17 @@ void describe(Visitor& v, Conductance& c)
     }
 }
 
+void describe(Visitor& v, SpeedGrowth& g)
+{
+    v.about("How a stated coefficient h changes with the speed n of the crank: h (s + (1 - s) (n / n_r)^e), with the "
+            "exponent e, the reference speed n_r and the share s that stays at rest.");
+    v.number({"exponent", "e; 0.5 to 0.8 for oil or air that the machine itself moves", Need::required}, g.exponent,
+             {0, 3, false});
+    v.quantity({"reference_speed", "n_r, the crank speed at which the coefficient holds", Need::required},
+               g.reference_speed, D::angular_velocity, positive);
+    v.number({"at_rest", "s, the share of the coefficient that stays while the press stands"}, g.at_rest, fraction);
+}
+
 void describe(Visitor& v, PlateFilm& f) { describe_length(v, f.length); }
 
 void describe(Visitor& v, RoundFilm& f)
@@ -245,6 +256,7 @@ void describe(Visitor& v, Film& f)
               "included"},
              law, names_in(film_laws()));
     v.laws("law", law, laws_of(film_laws(), f.law));
+    v.table({"with_speed", "how `coefficient` changes with the speed of the crank"}, f.with_speed);
     v.number({"emissivity", "emissivity for radiation to surroundings at ambient temperature; for a surface of an "
                             "enclosure, to the other surfaces of that enclosure"},
              f.emissivity, fraction);
@@ -254,6 +266,8 @@ void describe(Visitor& v, Film& f)
              "give its `coefficient`, or a `law`");
     v.expect(!(coefficient && !law.empty()), "law", "the convection coefficient is given twice",
              "keep either `coefficient` or `law`");
+    v.expect(!f.with_speed || law.empty(), "with_speed", "only a stated `coefficient` changes by an exponent",
+             "remove `with_speed`: laws of convection follow the speed by themselves");
     v.expect(law != "enclosed" || f.emissivity == 0, "emissivity", "an `enclosed` surface does not radiate to the room",
              "remove `emissivity`, or name the surfaces in [enclosures]");
     if (law.empty()) {

@@ -85,6 +85,7 @@ void describe(Visitor& v, RollingElements& e);
 void describe(Visitor& v, Surface& s);
 void describe(Visitor& v, BoxShape& b);  ///< of the key `within`
 void describe(Visitor& v, Film& f);
+void describe(Visitor& v, SpeedGrowth& g);
 void describe(Visitor& v, PlateFilm& f);
 void describe(Visitor& v, RoundFilm& f);
 void describe(Visitor& v, MovingFilm& f);

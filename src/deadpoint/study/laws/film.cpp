@@ -164,10 +164,12 @@ double SurfaceFilm::speed_at(double crank_speed) const
 
 FilmLawAt SurfaceFilm::law_at(double crank_speed) const
 {
-    if (constant)
-        return {{"constant film", {{"coefficient", *constant}}}, [value = *constant](double) -> FilmLaw {
+    if (constant) {
+        const double value = *constant * growth.factor(crank_speed);
+        return {{"constant film", {{"coefficient", value}}}, [value](double) -> FilmLaw {
                     return [value](double) { return LawValue{value, 0, true}; };
                 }};
+    }
     auto moved = air;
     moved.speed = speed_at(crank_speed);
     auto formula = surroundings::formula_of(moved);
@@ -193,6 +195,10 @@ SurfaceFilm surface_film(const casefile::Film& film, const Machine& machine, con
     result.area = surface.area;
     const auto law = casefile::law_name(film);
     result.law = law.empty() ? "given" : law;
+    if (film.with_speed) {
+        result.growth = *film.with_speed;
+        result.speed_per_turn = 1;
+    }
     const Place at{film, machine, surface, loads};
     std::visit([&](const auto& given) { set_film(result, at, given); }, film.law);
     return result;

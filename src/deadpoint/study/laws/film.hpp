@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/exchange/laws/speed_growth.hpp"
 #include "deadpoint/surroundings/film.hpp"
 
 #include <optional>
@@ -24,7 +25,8 @@ namespace deadpoint::study {
 struct SurfaceFilm {
     std::string surface;
     std::string law;                      ///< "given" where the case states the coefficient
-    std::optional<double> constant;       ///< a constant coefficient [W/m2/K]
+    std::optional<double> constant;       ///< a stated coefficient [W/m2/K]
+    SpeedGrowth growth;                   ///< of the stated coefficient with the speed of the crank
     surroundings::AirSurface air;         ///< without speed
     bool as_printed = false;              ///< by the paper's correlations and its Table 7
     double speed_per_turn = 0;            ///< speed of the surface divided by that of the crank [- or m]

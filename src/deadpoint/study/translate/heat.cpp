@@ -111,7 +111,14 @@ public:
     /// joints conduct as in the last segment in which it ran.
     std::vector<InterfaceLaw> interfaces(std::size_t s)
     {
-        const auto* running = running_segment(s);
+        auto laws = laws_of(running_segment(s));
+        grow_with_speed(laws, input_, input_.operation[s].speed);
+        return laws;
+    }
+
+private:
+    std::vector<InterfaceLaw> laws_of(const casefile::Segment* running)
+    {
         if (!running)
             return interface_laws(input_, machine_, nullptr, checked(nullptr, 0));
         const LoadsResult* loads = loads_ ? &friction_.loads(*running) : nullptr;
@@ -120,7 +127,6 @@ public:
         return interface_laws(input_, machine_, loads, checked(loads, running->speed));
     }
 
-private:
     HeatSegment segment(std::size_t s, double start, const HeatProblem& problem)
     {
         const auto& operation = input_.operation[s];
@@ -260,7 +266,7 @@ SurfaceCondition film_condition(const casefile::Case& input, const Machine& mach
     const auto& given = *input.surfaces.at(name).film;
     const auto film = surface_film(given, machine, name, loads);
     condition.coefficient = film.constant.value_or(0);
-    if (!film.constant)
+    if (!film.constant || given.with_speed)
         for (const auto& operation : input.operation)
             condition.laws.push_back(film.law_at(operation.speed));
     condition.emissivity = given.emissivity;

@@ -58,6 +58,16 @@ std::vector<double> oil_flows(const casefile::Case& input, const Machine& machin
     return flows;
 }
 
+void grow_with_speed(std::vector<InterfaceLaw>& laws, const casefile::Case& input, double speed)
+{
+    for (const auto& [row, growth] : input.oil_with_speed) {
+        const auto source = std::distance(input.friction.begin(), input.friction.find(row));
+        for (auto& law : laws)
+            if (law.source == source)
+                law.oil *= growth.factor(speed);
+    }
+}
+
 void warm_within_joints(std::vector<InterfaceLaw>& laws, const Machine& machine, const std::vector<OilCourse>& circuits,
                         const std::vector<double>& flows)
 {
