@@ -1,11 +1,14 @@
 #include "commands.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/report/design/optimise_files.hpp"
+#include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/page/page.hpp"
 #include "deadpoint/report/page/sweep_page.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
@@ -115,12 +118,30 @@ void take_pictures(const fs::path& page, const fs::path& folder)
     print_out("pictures of the machine are in {}\n", folder.string());
 }
 
+/// A kind of study: the file by which its folder is known, and its page.
+struct StudyKind {
+    const char* file;
+    void (*write)(const fs::path& page, const fs::path& folder, IfThere if_there);
+};
+
+constexpr std::array study_kinds{StudyKind{"sweep.json", report::write_sweep_report},
+                                 StudyKind{"sensitivity.json", report::write_sensitivity_page},
+                                 StudyKind{"optimise.json", report::write_optimise_page}};
+
+/// Null for results of a run or of loads.
+const StudyKind* kind_of(const fs::path& folder)
+{
+    const auto found =
+        std::ranges::find_if(study_kinds, [&](const StudyKind& kind) { return fs::exists(folder / kind.file); });
+    return found == study_kinds.end() ? nullptr : &*found;
+}
+
 /// The page of a study or of results.
 void write_page_of(const std::vector<fs::path>& folders, const fs::path& file, IfThere if_there)
 {
     Console console({});
     const auto claim = claim_folder_of(file, console);  // no other run may change the folder between reading and adding
-    const auto study = std::ranges::find_if(folders, report::is_study);
+    const auto study = std::ranges::find_if(folders, kind_of);
     if (study == folders.end()) {
         report::write_report(file, report::report_sources(folders), if_there);
         return;
@@ -131,12 +152,12 @@ void write_page_of(const std::vector<fs::path>& folders, const fs::path& file, I
                         "its points, '{}'",
                         study->string(), (*study / "points" / "NAME").string()));
     }
-    report::write_sweep_report(file, *study, if_there);
+    kind_of(*study)->write(file, *study, if_there);
 }
 
 void make_report(const ReportOptions& options)
 {
-    if (!options.pictures.empty() && report::is_study(options.folders.front())) {
+    if (!options.pictures.empty() && kind_of(options.folders.front())) {
         throw InputError(
             "a study has no view of the machine to take pictures of\n  help: take them from one of its points");
     }
@@ -154,7 +175,7 @@ bool is_current(const fs::path& page, const fs::path& folder)
     if (!fs::exists(page)) {
         return false;
     }
-    for (const char* name : {"summary.json", "loads.json", "sweep.json"}) {
+    for (const char* name : {"summary.json", "loads.json", "sweep.json", "sensitivity.json", "optimise.json"}) {
         if (fs::exists(folder / name) && fs::last_write_time(folder / name) > fs::last_write_time(page)) {
             return false;
         }
@@ -188,7 +209,9 @@ void add_report(CLI::App& app, int& exit_code)
 {
     auto* command = app.add_subcommand("report", "put one or several results on one page (HTML) to read and send");
     const auto options = std::make_shared<ReportOptions>();
-    command->add_option("folders", options->folders, "folders that 'run' or 'loads' wrote, or one that 'sweep' wrote")
+    command
+        ->add_option("folders", options->folders,
+                     "folders that 'run' or 'loads' wrote, or one of 'sweep', 'sensitivity' or 'optimise'")
         ->required()
         ->type_name("DIR...");
     command->add_option("-o,--output", options->file, "the page; default for a single folder: DIR/report.html")

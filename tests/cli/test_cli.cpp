@@ -614,6 +614,40 @@ TEST_CASE("a study that is stopped keeps what is finished, and no half of a poin
     CHECK(has(content(target + "/sweep.csv"), "left"));
 }
 
+// Of the first key of this name.
+double number(const std::string& json, const std::string& key)
+{
+    const auto at = json.find("\"" + key + "\": ");
+    REQUIRE_MESSAGE(at != std::string::npos, key);
+    return std::stod(json.substr(at + key.size() + 4));
+}
+
+// The gap moves least with the least heat, so that the optimum is the lower bound of the speed.
+void check_optimise(const Folder& folder, const std::string& model)
+{
+    const auto study = folder / "best.toml", target = folder / "best";
+    std::ofstream(study) << "format = 1\nname = \"least\"\nbase = \"press/case.toml\"\nset = "
+                            "[\"operation.0.duration=30 min\"]\n[optimise]\nobjective = \"drift\"\nstarts = "
+                            "1\nevaluations = 6\n[[optimise.variables]]\nname = \"speed\"\nkeys = "
+                            "[\"operation.0.speed\"]\nfrom = \"54 rpm\"\nto = \"66 rpm\"\n";
+    const auto found = deadpoint("optimise " + study + " --reduced " + model + " -o " + target);
+    REQUIRE_MESSAGE(found.code == 0, found.err);
+    CHECK(has(found.out, "54.00   rpm  54 to 66 rpm"));
+    const auto json = content(target + "/optimise.json");
+    const auto drift = [&](const std::string& run) {
+        return number(json.substr(json.find('"' + run + "\": {")), "drift_rms_um");
+    };
+    CHECK(drift("promised") < 0.95 * drift("before"));
+    // a press of 60 states on a coarse mesh is off by some per cent
+    CHECK(std::abs(drift("full_run") / drift("promised") - 1) < 0.05);
+    for (const auto* file : {"search.csv", "courses.csv", "optimum.toml", "report.html"})
+        CHECK_MESSAGE(fs::exists(fs::path(target) / file), file);
+    const auto page = content(target + "/report.html");
+    fs::remove(target + "/report.html");
+    REQUIRE(deadpoint("report " + target).code == 0);
+    CHECK(content(target + "/report.html") == page);
+}
+
 // Data are a run with more journal friction, so that the fit must find the factor. 60 runs with derivatives of a press
 // of 60 states take a few seconds.
 void check_calibrate(const Folder& folder, const std::string& press, const std::string& model)
@@ -711,11 +745,6 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     const auto run = deadpoint("run " + press + " --reduced " + model + " -o " + quick);
     REQUIRE(run.code == 0);
     CHECK(has(run.out, "this run, to the large model"));
-    const auto number = [](const std::string& text, const std::string& key) {
-        const auto place = text.find('"' + key + "\": ");
-        REQUIRE_MESSAGE(place != std::string::npos, key);
-        return std::stod(text.substr(place + key.size() + 4));
-    };
     const auto exact = content(full + "/summary.json"), found = content(quick + "/summary.json");
     // 60 states are off by some 0.1 um; so is the law of convection at the mean of a surface
     CHECK(std::abs(number(found, "final_E_SW") - number(exact, "final_E_SW")) < 0.5);
@@ -809,6 +838,7 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     refused(press + " --sensitivities", 2, "--reduced");
     refused(press + " --certify", 2, "--reduced");
     check_calibrate(folder, press, model);
+    check_optimise(folder, model);
 
     fs::resize_file(folder / "press.certificate.rom", 1000);
     refused(press + " --reduced " + model + " --certify", 5, "press.certificate.rom");
@@ -893,6 +923,11 @@ TEST_CASE("sensitivity tells which parameters matter, writes what it says and re
     const auto there = deadpoint(call);
     CHECK(there.code == 5);
     CHECK(has(there.err, "exists"));
+
+    const auto page = content(target + "/report.html");
+    fs::remove(target + "/report.html");
+    REQUIRE(deadpoint("report " + target).code == 0);
+    CHECK(content(target + "/report.html") == page);
 
     write("morris", "surfaces.air.film.coefficient");
     const auto screened = deadpoint(call + " --force");
