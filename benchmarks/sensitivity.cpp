@@ -6,7 +6,7 @@
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
-#include "deadpoint/study/pipeline/model_parts.hpp"
+#include "deadpoint/study/laws/run_laws.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/split.hpp"

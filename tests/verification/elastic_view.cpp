@@ -1,5 +1,6 @@
 #include "deadpoint/fem/estimate/pod.hpp"
 #include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/fields/field_times.hpp"
 #include "deadpoint/study/fields/view_recorder.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/materials.hpp"

@@ -1,11 +1,10 @@
 #include "deadpoint/api/diagnostics.hpp"
 
-#include "deadpoint/api/press_parts.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/syntax/diagnostics.hpp"
 #include "deadpoint/casefile/syntax/document.hpp"
-#include "deadpoint/casefile/syntax/file_access.hpp"
+#include "deadpoint/press.hpp"
 
 namespace deadpoint {
 namespace {
@@ -24,6 +23,11 @@ std::vector<std::filesystem::path> files_of(const casefile::Document& document, 
 }
 
 }  // namespace
+
+casefile::FileAccess access_of(const ReadOptions& options)
+{
+    return options.allow_outside ? casefile::FileAccess::anywhere : casefile::FileAccess::below;
+}
 
 CheckedCase read_with_diagnostics(const std::filesystem::path& file, const ReadOptions& options)
 {

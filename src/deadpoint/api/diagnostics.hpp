@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/syntax/file_access.hpp"
 #include "deadpoint/diagnostic.hpp"
 
 #include <filesystem>
@@ -18,6 +19,8 @@ struct CheckedCase {
     std::string errors;                        ///< all errors as text for a person; empty: none
     std::vector<std::filesystem::path> files;  ///< the case's own, those it includes, STEP and mesh files
 };
+
+casefile::FileAccess access_of(const ReadOptions& options);
 
 /// @throws IoError if the file cannot be read
 CheckedCase read_with_diagnostics(const std::filesystem::path& file, const ReadOptions& options);

@@ -7,7 +7,6 @@
 #include "deadpoint/api/results.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/casefile/syntax/file_access.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/study/pipeline/heat_tables.hpp"
@@ -63,11 +62,6 @@ MeshFigures figures_of(const Machine& machine)
 }
 
 }  // namespace
-
-casefile::FileAccess access_of(const ReadOptions& options)
-{
-    return options.allow_outside ? casefile::FileAccess::anywhere : casefile::FileAccess::below;
-}
 
 void require_session()
 {

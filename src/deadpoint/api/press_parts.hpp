@@ -6,10 +6,6 @@
 #include <filesystem>
 #include <vector>
 
-namespace deadpoint::casefile {
-enum class FileAccess;
-}
-
 /// Internal to api/: the implementation of a public press.
 namespace deadpoint {
 
@@ -20,8 +16,6 @@ struct Press::Implementation {
     std::vector<Diagnostic> warnings;
     std::vector<std::filesystem::path> inputs;  ///< all files of the user that belong to it
 };
-
-casefile::FileAccess access_of(const ReadOptions& options);
 
 /// @throws InputError where no Session is open
 void require_session();

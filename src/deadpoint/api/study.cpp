@@ -1,5 +1,6 @@
 #include "deadpoint/study.hpp"
 
+#include "deadpoint/api/diagnostics.hpp"
 #include "deadpoint/api/listener.hpp"
 #include "deadpoint/api/press_parts.hpp"
 #include "deadpoint/api/results.hpp"

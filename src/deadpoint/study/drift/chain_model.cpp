@@ -2,11 +2,9 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
-#include "deadpoint/drift/play.hpp"
-#include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
-#include "deadpoint/study/drift/series_sum.hpp"
+#include "deadpoint/study/drift/chain_series.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 
 #include <algorithm>
@@ -76,37 +74,6 @@ double mean_play(const std::vector<double>& shares, const std::vector<double>& g
     return shares.empty() ? 0 : sum / static_cast<double>(shares.size());
 }
 
-// What the crank's play follows of its bearings' growths.
-Series mean_play(const ChainFigures& chain, const drift::BearingPlay& play, const ThermalHistory& history)
-{
-    const int count = chain.bearings;
-    Series mean{std::vector<double>(history.time.size(), 0.0), std::vector<double>(history.time.size(), 0.0)};
-    for (int b = 0; b < count; ++b) {
-        const auto& growth = history.functionals[static_cast<std::size_t>(drift::dimension_count + b)];
-        for (std::size_t i = 0; i < history.time.size(); ++i) {
-            mean.value[i] += play.taken(growth.value[i]) / count;
-            mean.rate[i] += play.slope(growth.value[i]) * growth.rate[i] / count;
-        }
-    }
-    return mean;
-}
-
-// The gap by part: its split, and that of each bearing's growth by the share of the growth that counts.
-std::vector<std::vector<double>> by_part(const ChainFigures& chain, const drift::BearingPlay& play,
-                                         const ThermalHistory& history)
-{
-    const std::size_t parts = history.contributions.size() / static_cast<std::size_t>(1 + chain.bearings);
-    std::vector<std::vector<double>> result(history.contributions.begin(),
-                                            history.contributions.begin() + static_cast<std::ptrdiff_t>(parts));
-    for (std::size_t i = 0; i < history.time.size(); ++i) {
-        const auto factors = play_factors(chain, play_shares(play, play_growths(chain, history, i)));
-        for (std::size_t b = 0; b < factors.size(); ++b)
-            for (std::size_t p = 0; p < parts; ++p)
-                result[p][i] += factors[b] * history.contributions[(1 + b) * parts + p][i];
-    }
-    return result;
-}
-
 void require_bottom(const Linkage& linkage, const BottomDeadPointSensitivity& sensitivity, Mistakes& mistakes)
 {
     constexpr double largest = 1e-3;  // [rad]
@@ -150,22 +117,6 @@ double ChainModel::play_travel(const std::vector<double>& shares, const std::vec
     return travel_by_play * mean_play(shares, growths);
 }
 
-std::vector<double> play_shares(const drift::BearingPlay& play, const std::vector<double>& growths)
-{
-    std::vector<double> shares;
-    for (const double growth : growths)
-        shares.push_back(play.share(growth));
-    return shares;
-}
-
-std::vector<double> play_factors(const ChainFigures& chain, const std::vector<double>& shares)
-{
-    std::vector<double> factors;
-    for (const double share : shares)
-        factors.push_back(chain.travel_by_play / std::max(chain.bearings, 1) * share);
-    return factors;
-}
-
 Functional gap_functional(const ChainModel& chain, const std::vector<double>& shares)
 {
     Functional result = chain.dimensions[drift::gap];
@@ -200,14 +151,6 @@ std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, con
     return growths;
 }
 
-std::vector<double> play_growths(const ChainFigures& chain, const ThermalHistory& history, std::size_t row)
-{
-    std::vector<double> growths;
-    for (int b = 0; b < chain.bearings; ++b)
-        growths.push_back(history.functionals[static_cast<std::size_t>(drift::dimension_count + b)].value[row]);
-    return growths;
-}
-
 std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, const fem::Displacement& displacement)
 {
     return model.evaluate({chain.dimensions.begin() + drift::dimension_count, chain.dimensions.end()}, displacement);
@@ -223,23 +166,6 @@ Closing close_joints(const Machine& machine, fem::Model& model, const ChainModel
     const auto moved = shifts(chain, centres, mean_play(shares, growths));
     const auto motion = chain.system.closing_motion(chain.system.assembled(), moved);
     return {motions_by_part(machine, chain.linkage, motion), gap, largest_opening(chain, moved, motion)};
-}
-
-DriftSeries drift_series(const ChainFigures& chain, const drift::BearingPlay& play, const ThermalHistory& history)
-{
-    const auto& f = history.functionals;
-    DriftSeries drift;
-    drift.time = history.time;
-    drift.bearing_to_ground = f[drift::bearing_to_ground];
-    drift.table_to_ground = f[drift::table_to_ground];
-    const Series taken = mean_play(chain, play, history);
-    drift.clearance = combined({{-chain.pressed_along_stroke, &taken}});
-    drift.play = combined({{chain.travel_by_play, &taken}});
-    drift.gap = combined({{1, &f[drift::gap]}, {1, &drift.play}});
-    drift.crank_to_slide = combined(
-        {{1, &drift.bearing_to_ground}, {-1, &drift.clearance}, {-1, &f[drift::slide_height]}, {-1, &drift.play}});
-    drift.by_part = by_part(chain, play, history);
-    return drift;
 }
 
 }  // namespace deadpoint::study

@@ -12,16 +12,8 @@ struct Displacement;
 struct Field;
 }  // namespace deadpoint::fem
 
-namespace deadpoint {
-
-struct ThermalHistory;
-struct DriftSeries;
-}  // namespace deadpoint
 namespace deadpoint::casefile {
 struct Case;
-}
-namespace deadpoint::drift {
-struct BearingPlay;
 }
 namespace deadpoint::fem {
 class Model;
@@ -50,12 +42,6 @@ struct ChainModel {
     [[nodiscard]] double play_travel(const std::vector<double>& shares, const std::vector<double>& growths) const;
 };
 
-/// Share of each bearing's growth that counts.
-std::vector<double> play_shares(const drift::BearingPlay& play, const std::vector<double>& growths);
-
-/// Factor of each bearing's growth in E_SW, with the shares of the growths that count.
-std::vector<double> play_factors(const ChainFigures& chain, const std::vector<double>& shares);
-
 /// E_SW as one functional, or the adjoint of it, with these shares of the bearings' growths.
 /// @param adjoints  of ChainModel::dimensions, first
 Functional gap_functional(const ChainModel& chain, const std::vector<double>& shares);
@@ -64,8 +50,6 @@ fem::Adjoint gap_adjoint(const ChainModel& chain, const std::vector<fem::Adjoint
 /// Growth of each crank bearing's play at a temperature field [m].
 std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, const std::vector<fem::Adjoint>& adjoints,
                                  const fem::Field& field, double reference);
-/// The same at a row of a history.
-std::vector<double> play_growths(const ChainFigures& chain, const ThermalHistory& history, std::size_t row);
 
 /// Rigid motions that close the joints again after a deformation.
 struct Closing {
@@ -80,9 +64,5 @@ Closing close_joints(const Machine& machine, fem::Model& model, const ChainModel
                      const fem::Displacement& displacement, const std::vector<double>& shares);
 /// The growths of the crank's bearings' plays in a deformation [m].
 std::vector<double> play_growths(const ChainModel& chain, fem::Model& model, const fem::Displacement& displacement);
-
-/// The chain over time, from the functionals of the dimensions, which ThermalHistory::contributions
-/// split.
-DriftSeries drift_series(const ChainFigures& chain, const drift::BearingPlay& play, const ThermalHistory& history);
 
 }  // namespace deadpoint::study

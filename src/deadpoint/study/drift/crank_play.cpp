@@ -7,7 +7,8 @@
 #include "deadpoint/drift/play.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/laws/friction.hpp"
-#include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/chain_figures.hpp"
+#include "deadpoint/study/drift/chain_series.hpp"
 
 #include <algorithm>
 #include <cmath>

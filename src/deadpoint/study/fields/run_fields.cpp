@@ -5,31 +5,15 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/chain_series.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
 #include "deadpoint/study/pipeline/model_parts.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace deadpoint::study {
-namespace {
-
-std::vector<double> united(const std::vector<double>& these, const std::vector<double>& those)
-{
-    std::vector<double> result;
-    std::ranges::set_union(these, those, std::back_inserter(result));
-    return result;
-}
-
-}  // namespace
-
-FieldTimes::FieldTimes(const HeatProblem& problem, bool view, const std::vector<double>& kept_times)
-    : written(problem.field_times), viewed(view ? view_times(problem.segments) : std::vector<double>{}),
-      kept(kept_times), all(united(united(written, viewed), kept))
-{}
-
 RunFields::RunFields(const casefile::Case& input, ModelParts& parts, FieldTimes times, const FieldOptions& options)
     : input_(input), parts_(parts), times_(std::move(times)), checkpoints_(options.checkpoints),
       reference_(input.machine.initial_temperature),

@@ -2,6 +2,7 @@
 
 #include "deadpoint/fem/fields.hpp"
 #include "deadpoint/study/fields/field_options.hpp"
+#include "deadpoint/study/fields/field_times.hpp"
 #include "deadpoint/study/fields/field_writer.hpp"
 #include "deadpoint/study/fields/view_recorder.hpp"
 
@@ -10,9 +11,6 @@
 #include <utility>
 #include <vector>
 
-namespace deadpoint {
-struct HeatProblem;
-}
 namespace deadpoint::casefile {
 struct Case;
 }
@@ -22,16 +20,6 @@ namespace deadpoint::study {
 
 struct ModelParts;
 struct RunResult;
-
-/// Times at which a run needs fields, ascending [s].
-struct FieldTimes {
-    /// @param view  whether the page's view is made @param kept  ascending
-    FieldTimes(const HeatProblem& problem, bool view, const std::vector<double>& kept = {});
-    std::vector<double> written;  ///< HeatProblem::field_times
-    std::vector<double> viewed;   ///< view_times()
-    std::vector<double> kept;     ///< for whoever wants them
-    std::vector<double> all;      ///< of these three
-};
 
 /// Everything that outlives the fields of a run: files, view and kept fields. Collective.
 class RunFields {

@@ -53,31 +53,6 @@ fem::Field take_rise(fem::Field& field, const fem::Model& model, double referenc
 
 }  // namespace
 
-std::vector<double> view_times(const std::vector<HeatSegment>& segments)
-{
-    constexpr std::size_t wanted = 36;
-    constexpr std::size_t fewest = 3;
-    double end = 0;
-    for (const auto& segment : segments)
-        end += segment.duration;
-    std::vector<double> times{0.0};
-    if (segments.size() * fewest > wanted) {
-        for (std::size_t i = 1; i <= wanted; ++i)
-            times.push_back(end * static_cast<double>(i) / static_cast<double>(wanted));
-        return times;
-    }
-    const std::size_t each = wanted / std::max<std::size_t>(1, segments.size());
-    double start = 0;
-    for (const auto& segment : segments) {
-        for (std::size_t i = 1; i <= each; ++i) {
-            const double s = static_cast<double>(i) / static_cast<double>(each);
-            times.push_back(std::min(end, start + segment.duration * s * s));
-        }
-        start += segment.duration;
-    }
-    return times;
-}
-
 void ViewRecorder::add(double time, const fem::Field& field)
 {
     times_.push_back(time);

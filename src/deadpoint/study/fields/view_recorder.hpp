@@ -12,7 +12,6 @@ struct Field;
 }  // namespace deadpoint::fem
 
 namespace deadpoint {
-struct HeatSegment;
 struct Machine;
 }  // namespace deadpoint
 namespace deadpoint::fem {
@@ -32,9 +31,6 @@ inline constexpr std::size_t view_modes = 12;    ///< at most
 /// for the deformation. The deformation integrates the temperature over lengths, so its largest
 /// error stays below about 1 % of its largest value.
 inline constexpr double view_deformation_tolerance = 0.025;
-
-/// Times at which fields are kept: in each segment denser after its start, where temperatures change fastest; about 36.
-std::vector<double> view_times(const std::vector<HeatSegment>& segments);
 
 /// Rigid motions of the parts that close the joints again after a deformation.
 using CloseJoints = std::function<std::vector<RigidMotion>(const fem::Displacement&)>;

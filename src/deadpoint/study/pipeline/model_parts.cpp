@@ -8,11 +8,10 @@
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
-#include "deadpoint/study/laws/friction.hpp"
-#include "deadpoint/study/pipeline/loads_cache.hpp"
+#include "deadpoint/study/laws/run_laws.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
-#include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/materials.hpp"
@@ -25,28 +24,6 @@ namespace deadpoint::study {
 
 ModelParts::ModelParts(const Machine& meshed, const Machine* own) : machine(meshed), own_deformation(own) {}
 ModelParts::~ModelParts() = default;
-
-HeatProblem run_laws(const casefile::Case& input, const Machine& machine, Vibration vibration, Stopwatch& watch,
-                     RunResult& result, Observer& observer, LoadsCache* shared)
-{
-    result.symmetry_factor = machine.half_model ? 2 : 1;
-    if (const int segment = first_running_segment(input); segment >= 0 && has_loads(input)) {
-        watch.start("loads");
-        result.loads = shared ? shared->get(input, &machine, segment, vibration)
-                              : std::make_shared<const LoadsResult>(compute_loads(input, &machine, segment, vibration));
-        for (const auto& warning : result.loads->warnings)
-            observer.warn(warning.text);
-    }
-    watch.start("laws");
-    const auto* loads = result.loads.get();
-    FrictionLaws friction(input, &machine, loads, shared);
-    auto problem = describe_heat(input, machine, observer, loads, friction);
-    if (!input.friction.empty())
-        result.friction = friction.summaries();
-    for (const auto& warning : friction.warnings(result.friction))
-        observer.warn(warning);
-    return problem;
-}
 
 HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch, RunResult& result, Observer& observer)
 {

@@ -2,7 +2,6 @@
 
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -21,17 +20,10 @@ struct Case;
 namespace deadpoint::study {
 
 class FrameState;
-class LoadsCache;
 class Stopwatch;
 struct ChainModel;
 struct GapModel;
 struct RunResult;
-
-/// Loads and laws of a case as its heat problem; stores loads and friction in the result. Needs no mesh.
-/// @param machine  perhaps without_mesh() @param shared  loads shared with other cases of this machine, or null
-/// @throws CaseError, CaseDomainError
-HeatProblem run_laws(const casefile::Case& input, const Machine& machine, Vibration vibration, Stopwatch& watch,
-                     RunResult& result, Observer& observer, LoadsCache* shared = nullptr);
 
 /// Data that runs of similar cases share.
 struct ModelParts {

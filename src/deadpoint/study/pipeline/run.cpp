@@ -10,6 +10,7 @@
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/chain_series.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
 #include "deadpoint/study/drift/drift_causes.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"

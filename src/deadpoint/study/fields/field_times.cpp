@@ -1,0 +1,51 @@
+#include "deadpoint/study/fields/field_times.hpp"
+
+#include "deadpoint/exchange/heat.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+namespace deadpoint::study {
+namespace {
+
+std::vector<double> united(const std::vector<double>& these, const std::vector<double>& those)
+{
+    std::vector<double> result;
+    std::ranges::set_union(these, those, std::back_inserter(result));
+    return result;
+}
+
+}  // namespace
+
+FieldTimes::FieldTimes(const HeatProblem& problem, bool view, const std::vector<double>& kept_times)
+    : written(problem.field_times), viewed(view ? view_times(problem.segments) : std::vector<double>{}),
+      kept(kept_times), all(united(united(written, viewed), kept))
+{}
+
+std::vector<double> view_times(const std::vector<HeatSegment>& segments)
+{
+    constexpr std::size_t wanted = 36;
+    constexpr std::size_t fewest = 3;
+    double end = 0;
+    for (const auto& segment : segments)
+        end += segment.duration;
+    std::vector<double> times{0.0};
+    if (segments.size() * fewest > wanted) {
+        for (std::size_t i = 1; i <= wanted; ++i)
+            times.push_back(end * static_cast<double>(i) / static_cast<double>(wanted));
+        return times;
+    }
+    const std::size_t each = wanted / std::max<std::size_t>(1, segments.size());
+    double start = 0;
+    for (const auto& segment : segments) {
+        for (std::size_t i = 1; i <= each; ++i) {
+            const double s = static_cast<double>(i) / static_cast<double>(each);
+            times.push_back(std::min(end, start + segment.duration * s * s));
+        }
+        start += segment.duration;
+    }
+    return times;
+}
+
+}  // namespace deadpoint::study

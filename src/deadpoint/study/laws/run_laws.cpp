@@ -1,0 +1,40 @@
+#include "deadpoint/study/laws/run_laws.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/laws/friction.hpp"
+#include "deadpoint/study/pipeline/loads_cache.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/translate/heat.hpp"
+
+#include <memory>
+
+namespace deadpoint::study {
+
+HeatProblem run_laws(const casefile::Case& input, const Machine& machine, Vibration vibration, Stopwatch& watch,
+                     RunResult& result, Observer& observer, LoadsCache* shared)
+{
+    result.symmetry_factor = machine.half_model ? 2 : 1;
+    if (const int segment = first_running_segment(input); segment >= 0 && has_loads(input)) {
+        watch.start("loads");
+        result.loads = shared ? shared->get(input, &machine, segment, vibration)
+                              : std::make_shared<const LoadsResult>(compute_loads(input, &machine, segment, vibration));
+        for (const auto& warning : result.loads->warnings)
+            observer.warn(warning.text);
+    }
+    watch.start("laws");
+    const auto* loads = result.loads.get();
+    FrictionLaws friction(input, &machine, loads, shared);
+    auto problem = describe_heat(input, machine, observer, loads, friction);
+    if (!input.friction.empty())
+        result.friction = friction.summaries();
+    for (const auto& warning : friction.warnings(result.friction))
+        observer.warn(warning);
+    return problem;
+}
+
+}  // namespace deadpoint::study

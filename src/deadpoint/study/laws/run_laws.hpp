@@ -1,0 +1,27 @@
+#pragma once
+
+#include "deadpoint/study/pipeline/loads.hpp"
+
+namespace deadpoint {
+class Observer;
+struct HeatProblem;
+struct Machine;
+}  // namespace deadpoint
+namespace deadpoint::casefile {
+struct Case;
+}
+
+/// Internal to study/: from a case to its heat problem.
+namespace deadpoint::study {
+
+class LoadsCache;
+class Stopwatch;
+struct RunResult;
+
+/// Loads and laws of a case as its heat problem; stores loads and friction in the result. Needs no mesh.
+/// @param machine  perhaps without_mesh() @param shared  loads shared with other cases of this machine, or null
+/// @throws CaseError, CaseDomainError
+HeatProblem run_laws(const casefile::Case& input, const Machine& machine, Vibration vibration, Stopwatch& watch,
+                     RunResult& result, Observer& observer, LoadsCache* shared = nullptr);
+
+}  // namespace deadpoint::study
