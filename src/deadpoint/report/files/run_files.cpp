@@ -17,7 +17,6 @@
 #include "deadpoint/report/files/mesh_files.hpp"
 #include "deadpoint/report/files/sampled.hpp"
 #include "deadpoint/report/files/view_file.hpp"
-#include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/schema/schema.hpp"
@@ -55,8 +54,7 @@ std::vector<std::string> head(const casefile::Case& input, const RunResult& resu
     return lines;
 }
 
-void write_history(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
-                   const std::vector<std::string>& comments)
+std::vector<CsvColumn> history_columns(const casefile::Case& input, const RunResult& result)
 {
     const auto& history = result.thermal;
     const auto times = history_times(input, result);
@@ -90,11 +88,10 @@ void write_history(const std::filesystem::path& path, const casefile::Case& inpu
         add_frame_columns(columns, *result.frame, [&](const Series& series, double factor, double offset) {
             return sampled(history.time, series, times, factor, offset);
         });
-    write_table(path, comments, columns);
+    return columns;
 }
 
-void write_contributions(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
-                         const std::vector<std::string>& comments)
+std::vector<CsvColumn> contribution_columns(const casefile::Case& input, const RunResult& result)
 {
     const auto times = history_times(input, result);
     std::vector<CsvColumn> columns{csv_column(schema::time, times)};
@@ -104,20 +101,19 @@ void write_contributions(const std::filesystem::path& path, const casefile::Case
             csv_column(schema::contributions::part,
                        sampled_linear(result.drift->time, result.drift->by_part[part], times, micrometre, 0),
                        result.parts[part].name));
-    write_table(path, comments, columns);
+    return columns;
 }
 
-void write_gaps(const std::filesystem::path& path, const casefile::Case& input, const RunResult& result,
-                const std::vector<std::string>& comments)
+// None where the case has no gaps.
+std::vector<CsvColumn> gaps_columns(const casefile::Case& input, const RunResult& result)
 {
     const auto times = history_times(input, result);
     auto columns = gap_columns(result.gaps, [&](const Series& series, double factor, double offset) {
         return sampled(result.thermal.time, series, times, factor, offset);
     });
-    if (columns.empty())
-        return;
-    columns.insert(columns.begin(), csv_column(schema::time, times));
-    write_table(path, comments, columns);
+    if (!columns.empty())
+        columns.insert(columns.begin(), csv_column(schema::time, times));
+    return columns;
 }
 
 std::vector<double> in_hours(const std::vector<double>& seconds)
@@ -377,6 +373,23 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
 
 }  // namespace
 
+std::vector<RunTable> course_tables(const casefile::Case& input, const RunResult& result)
+{
+    std::vector<RunTable> tables{{"history.csv", history_columns(input, result)}};
+    if (!result.drift)
+        return tables;
+    tables.push_back({"contributions.csv", contribution_columns(input, result)});
+    if (auto gaps = gaps_columns(input, result); !gaps.empty())
+        tables.push_back({"gaps.csv", std::move(gaps)});
+    return tables;
+}
+
+std::string summary_text(const casefile::Case& input, const Machine& machine, const RunResult& result,
+                         const std::vector<std::string>& warnings)
+{
+    return summary_json(input, machine, result, warnings).dump();
+}
+
 void write_run_files(const std::filesystem::path& folder, const casefile::Case& input, const Machine& machine,
                      const RunResult& result, const std::vector<std::string>& warnings)
 {
@@ -386,7 +399,8 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
         resolved += "# " + one_line(line) + "\n";
     resolved += casefile::write_case(input);
     write_file(folder / "case.toml", [&](std::ostream& out) { out << resolved; });
-    write_history(folder / "history.csv", input, result, comments);
+    for (const auto& table : course_tables(input, result))
+        write_table(folder / table.file, comments, table.columns);
     if (result.loads)
         write_loads_files(folder, input, *result.loads, warnings);
     write_json(folder / "summary.json", summary_json(input, machine, result, warnings));
@@ -400,10 +414,8 @@ void write_run_files(const std::filesystem::path& folder, const casefile::Case& 
         write_json(folder / "view.json", view_json(input, machine, *result.view));
     write_svg_chart(folder / "temperatures.svg", temperature_chart(input, result), comments);
     if (result.drift) {
-        write_contributions(folder / "contributions.csv", input, result, comments);
         if (!result.causes.empty())
             write_drift_causes(folder / "causes.csv", comments, result.causes);
-        write_gaps(folder / "gaps.csv", input, result, comments);
         write_svg_chart(folder / "drift.svg", drift_chart(input, result), comments);
         write_svg_chart(folder / "contributions.svg", contribution_chart(input, result), comments);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/report/folder/csv.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +19,19 @@ struct Case;
 
 /// The results of a run as files. Heat is that of the whole press throughout.
 namespace deadpoint::report {
+
+/// A table of a run by the name of its file.
+struct RunTable {
+    std::string file;
+    std::vector<CsvColumn> columns;
+};
+
+/// What a run computed over its time: history.csv, and where the case has a dimension chain contributions.csv and
+/// gaps.csv.
+std::vector<RunTable> course_tables(const casefile::Case& input, const study::RunResult& result);
+/// The text of summary.json, in one line.
+std::string summary_text(const casefile::Case& input, const Machine& machine, const study::RunResult& result,
+                         const std::vector<std::string>& warnings);
 
 /// Writes into an existing folder: case.toml (resolved), history.csv, contributions.csv, gaps.csv, summary.json,
 /// temperatures.svg, drift.svg and contributions.svg; with loads also what write_loads_files writes, with
