@@ -1,5 +1,6 @@
 # Where things go: `cmake --install`, and the Debian package by `cpack`.
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME deadpoint)
 
 install(TARGETS deadpoint RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS deadpoint_shared deadpoint_reduced EXPORT deadpointTargets
@@ -40,6 +41,20 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+# Two packages: the command with the libraries, and what Python needs (python/CMakeLists.txt).
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL deadpoint)
+set(CPACK_DEBIAN_DEADPOINT_PACKAGE_NAME deadpoint)
+if(TARGET deadpoint_reduced_module)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+    set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION}: cases, results and reduced presses in Python")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-deadpoint)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+        "python3 (>= ${DEADPOINT_PYTHON_VERSION}), python3 (<< ${DEADPOINT_PYTHON_NEXT}), python3-numpy")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "deadpoint, python3-matplotlib, python3-pandas")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-xarray, python3-pint, python3-tqdm")
+endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # MPI starts without mpirun; dense kernels take half the time by OpenBLAS.

@@ -1,0 +1,33 @@
+"""deadpoint: thermal drift of mechanical presses at bottom dead point.
+
+>>> import deadpoint
+>>> press = deadpoint.load("case.toml")
+>>> press["operation.0.speed"] = "300 rpm"
+>>> rom = deadpoint.open_rom("press.rom")
+>>> rom.run(press).gap
+"""
+from deadpoint._errors import (
+    ConvergenceError,
+    DomainError,
+    Error,
+    Finding,
+    InputError,
+    Interrupted,
+    IoError,
+    NameUnknown,
+)
+from deadpoint._fields import Fields
+from deadpoint._press import Press, load
+from deadpoint._progress import Receiver
+from deadpoint._reduced import version as _version
+from deadpoint._results import Result, StatedError, Study, open
+from deadpoint._rom import Derivatives, Map, Output, Range, Rom, Sensitivity, open_rom
+from deadpoint._series import Named, Series
+from deadpoint._tables import Table, TableColumn, Tables
+
+__version__ = _version()
+__all__ = [
+    "ConvergenceError", "Derivatives", "DomainError", "Error", "Fields", "Finding", "InputError", "Interrupted", "IoError",
+    "Map", "NameUnknown", "Named", "Output", "Press", "Range", "Receiver", "Result", "Rom", "Sensitivity", "Series",
+    "StatedError", "Study", "Table", "TableColumn", "Tables", "load", "open", "open_rom",
+]

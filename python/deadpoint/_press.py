@@ -1,0 +1,180 @@
+"""A press: a case file with changes."""
+from __future__ import annotations
+
+import pathlib
+from collections.abc import Mapping
+from typing import Any
+
+from deadpoint import _reduced
+from deadpoint._errors import Finding, InputError, unknown
+
+Setting = Any  # text with a unit, number, truth value, list of these, or a quantity of pint
+
+
+def _text_of(value: Setting) -> str:
+    """A value as the command line takes it behind --set KEY=."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_toml(item) for item in value) + "]"
+    if hasattr(value, "magnitude") and hasattr(value, "units"):
+        unit = f"{value.units:~C}".replace("°C", "degC")
+        return f"{float(value.magnitude)!r} {unit}"
+    return repr(value.item() if hasattr(value, "item") else value)
+
+
+def _toml(value: Setting) -> str:
+    text = _text_of(value)
+    quoted = isinstance(value, str) or hasattr(value, "magnitude")
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"' if quoted else text
+
+
+def _base_units(value: Setting) -> Setting:
+    return value.to_base_units() if hasattr(value, "to_base_units") else value
+
+
+class Press:
+    """A press that was read from a case file. Made by :func:`deadpoint.load`.
+
+    ``press["operation.0.speed"]`` reads a key, ``press["operation.0.speed"] = "300 rpm"`` changes it. Keys and units are
+    those of the case file and of ``--set``. A wrong key, unit or value raises an error at once, and nothing is changed.
+    """
+
+    def __init__(self, file: str | pathlib.Path, settings: Mapping[str, Setting] | None = None,
+                 allow_outside: bool = False) -> None:
+        self.file = pathlib.Path(file)
+        """The case file."""
+        self._allow_outside = allow_outside
+        self._settings: dict[str, str] = {key: _text_of(value) for key, value in (settings or {}).items()}
+        self._case = self._read(self._settings)
+        self._values: dict[str, Any] | None = None
+        self._field: Any = None
+        self._field_size = 0.0
+
+    def _read(self, settings: Mapping[str, str]) -> _reduced.Case:
+        texts = [f"{key}={value}" for key, value in settings.items()]
+        return _reduced.Case(self.file, texts, 1.0, self._allow_outside)
+
+    # ---------------------------------------------------------------- keys
+
+    def __getitem__(self, key: str) -> Any:
+        """The value of a key: a text with its unit, a number, a list or a table."""
+        if self._values is None:
+            import tomllib
+
+            self._values = tomllib.loads(self._case.text)
+        found: Any = self._values
+        for step in key.split("."):
+            found = _step(found, step, key)
+        return found
+
+    def __setitem__(self, key: str, value: Setting) -> None:
+        self.update({key: value})
+
+    def update(self, settings: Mapping[str, Setting]) -> None:
+        """Changes several keys at once.
+
+        :raises deadpoint.InputError: with every mistake; nothing is changed then
+        """
+        changed, case = self._changed(settings)
+        self._settings, self._case, self._values = changed, case, None
+
+    def _changed(self, settings: Mapping[str, Setting]) -> tuple[dict[str, str], _reduced.Case]:
+        changed = {**self._settings, **{key: _text_of(value) for key, value in settings.items()}}
+        try:
+            return changed, self._read(changed)
+        except InputError:
+            if not any(hasattr(value, "to_base_units") for value in settings.values()):
+                raise
+            converted = {key: _text_of(_base_units(value)) for key, value in settings.items()}
+            changed = {**self._settings, **converted}
+            return changed, self._read(changed)
+
+    def changed(self, settings: Mapping[str, Setting]) -> Press:
+        """A copy with other values; this press stays as it is."""
+        made = Press.__new__(Press)
+        made.__dict__.update(self.__dict__)
+        made._settings, made._case = self._changed(settings)
+        made._values, made._field = None, None
+        return made
+
+    @property
+    def settings(self) -> dict[str, str]:
+        """What was changed, as for ``--set``."""
+        return dict(self._settings)
+
+    # ---------------------------------------------------------------- the case
+
+    @property
+    def case(self) -> _reduced.Case:
+        """The case as the extension modules take it."""
+        return self._case
+
+    @property
+    def name(self) -> str:
+        """The case's own name."""
+        return self._case.name
+
+    @property
+    def hash(self) -> str:
+        """Hash of the case, equal for equal cases in any notation; result folders and reduced models state it."""
+        return self._case.hash
+
+    @property
+    def text(self) -> str:
+        """The case as one TOML text: includes merged, defaults stated, with the changes."""
+        return self._case.text
+
+    @property
+    def warnings(self) -> list[Finding]:
+        """Warnings of reading."""
+        return list(self._case.findings)
+
+    def save(self, file: str | pathlib.Path) -> None:
+        """Writes :attr:`text` to a new file.
+
+        :raises deadpoint.InputError: if the file exists
+        """
+        path = pathlib.Path(file)
+        if path.exists():
+            raise InputError(f"'{path}' exists\n  help: remove it or give another name")
+        path.write_text(self.text, encoding="utf-8")
+
+    def __repr__(self) -> str:
+        changes = "".join(f", {key} = {value}" for key, value in self._settings.items())
+        return f"<Press '{self.name}' from '{self.file}'{changes}>"
+
+
+def _step(found: Any, step: str, key: str) -> Any:
+    """The item of a table or list that a step of a key names."""
+    if isinstance(found, dict):
+        if step not in found:
+            raise unknown("key", key, [step_ for step_ in found])
+        return found[step]
+    if isinstance(found, list):
+        if step.isdigit() and int(step) < len(found):
+            return found[int(step)]
+        for item in found:
+            if isinstance(item, dict) and item.get("name") == step:
+                return item
+        raise unknown("item", key, [str(number) for number in range(len(found))])
+    raise unknown("key", key, [])
+
+
+def load(file: str | pathlib.Path, settings: Mapping[str, Setting] | None = None, allow_outside: bool = False) -> Press:
+    """Reads and checks a case file.
+
+    :param file: the case (TOML)
+    :param settings: changes by key: ``{"operation.0.speed": "300 rpm"}``; numbers and quantities of pint too
+    :param allow_outside: the case may name files outside its own folder
+    :raises deadpoint.InputError: with every mistake of the case as ``findings``
+    :raises deadpoint.IoError: if the file cannot be read
+    """
+    return Press(file, settings, allow_outside)
+
+
+def press_of(case: Press | str | pathlib.Path) -> Press:
+    """A press, or that of a case file. For deadpoint itself."""
+    return case if isinstance(case, Press) else load(case)
