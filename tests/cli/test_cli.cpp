@@ -776,6 +776,17 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     CHECK(has(bare.out, "'deadpoint reduce --fields' writes it"));
     CHECK(!fs::exists(folder / "bare/fields.pvd"));
 
+    // (60 rpm / 15 rpm)^0.5 = 2
+    const auto with_oil = [&](const std::string& name, const std::string& settings) {
+        const auto into = folder / name;
+        CHECK(deadpoint("run " + press + " --reduced " + model + " -o " + into + settings).code == 0);
+        const auto table = content(into + "/history.csv");
+        return table.substr(table.find("\ntime"));
+    };
+    CHECK(with_oil("oil", " --set 'oil.journals=\"1000 W/m^2/K\"'") ==
+          with_oil("growing", " --set 'oil.journals=\"500 W/m^2/K\"' --set "
+                              "'oil_with_speed.journals={exponent=0.5,reference_speed=\"15 rpm\"}'"));
+
     // Films that follow the temperature have no certificate; constant ones have. The bound is that of the error.
     const auto uncertain =
         deadpoint("run " + press + " --reduced " + model + " --certify -o " + (folder / "uncertain"));

@@ -233,7 +233,7 @@ TEST_CASE("the scripts read no key that the schema does not know")
                                               {"study", {"sweep.json", ""}}};
     std::size_t reads = 0;
     for (const std::string name : {"scripts/independence.py", "scripts/paper-results.py", "scripts/paper-loads.py",
-                                   "scripts/paper-heat.py", "scripts/refit-oil.py", "benchmarks/scale.py"}) {
+                                   "scripts/paper-heat.py", "benchmarks/scale.py"}) {
         const auto text = source(name);
         REQUIRE_MESSAGE(!text.empty(), name);
         for (const auto& [variable, place] : places) {

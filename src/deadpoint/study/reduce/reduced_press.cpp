@@ -216,6 +216,7 @@ std::string fixed_part(const casefile::Case& input)
     }
     fixed.friction.clear();
     fixed.oil.clear();
+    fixed.oil_with_speed.clear();
     fixed.oil_circuits.clear();
     fixed.enclosures.clear();
     fixed.lubricants.clear();
