@@ -11,9 +11,11 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 add_library(deadpoint_options INTERFACE)
 target_compile_options(deadpoint_options INTERFACE -fno-semantic-interposition)
 target_compile_options(deadpoint_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
-# At each final link: a shared library shows its public functions only, a program keeps Eigen's to itself.
+# At each final link: a shared library shows its public functions only, a module of Python its entry, a program keeps Eigen's to
+# itself.
+set(type $<TARGET_PROPERTY:TYPE>)
 target_link_options(deadpoint_options INTERFACE
-    -Wl,--version-script=${CMAKE_CURRENT_LIST_DIR}/$<IF:$<STREQUAL:$<TARGET_PROPERTY:TYPE>,SHARED_LIBRARY>,public,own-eigen>.map)
+    -Wl,--version-script=${CMAKE_CURRENT_LIST_DIR}/$<IF:$<STREQUAL:${type},SHARED_LIBRARY>,public,$<IF:$<STREQUAL:${type},MODULE_LIBRARY>,python,own-eigen>>.map)
 if(DEADPOINT_WERROR)
     target_compile_options(deadpoint_options INTERFACE -Werror)
 endif()

@@ -11,7 +11,8 @@ PACKAGE = ROOT / "python" / "deadpoint"
 PAGE = ROOT / "docs" / "python.md"
 INTRODUCTION = ROOT / "python" / "introduction.md"
 SECTIONS = (
-    ("Cases", "_press"), ("The reduced press", "_rom"), ("Results", "_results"), ("Series", "_series"),
+    ("Cases and full runs", "_press"), ("Loads and heat", "_loads"), ("The reduced press", "_rom"), ("Results", "_results"),
+    ("Series", "_series"),
     ("Tables", "_tables"), ("Fields", "_fields"), ("Charts", "_plot"), ("Studies", "_studies"),
     ("Progress", "_progress"), ("Errors", "_errors"),
 )

@@ -5,9 +5,6 @@
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/files/run_files.hpp"
-#include "deadpoint/report/folder/result_files.hpp"
-#include "deadpoint/report/folder/result_folder.hpp"
-#include "deadpoint/report/page/page.hpp"
 #include "deadpoint/report/schema/schema.hpp"
 #include "deadpoint/study/learn/forward.hpp"
 #include "deadpoint/study/pipeline/loads_cache.hpp"
@@ -17,6 +14,7 @@
 #include "deadpoint/study/reduce/run_sensitivities.hpp"
 #include "deadpoint/study/result/run_summary.hpp"
 #include "run_data.hpp"
+#include "run_folder.hpp"
 #include "support.hpp"
 
 #include <chrono>
@@ -99,17 +97,9 @@ std::string summary_of(const RunData& run)
     return report::summary_text(run.of->value(), *run.machine, run.result, run.warnings);
 }
 
-/// The files of `deadpoint run`, with its page.
 void write_folder(const RunData& run, const fs::path& target, bool replace)
 {
-    using IfExists = report::ResultFolder::IfExists;
-    report::ResultFolder folder(report::FolderClaim(target), replace ? IfExists::replace : IfExists::refuse,
-                                run.of->read.files);
-    report::write_run_files(folder.path(), run.of->value(), *run.machine, run.result, run.warnings);
-    report::write_manifest(folder.path());
-    const std::vector<report::ReportSource> source{{folder.path(), folder.target().filename().string()}};
-    report::write_report(folder.path() / "report.html", source);
-    folder.commit();
+    RunFolder(target, replace, *run.of).write(run.of->value(), *run.machine, run.result, run.warnings);
 }
 
 // ---------------------------------------------------------------- the reduced press

@@ -17,17 +17,21 @@ from deadpoint._errors import (
     NameUnknown,
 )
 from deadpoint._fields import Fields
+from deadpoint._loads import Conductance, Film, FrictionHeat, Heat, Loads, Mesh, TurnSeries
 from deadpoint._press import Press, load
 from deadpoint._progress import Receiver
 from deadpoint._reduced import version as _version
-from deadpoint._results import Result, StatedError, Study, open
+from deadpoint._results import Result, StatedError, Study, open, open_study
 from deadpoint._rom import Derivatives, Map, Output, Range, Rom, Sensitivity, open_rom
 from deadpoint._series import Named, Series
+from deadpoint._studies import calibrate, compare, optimise, sensitivity, sweep
 from deadpoint._tables import Table, TableColumn, Tables
 
 __version__ = _version()
 __all__ = [
-    "ConvergenceError", "Derivatives", "DomainError", "Error", "Fields", "Finding", "InputError", "Interrupted", "IoError",
-    "Map", "NameUnknown", "Named", "Output", "Press", "Range", "Receiver", "Result", "Rom", "Sensitivity", "Series",
-    "StatedError", "Study", "Table", "TableColumn", "Tables", "load", "open", "open_rom",
+    "Conductance", "ConvergenceError", "Derivatives", "DomainError", "Error", "Fields", "Film", "Finding",
+    "FrictionHeat", "Heat", "InputError", "Interrupted", "IoError", "Loads", "Map", "Mesh", "NameUnknown", "Named",
+    "Output", "Press", "Range", "Receiver", "Result", "Rom", "Sensitivity", "Series", "StatedError", "Study", "Table",
+    "TableColumn", "Tables", "TurnSeries", "calibrate", "compare", "load", "open", "open_rom", "open_study", "optimise",
+    "sensitivity", "sweep",
 ]

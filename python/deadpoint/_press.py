@@ -3,10 +3,17 @@ from __future__ import annotations
 
 import pathlib
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from deadpoint import _reduced
-from deadpoint._errors import Finding, InputError, unknown
+from deadpoint._errors import Finding, InputError, Interrupted, unknown
+from deadpoint._loads import Heat, Loads, Mesh, heat_of, loads_of
+from deadpoint._progress import Receiver, close, receiver_of
+
+if TYPE_CHECKING:
+    from deadpoint import _field
+    from deadpoint._results import Result
+    from deadpoint._rom import Rom
 
 Setting = Any  # text with a unit, number, truth value, list of these, or a quantity of pint
 
@@ -50,8 +57,9 @@ class Press:
         self._settings: dict[str, str] = {key: _text_of(value) for key, value in (settings or {}).items()}
         self._case = self._read(self._settings)
         self._values: dict[str, Any] | None = None
-        self._field: Any = None
+        self._field: _field.FieldPress | None = None
         self._field_size = 0.0
+        self._field_case = self._case
 
     def _read(self, settings: Mapping[str, str]) -> _reduced.Case:
         texts = [f"{key}={value}" for key, value in settings.items()]
@@ -101,6 +109,11 @@ class Press:
         return made
 
     @property
+    def allow_outside(self) -> bool:
+        """Whether the case may name files outside its own folder."""
+        return self._allow_outside
+
+    @property
     def settings(self) -> dict[str, str]:
         """What was changed, as for ``--set``."""
         return dict(self._settings)
@@ -141,6 +154,98 @@ class Press:
         if path.exists():
             raise InputError(f"'{path}' exists\n  help: remove it or give another name")
         path.write_text(self.text, encoding="utf-8")
+
+    # ---------------------------------------------------------------- with meshes and fields
+
+    def _with_mesh(self, size: float) -> _field.FieldPress:
+        from deadpoint import _field
+
+        if self._field is None or self._field_size != size:
+            self._field, self._field_size = _field.FieldPress(self._case, size), size
+        elif self._field_case is not self._case:
+            self._field.take(self._case)
+        self._field_case = self._case
+        return self._field
+
+    def check(self, size: float = 1.0) -> list[Finding]:
+        """Mistakes and warnings of the case, as ``deadpoint check`` finds them; empty if there are none.
+
+        Meshes the case and checks its loads, laws and dimension chain.
+
+        :param size: factor on all cell sizes: 2 is coarser and faster
+        """
+        from deadpoint import _field
+
+        return _field.check(self._case, size)
+
+    def mesh(self, size: float = 1.0, progress: bool | Receiver = False) -> Mesh:
+        """Meshes the parts; later calls and runs with the same size use the same mesh.
+
+        :param size: factor on all cell sizes: 2 is coarser and faster
+        """
+        receiver = receiver_of(progress)
+        found = self._with_mesh(size).mesh(receiver)
+        close(receiver)
+        return Mesh(found["cells"], found["nodes"], found["half_model"], found["parts"])
+
+    def loads(self, segment: int = -1, size: float = 1.0) -> Loads:
+        """Motion, joint forces and bearing loads over a turn of the crank.
+
+        :param segment: of the operation, from 0; -1: the first in which the press runs
+        """
+        return loads_of(self._with_mesh(size).loads(segment, None))
+
+    def heat(self, segment: int = -1, size: float = 1.0) -> Heat:
+        """Friction heat, contact conductances and convection coefficients by the laws of the case, before any run.
+
+        :param segment: of the operation, from 0; -1: the first in which the press runs
+        """
+        return heat_of(self._with_mesh(size).heat(segment, None))
+
+    def run(self, folder: str | pathlib.Path | None = None, size: float = 1.0, progress: bool | Receiver = False,
+            replace: bool = False, start_from: str | pathlib.Path | None = None) -> Result:
+        """Computes temperatures and drift over the operation, as ``deadpoint run`` does, on one process.
+
+        A second run with other operation, friction, oil or convection uses the mesh and the unknowns of the first.
+
+        :param folder: where the files of the run are written, fields included; None: nowhere
+        :param size: factor on all cell sizes: 2 is coarser and faster
+        :param progress: True shows a bar; or any object with the methods of :class:`deadpoint.Receiver`
+        :param replace: an existing result folder may be replaced
+        :param start_from: a result folder whose final temperatures are the start
+        :raises deadpoint.InputError: with every mistake that the mesh, the loads and the laws show
+        :raises deadpoint.Interrupted: after Ctrl-C; its ``result``, and the folder, have the run up to then
+        """
+        from deadpoint._results import Result, open_result
+
+        target = pathlib.Path(folder) if folder is not None else None
+        receiver = receiver_of(progress)
+        try:
+            run = self._with_mesh(size).run(target, replace, start_from, receiver)
+        finally:
+            close(receiver)
+        result = open_result(target) if target is not None else Result(run=run)
+        if run.interrupted:
+            raise Interrupted(result)
+        return result
+
+    def reduce(self, file: str | pathlib.Path, size: float = 1.0, full_runs: int = 2, fields: bool = False,
+               certify: bool = False, resume: bool = False, progress: bool = False) -> Rom:
+        """Builds a reduced model with ``deadpoint reduce`` and opens it.
+
+        :param file: of the model: ``press.rom``
+        :param size: factor on all cell sizes
+        :param full_runs: full runs to compare with
+        :param fields: also store the fields of the states
+        :param certify: also store what bounds of errors need
+        :param resume: continue a build that was stopped
+        """
+        from deadpoint._command import call, case_arguments
+        from deadpoint._rom import open_rom
+
+        flags = [name for name, on in (("--fields", fields), ("--certify", certify), ("--resume", resume)) if on]
+        call("reduce", [*case_arguments(self), "--size", size, "--full-runs", full_runs, "-o", file, *flags], progress)
+        return open_rom(file)
 
     def __repr__(self) -> str:
         changes = "".join(f", {key} = {value}" for key, value in self._settings.items())

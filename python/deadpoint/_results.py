@@ -262,7 +262,7 @@ def _series(column: TableColumn, time: Array, meaning: str) -> Series:
 
 
 class Study:
-    """A folder that ``sweep``, ``sensitivity``, ``optimise``, ``calibrate``, ``compare``, ``loads`` or ``heat`` wrote."""
+    """A folder that ``sweep``, ``sensitivity``, ``optimise``, ``calibrate``, ``loads`` or ``heat`` wrote."""
 
     def __init__(self, folder: pathlib.Path) -> None:
         self.folder = folder
@@ -327,13 +327,25 @@ def open_result(folder: pathlib.Path) -> Result:
     return Result(folder)
 
 
-def open(folder: str | pathlib.Path) -> Result | Study:
-    """Opens a folder that deadpoint wrote.
+def open(folder: str | pathlib.Path) -> Result:
+    """Opens a folder that ``deadpoint run`` wrote.
 
-    :param folder: of a run, which gives a :class:`Result`; of any other command, which gives a :class:`Study`
+    :raises deadpoint.IoError: if there is no such folder
+    :raises deadpoint.InputError: if deadpoint did not write it, an older version did, or it is one of another command
+    """
+    path = pathlib.Path(folder)
+    _require_folder(path)
+    if not (path / "summary.json").exists():
+        raise InputError(f"'{path}' holds no run\n  help: open the folder of another command with deadpoint.open_study()")
+    return open_result(path)
+
+
+def open_study(folder: str | pathlib.Path) -> Study:
+    """Opens a folder that ``sweep``, ``sensitivity``, ``optimise``, ``calibrate``, ``loads`` or ``heat`` wrote.
+
     :raises deadpoint.IoError: if there is no such folder
     :raises deadpoint.InputError: if deadpoint did not write it, or an older version did
     """
     path = pathlib.Path(folder)
     _require_folder(path)
-    return open_result(path) if (path / "summary.json").exists() else Study(path)
+    return Study(path)

@@ -47,7 +47,7 @@ class Table:
         self.columns = columns
         """All columns, in the order of the file."""
 
-    def __getitem__(self, heading: str) -> Values:
+    def __getitem__(self, heading: str) -> Any:
         for column in self.columns:
             if column.heading == heading:
                 return column.values

@@ -17,6 +17,13 @@ run(${scratch}/example/light)
 require_match("${output}" "compiled with deadpoint [0-9.]+, linked with")
 run(${prefix}/bin/deadpoint --version)
 
+# Python finds both modules, and the command that belongs to them.
+set(python ${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/lib/python3/dist-packages /usr/bin/python3 -c)
+run(${python} "print(len(__import__('deadpoint').load('${prefix}/share/deadpoint/cases/starter/case.toml').mesh(4).parts))")
+require_match("${output}" "^14")
+run(${python} "from deadpoint import _command as c, load\nprint(c.command())")
+require_match("${output}" "^${prefix}/bin/deadpoint")
+
 # A case with a mistake is told by place.
 file(WRITE ${scratch}/broken.toml "format = 1\n[machine]\nambient = \"20 kg\"\n")
 execute_process(COMMAND ${scratch}/example/drift ${scratch}/broken.toml RESULT_VARIABLE result ERROR_VARIABLE errors)

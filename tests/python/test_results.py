@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 import deadpoint
-from common import CASE, FILES, python
+from common import CASE, FILES, command, python
 
 
 class Opened(unittest.TestCase):
@@ -135,6 +135,13 @@ class Folders(unittest.TestCase):
         self.assertIn("deadpoint run", caught.exception.help)
         with self.assertRaisesRegex(deadpoint.InputError, "deadpoint.json is missing"):
             deadpoint.open(FILES)
+        with tempfile.TemporaryDirectory() as folder:
+            command("loads", "-q", CASE, "-o", Path(folder) / "loads")
+            with self.assertRaisesRegex(deadpoint.InputError, "open_study"):
+                deadpoint.open(Path(folder) / "loads")
+            study = deadpoint.open_study(Path(folder) / "loads")
+            self.assertIn("joints.csv", study.tables)
+            self.assertIn("loads", study.figures)
 
     def test_broken_files_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:
