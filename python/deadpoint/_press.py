@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import pathlib
+import tempfile
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -208,7 +209,8 @@ class Press:
 
         A second run with other operation, friction, oil or convection uses the mesh and the unknowns of the first.
 
-        :param folder: where the files of the run are written, fields included; None: nowhere
+        :param folder: where the files of the run are written, fields included; None: a folder that
+            goes with the result
         :param size: factor on all cell sizes: 2 is coarser and faster
         :param progress: True shows a bar; or any object with the methods of :class:`deadpoint.Receiver`
         :param replace: an existing result folder may be replaced
@@ -218,13 +220,15 @@ class Press:
         """
         from deadpoint._results import Result, open_result
 
-        target = pathlib.Path(folder) if folder is not None else None
+        temporary = tempfile.TemporaryDirectory(prefix="deadpoint-") if folder is None else None
+        target = pathlib.Path(temporary.name, "results") if temporary else pathlib.Path(str(folder))
         receiver = receiver_of(progress)
         try:
             run = self._with_mesh(size).run(target, replace, start_from, receiver)
         finally:
             close(receiver)
-        result = open_result(target) if target is not None else Result(run=run)
+        result = Result(target, run) if temporary else open_result(target)
+        result.temporary = temporary
         if run.interrupted:
             raise Interrupted(result)
         return result

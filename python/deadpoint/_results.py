@@ -4,6 +4,8 @@ from __future__ import annotations
 import functools
 import json
 import pathlib
+import shutil
+import tempfile
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -46,8 +48,10 @@ class Result:
 
     def __init__(self, folder: pathlib.Path | None = None, run: _reduced.Run | None = None) -> None:
         self.folder = folder
-        """Folder of the result; None in memory."""
+        """Folder of the result; None for a reduced run."""
         self._run = run
+        self.temporary: tempfile.TemporaryDirectory[str] | None = None
+        """Holds the folder of a run without one; it is removed with the result."""
 
     @functools.cached_property
     def tables(self) -> Tables:
@@ -233,8 +237,11 @@ class Result:
         """
         if self._run is None:
             raise InputError(f"this result is in '{self.folder}' already\n  help: copy the folder")
-        self._run.write(pathlib.Path(folder), replace)
-        return open_result(pathlib.Path(folder))
+        target = pathlib.Path(folder)
+        self._run.write(target, replace)
+        if self.folder is not None:
+            shutil.copytree(self.folder, target, dirs_exist_ok=True)  # fields, which are on disk only
+        return open_result(target)
 
     # ---------------------------------------------------------------- text
 

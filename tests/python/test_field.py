@@ -1,4 +1,5 @@
 """Requirement: full runs, loads and heat in Python are those of the command; Ctrl-C keeps what a run has computed."""
+import gc
 import signal
 import subprocess
 import sys
@@ -33,12 +34,18 @@ class Full(unittest.TestCase):
             faster = self.press.changed({"operation.0.duration": "10 min", "operation.0.speed": "90 rpm"})
             self.press.update(faster.settings)
             later = self.press.run(size=4, start_from=Path(folder) / "full")
+            self.assertEqual(later.fields().temperature.shape, result.fields().temperature.shape)
             self.press.update({"operation.0.speed": "60 rpm", "operation.0.duration": "20 min"})
             self.assertAlmostEqual(later.probes["slide"].start, result.probes["slide"].end, delta=1e-6)  # nine digits in the file
             self.assertIn("mesh", later.summary["timings_s"])
             saved = later.save(Path(folder) / "later")
             np.testing.assert_allclose(saved.gap.values, later.gap.values, atol=1e-6)  # nine digits in the file
+            self.assertEqual(saved.fields().temperature.shape, later.fields().temperature.shape)
             self.assertLess(later.gap.end, 0)
+            kept = later.folder
+            del later
+            gc.collect()
+            self.assertFalse(kept.exists())
 
     def test_mesh_is_that_of_the_run(self):
         mesh = self.press.mesh(size=4)
