@@ -101,20 +101,6 @@ py::list check(const CasePointer& of, double size)
 
 // ---------------------------------------------------------------- tables before a run
 
-int segment_of(const casefile::Case& input, int wanted, bool needs_speed)
-{
-    const auto count = static_cast<int>(input.operation.size());
-    if (wanted >= count || wanted < -1)
-        throw InputError("there is no segment " + std::to_string(wanted) + "\n  help: the operation has " +
-                         std::to_string(count) + ", counted from 0");
-    if (wanted >= 0)
-        return wanted;
-    const int running = study::first_running_segment(input);
-    if (running < 0 && needs_speed)
-        throw InputError("the press runs in no segment of [[operation]]\n  help: give one a speed");
-    return std::max(0, running);
-}
-
 py::dict loads(FieldPress& press, int segment, py::object receiver)
 {
     PythonObserver observer(std::move(receiver));

@@ -33,21 +33,6 @@ void require_scale(double scale)
                          "case");
 }
 
-/// @throws InputError if the operation has no such segment
-int segment_of(const casefile::Case& input, int wanted, bool needs_speed)
-{
-    const auto count = static_cast<int>(input.operation.size());
-    if (wanted >= count || wanted < -1)
-        throw InputError("there is no segment " + std::to_string(wanted) + ": the operation has " +
-                         std::to_string(count) + ", counted from 0");
-    if (wanted >= 0)
-        return wanted;
-    const int running = study::first_running_segment(input);
-    if (running < 0 && needs_speed)
-        throw InputError("the press runs in no segment of [[operation]]\n  help: give one a speed");
-    return std::max(0, running);
-}
-
 void append(std::vector<Diagnostic>& found, const Diagnosed& error)
 {
     found.insert(found.end(), error.diagnostics().begin(), error.diagnostics().end());
@@ -62,6 +47,20 @@ MeshFigures figures_of(const Machine& machine)
 }
 
 }  // namespace
+
+int segment_of(const casefile::Case& input, int wanted, bool needs_speed)
+{
+    const auto count = static_cast<int>(input.operation.size());
+    if (wanted >= count || wanted < -1)
+        throw InputError("there is no segment " + std::to_string(wanted) + "\n  help: the operation has " +
+                         std::to_string(count) + ", counted from 0");
+    if (wanted >= 0)
+        return wanted;
+    const int running = study::first_running_segment(input);
+    if (running < 0 && needs_speed)
+        throw InputError("the press runs in no segment of [[operation]]\n  help: give one a speed");
+    return std::max(0, running);
+}
 
 void require_session()
 {
