@@ -42,6 +42,16 @@ add_library(gmsh INTERFACE)
 target_link_libraries(gmsh INTERFACE ${GMSH_LIBRARY})
 target_include_directories(gmsh SYSTEM INTERFACE ${GMSH_INCLUDE})
 
+# Open CASCADE, which Gmsh needs too. Its own package file asks for the parts with windows as well.
+find_path(OPENCASCADE_INCLUDE Standard.hxx PATH_SUFFIXES opencascade REQUIRED)
+add_library(opencascade INTERFACE)
+target_include_directories(opencascade SYSTEM INTERFACE ${OPENCASCADE_INCLUDE})
+foreach(toolkit IN ITEMS TKXDESTEP TKXCAF TKLCAF TKCAF TKCDF TKSTEP TKXSBase TKBO TKShHealing TKMesh TKTopAlgo TKGeomAlgo TKBRep TKG3d TKGeomBase TKMath
+    TKernel)
+    find_library(${toolkit}_LIBRARY ${toolkit} REQUIRED)
+    target_link_libraries(opencascade INTERFACE ${${toolkit}_LIBRARY})
+endforeach()
+
 # deal.II: the imported target only, since deal_ii_setup_target() would force its own language standard on ours.
 find_package(deal.II 9.4 REQUIRED HINTS /usr)
 add_library(dealii INTERFACE)

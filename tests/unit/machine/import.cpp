@@ -78,7 +78,7 @@ TEST_CASE("a STEP file keeps its unit and its surfaces")
 {
     const std::string path = data + "/plate_with_hole.step";  // 100 x 60 x 20 mm, hole of 30 mm
     const double exact = (0.1 * 0.06 - pi * 0.015 * 0.015) * 0.02;
-    MachineDescription description = imported(StepSource{path, 1.0});  // the file says millimetres, which wins
+    MachineDescription description = imported(StepSource{path});
     const Machine machine = build(description);
     CHECK(machine.parts[0].kind == CellKind::tetrahedron);
     CHECK(machine.parts[0].volume > exact);
@@ -102,7 +102,7 @@ TEST_CASE("a STEP file keeps its unit and its surfaces")
     REQUIRE(moved.bonds.size() == 1);
     CHECK(moved.bonds[0].area == Approx(pi * 0.03 * 0.02).epsilon(1e-6));  // fitted radius
 
-    MachineDescription half = imported(StepSource{path, 1.0});
+    MachineDescription half = imported(StepSource{path});
     half.half_model = true;
     const Machine cut_machine = build(half);
     CHECK(cut_machine.parts[0].cut);
@@ -120,7 +120,7 @@ TEST_CASE("a STEP file in metres is a thousand times larger")
     REQUIRE(at != std::string::npos);
     text.replace(at, milli.size(), "SI_UNIT($,.METRE.)");
     const TemporaryFile copy("metres.step", text);
-    MachineDescription description = imported(StepSource{copy.path(), 1e-3});
+    MachineDescription description = imported(StepSource{copy.path()});
     description.size = 10;
     CHECK(build(description).parts[0].volume == Approx((100 * 60 - pi * 225) * 20).epsilon(0.005));
 }
@@ -202,14 +202,14 @@ TEST_CASE("overlaps with imported parts are found through their cells")
 TEST_CASE("unusable files are refused by part")
 {
     CHECK_THROWS_AS(build(imported(MeshSource{data + "/no_such.msh", 1})), IoError);
-    CHECK_THROWS_AS(build(imported(StepSource{data + "/no_such.step", 1})), IoError);
+    CHECK_THROWS_AS(build(imported(StepSource{data + "/no_such.step"})), IoError);
     // A folder, and a pipe into which nobody writes.
     CHECK_THROWS_AS(build(imported(MeshSource{data, 1})), IoError);
     const ScratchFolder folder;
     const auto pipe = (folder.path / "pipe").string();
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
     CHECK_THROWS_AS(build(imported(MeshSource{pipe, 1})), IoError);
-    CHECK_THROWS_AS(build(imported(StepSource{pipe, 1})), IoError);
+    CHECK_THROWS_AS(build(imported(StepSource{pipe})), IoError);
     // one prism
     const TemporaryFile prism(
         "prism.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"
@@ -223,12 +223,12 @@ TEST_CASE("unusable files are refused by part")
                               "$EndNodes\n$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n");
     CHECK(contains(complaint(imported(MeshSource{shell.path(), 1})), "no solid cells"));
     const TemporaryFile noise("noise.step", "this is no STEP file\n");
-    CHECK(contains(complaint(imported(StepSource{noise.path(), 1})), "is not a STEP file"));
+    CHECK(contains(complaint(imported(StepSource{noise.path()})), "is not a STEP file"));
 }
 
 TEST_CASE("a cell size that cannot be meant is refused or warned of before the work")
 {
-    MachineDescription description = imported(StepSource{data + "/plate_with_hole.step", 1.0});
+    MachineDescription description = imported(StepSource{data + "/plate_with_hole.step"});
     description.size = 1e-5;
     // 106 cm3 of regular tetrahedra of 0.01 mm: 6 sqrt(2) times as many as cubes
     CHECK(contains(complaint(description), "part 'import': a cell size of 0.01 mm gives 9.0e+11 cells, but"));

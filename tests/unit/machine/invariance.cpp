@@ -243,7 +243,7 @@ TEST_CASE("a STEP part that is moved has the same mesh, whole or cut by the plan
         description.half_model = half;
         description.size = 0.01;
         description.parts = {part("plate", "frame", {})};
-        description.parts[0].source = StepSource{DEADPOINT_TEST_DATA "/plate_with_hole.step", 1e-3};
+        description.parts[0].source = StepSource{DEADPOINT_TEST_DATA "/plate_with_hole.step"};
         const Machine original = build(description);
         const Change moved{"moved", {0, 1, 2}, {1, 1, 1}, {half ? 0.0 : 1.0, -0.7, 0.3}};
         description.parts[0].translation = moved.shift;
@@ -260,7 +260,7 @@ TEST_CASE("a STEP part is cut by the plane of symmetry where it stands")
     description.half_model = true;
     description.size = 0.01;
     description.parts = {part("plate", "frame", {})};
-    description.parts[0].source = StepSource{DEADPOINT_TEST_DATA "/plate_with_hole.step", 1e-3};
+    description.parts[0].source = StepSource{DEADPOINT_TEST_DATA "/plate_with_hole.step"};
     description.parts[0].translation = {-0.04, 0, 0};  // 100 mm long: x from -90 to 10 mm
     const Machine machine = build(description);
     CHECK(machine.parts[0].cut);

@@ -68,6 +68,11 @@ struct Part {
     std::optional<double> size;
     std::vector<Shape> shapes;
     std::string step;  ///< path, relative to the file that names it
+    std::string solid;
+    std::vector<std::string> axes;  ///< of the STEP file: "x", "-z", ...; none or three
+    int circle_cells = 24;
+    std::optional<double> smallest_cell;
+    std::optional<double> omit;
     std::string mesh;
     std::optional<double> unit;  ///< of the file's lengths
     Vec3 position{};

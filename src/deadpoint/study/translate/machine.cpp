@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/spelling.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/exchange/named_axes.hpp"
 #include "deadpoint/study/translate/travel.hpp"
 
 #include <algorithm>
@@ -19,6 +20,14 @@ T needed(const std::optional<T>& value, const char* key, const casefile::Surface
         throw mistake("surfaces." + name,
                       fmt::format("select = \"{}\" needs '{}'", casefile::name_of(surface.select), key));
     return *value;
+}
+
+StepSource step_source(const casefile::Part& part)
+{
+    StepSource source{part.step, part.solid, part.unit};
+    source.axes = named_axes(part.axes).value_or(source.axes);
+    source.rules = {part.circle_cells, part.smallest_cell.value_or(0), part.omit};
+    return source;
 }
 
 PartDescription part_of(const casefile::Case& input, const std::string& name, const casefile::Part& part)
@@ -43,7 +52,7 @@ PartDescription part_of(const casefile::Case& input, const std::string& name, co
     if (!part.shapes.empty())
         result.source = part.shapes;
     else if (!part.step.empty())
-        result.source = StepSource{part.step, part.unit.value_or(StepSource{}.unit)};
+        result.source = step_source(part);
     else
         result.source = MeshSource{part.mesh, part.unit.value_or(MeshSource{}.unit)};
     return result;
