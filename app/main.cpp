@@ -30,6 +30,7 @@ constexpr const char* examples = R"(Examples:
   deadpoint calibrate my-press/case.toml measured.toml --reduced press.rom -o calibrated   fit it to measurements
   deadpoint optimise my-press/study.toml --reduced press.rom -o best   the shortest warm-up, the least drift
   deadpoint compare my-press/results measured.toml          how good is it against what was measured?
+  deadpoint probe my-press/results --at "frame,0 mm,0 mm,50 mm"   how warm does this place get?
   deadpoint view my-press/results                           see it as a page in the browser
   deadpoint report a b -o a-and-b.html                      two results on one page
   mpirun -n 2 deadpoint run my-press/case.toml -o results   the same on two processes
@@ -38,9 +39,9 @@ Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 fil
 
 constexpr int other_error = 1;
 
-const std::vector<std::string> subcommands{"init",      "check",   "mesh",   "loads",       "heat",
-                                           "run",       "reduce",  "sweep",  "sensitivity", "optimise",
-                                           "calibrate", "compare", "report", "view"};
+const std::vector<std::string> subcommands{"init",      "check",   "mesh",  "loads",       "heat",
+                                           "run",       "reduce",  "sweep", "sensitivity", "optimise",
+                                           "calibrate", "compare", "probe", "report",      "view"};
 
 /// Says that a word is no subcommand, and which one it may have meant.
 int refuse_subcommand(const std::string& word)
@@ -49,7 +50,7 @@ int refuse_subcommand(const std::string& word)
     print_err("error: there is no subcommand '{}'\n  help: {}\n", word,
               meant.empty()
                   ? "give one of init, check, mesh, loads, heat, run, reduce, sweep, sensitivity, optimise, calibrate, "
-                    "compare, report and view"
+                    "compare, probe, report and view"
                   : fmt::format("did you mean '{}'?", meant));
     return static_cast<int>(deadpoint::ErrorKind::input);
 }
@@ -73,6 +74,7 @@ int run(int argc, char** argv)
     add_sensitivity(app, exit_code);
     add_calibrate(app, exit_code);
     add_optimise(app, exit_code);
+    add_probe(app, exit_code);
     add_report(app, exit_code);
     add_view(app, exit_code);
     if (argc == 3 && std::string_view(argv[1]) == "--write-manual") {  // used when the program is packaged

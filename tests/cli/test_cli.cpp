@@ -247,6 +247,35 @@ TEST_CASE("run writes every file with version, hash and warnings, and says where
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 2);
 }
 
+TEST_CASE("probe tells what a probe of the case tells, at the times of the fields")
+{
+    const Folder folder;
+    const auto target = folder / "results", table = folder / "p.csv";
+    REQUIRE(deadpoint("run -q " + two_blocks + " -o " + target +
+                      " --set 'machine.initial_temperature=30 degC' --set 'output.field_times=[\"5 min\"]'")
+                .code == 0);
+    const auto probe = "probe " + target + " --at 'top=upper,50 mm,200 mm,50 mm'";
+    const auto shown = deadpoint(probe);
+    CHECK(shown.code == 0);
+    CHECK(has(shown.err, "fields at 2 times"));
+    const auto value = [](const std::string& csv, const std::string& time) {
+        const auto at = csv.find("\n" + time + ",") + time.size() + 2;
+        return std::stod(csv.substr(at));
+    };
+    const auto history = content(target + "/history.csv");
+    for (const char* time : {"300", "600"}) {  // single precision of the files: 2e-6 K
+        CHECK(value(shown.out, time) == doctest::Approx(value(history, time)).epsilon(1e-6));
+    }
+    REQUIRE(deadpoint(probe + " -o " + table).code == 0);
+    CHECK(content(table) == shown.out);
+    CHECK(has(content(folder / "p.svg"), "times with fields"));
+    CHECK(deadpoint(probe + " -o " + table).code == 5);
+    const auto outside = deadpoint("probe " + target + " --at 'upper,50 mm,230 mm,50 mm'");
+    CHECK(outside.code == 2);
+    CHECK(has(outside.err, "30 mm outside of part 'upper'"));
+    CHECK(outside.out.empty());
+}
+
 TEST_CASE("run goes on from a result folder, and says when there is none")
 {
     const Folder folder;

@@ -102,14 +102,13 @@ std::string csv_rows(std::span<const CsvColumn> columns)
     return text;
 }
 
-void write_csv(const std::filesystem::path& path, std::span<const std::string> comments,
-               std::span<const CsvColumn> columns)
+std::string csv_text(std::span<const std::string> comments, std::span<const CsvColumn> columns)
 {
     const std::size_t rows = columns.empty() ? 0 : length(columns.front());
     for (const auto& column : columns) {
         if (length(column) != rows) {
-            throw InputError(fmt::format("cannot write '{}': column '{}' has {} rows, the first one {}", path.string(),
-                                         column.name, length(column), rows));
+            throw InputError(
+                fmt::format("column '{}' has {} rows, the first one {}", column.name, length(column), rows));
         }
     }
     std::string text;
@@ -122,7 +121,17 @@ void write_csv(const std::filesystem::path& path, std::span<const std::string> c
         text += quoted(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
     }
     text += '\n';
-    write_file(path, text + csv_rows(columns));
+    return text + csv_rows(columns);
+}
+
+void write_csv(const std::filesystem::path& path, std::span<const std::string> comments,
+               std::span<const CsvColumn> columns)
+{
+    try {
+        write_file(path, csv_text(comments, columns));
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("cannot write '{}': {}", path.string(), error.what()));
+    }
 }
 
 }  // namespace deadpoint::report

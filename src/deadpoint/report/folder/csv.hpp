@@ -37,6 +37,10 @@ using SeriesSampler = std::function<std::vector<double>(const Series& series, do
 /// The rows of columns side by side, as write_csv() writes them.
 std::string csv_rows(std::span<const CsvColumn> columns);
 
+/// The text that write_csv() writes.
+/// @throws InputError if the columns differ in length
+std::string csv_text(std::span<const std::string> comments, std::span<const CsvColumn> columns);
+
 /// Writes columns side by side, complete or absent (io/write_file.hpp).
 ///
 /// First the comments, one line each behind "# ", then a header line "name [unit],...", then the rows. Numbers have
