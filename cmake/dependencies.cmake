@@ -46,7 +46,7 @@ target_include_directories(gmsh SYSTEM INTERFACE ${GMSH_INCLUDE})
 find_path(OPENCASCADE_INCLUDE Standard.hxx PATH_SUFFIXES opencascade REQUIRED)
 add_library(opencascade INTERFACE)
 target_include_directories(opencascade SYSTEM INTERFACE ${OPENCASCADE_INCLUDE})
-foreach(toolkit IN ITEMS TKXDESTEP TKXCAF TKLCAF TKCAF TKCDF TKSTEP TKXSBase TKBO TKShHealing TKMesh TKTopAlgo TKGeomAlgo TKBRep TKG3d TKGeomBase TKMath
+foreach(toolkit IN ITEMS TKXDESTEP TKXCAF TKLCAF TKCAF TKCDF TKSTEP TKSTEPAttr TKSTEP209 TKSTEPBase TKXSBase TKBO TKShHealing TKMesh TKPrim TKTopAlgo TKGeomAlgo TKBRep TKG3d TKGeomBase TKMath
     TKernel)
     find_library(${toolkit}_LIBRARY ${toolkit} REQUIRED)
     target_link_libraries(opencascade INTERFACE ${${toolkit}_LIBRARY})

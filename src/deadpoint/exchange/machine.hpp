@@ -67,16 +67,17 @@ struct Shape {
 
 /// How finely the solid of a STEP file is meshed, beyond the cell size of its part.
 struct StepRules {
-    int circle_cells = 24;      ///< cells around a full circle, where they are not smaller than `smallest`
-    double smallest = 0;        ///< smallest cell [m]; 0: a quarter of the cell size
-    std::optional<double> omit; ///< holes and roundings up to this diameter are left out [m]; none: `smallest`
+    int circle_cells = 24;       ///< cells around a full circle, where they are not smaller than `smallest`
+    double smallest = 0;         ///< smallest cell [m]; 0: a quarter of the cell size
+    std::optional<double> omit;  ///< holes and roundings up to this diameter are left out [m]; none: `smallest`
 };
 
 struct StepSource {
     std::string path;
-    std::string solid = {};            ///< name of one solid of the file; empty: all that it holds
-    std::optional<double> unit = {};   ///< length of one unit of the file [m]; none: what the file says, or millimetres
-    std::array<Vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< x, y and z of the machine, as directions of the file
+    std::string solid = {};           ///< name of one solid of the file; empty: all that it holds
+    std::optional<double> unit = {};  ///< length of one unit of the file [m]; none: what the file says, or millimetres
+    std::array<Vec3, 3> axes{
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< x, y and z of the machine, as directions of the file
     StepRules rules = {};
 };
 struct MeshSource {

@@ -228,19 +228,23 @@ void describe(Visitor& v, Part& p)
     v.quantity({"size", "target cell size; else that of [numerics]"}, p.size, D::length, positive);
     v.list({"shapes", "primitives, joined and cut in the order given"}, p.shapes);
     v.path({"step", "STEP file, relative to the file that names it"}, p.step);
-    v.text({"solid", "the solid of the STEP file that is this part, by its name there; else all solids of the file"}, p.solid);
-    v.texts({"axes", "the directions of the STEP file that are x, y and z of the machine, such as [\"x\", \"z\", \"-y\"]; "
-                     "right-handed"},
+    v.text({"solid", "the solid of the STEP file that is this part, by its name there; else all solids of the file"},
+           p.solid);
+    v.texts({"axes",
+             "the directions of the STEP file that are x, y and z of the machine, such as [\"x\", \"z\", \"-y\"]; "
+             "right-handed"},
             p.axes);
-    v.integer({"circle_cells", "cells of a STEP part around a full circle, where `smallest_cell` allows"}, p.circle_cells,
-              {6, 200, false});
-    v.quantity({"smallest_cell", "smallest cell of a STEP part on curved faces; else a quarter of its size"}, p.smallest_cell,
-               D::length, positive);
+    v.integer({"circle_cells", "cells of a STEP part around a full circle, where `smallest_cell` allows"},
+              p.circle_cells, {6, 200, false});
+    v.quantity({"smallest_cell", "smallest cell of a STEP part on curved faces; else a quarter of its size"},
+               p.smallest_cell, D::length, positive);
     v.quantity({"omit", "holes and roundings of a STEP part up to this diameter are left out; else those up to "
                         "`smallest_cell`; \"0 mm\": none"},
                p.omit, D::length, non_negative);
     v.path({"mesh", "Gmsh mesh file (MSH 2 or 4), relative to the file that names it"}, p.mesh);
-    v.quantity({"unit", "length of one unit of the STEP or mesh file; else what a STEP file says, and 1 m for a mesh file"}, p.unit, D::length, positive);
+    v.quantity(
+        {"unit", "length of one unit of the STEP or mesh file; else what a STEP file says, and 1 m for a mesh file"},
+        p.unit, D::length, positive);
     v.vector({"position", "position of the origin of the STEP or mesh file"}, p.position, D::length);
     v.quantity({"initial_temperature", "temperature at the start; else that of its body"}, p.initial_temperature,
                D::temperature, absolute_temperature);
@@ -250,12 +254,13 @@ void describe(Visitor& v, Part& p)
     v.expect(sources > 0, "", "the part has no form", "give one of `shapes`, `step` and `mesh`");
     v.expect(sources < 2, p.step.empty() ? "mesh" : "step", "the part has more than one form",
              "keep one of `shapes`, `step` and `mesh`");
-    for (const auto& [key, given] : {std::pair{"solid", !p.solid.empty()}, std::pair{"axes", !p.axes.empty()},
-                                     std::pair{"smallest_cell", p.smallest_cell.has_value()},
-                                     std::pair{"omit", p.omit.has_value()}}) {
+    for (const auto& [key, given] :
+         {std::pair{"solid", !p.solid.empty()}, std::pair{"axes", !p.axes.empty()},
+          std::pair{"smallest_cell", p.smallest_cell.has_value()}, std::pair{"omit", p.omit.has_value()}}) {
         v.expect(!given || !p.step.empty(), key, "it belongs to a part from a STEP file", "remove it, or add `step`");
     }
-    v.expect(p.axes.empty() || named_axes(p.axes).has_value(), "axes", "these are not three directions of a right-handed system",
+    v.expect(p.axes.empty() || named_axes(p.axes).has_value(), "axes",
+             "these are not three directions of a right-handed system",
              "name each of x, y and z once, with signs that do not mirror: [\"x\", \"z\", \"-y\"]");
     v.expect(p.shapes.empty() || p.shapes.front().operation == Shape::Operation::add, "shapes",
              "the first shape must be added: there is nothing to cut or to draw on", "begin with add = ...");

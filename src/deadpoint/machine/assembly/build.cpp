@@ -308,6 +308,9 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
         };
         mistakes.attempt(path_of(part), [&] {
             PartMesh mesh = mesh_part(description, part, drawn[i], bounds, observer, waiting);
+            for (const auto& note : mesh.notes) {
+                observer.info(fmt::format("part '{}': {}", part.name, note));
+            }
             if (add_part(assembly, part, std::move(mesh), observer)) {
                 shapes.push_back(std::move(drawn[i]));
             }

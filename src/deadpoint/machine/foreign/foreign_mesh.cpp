@@ -2,86 +2,58 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/child_process.hpp"
+#include "deadpoint/machine/foreign/packed.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <fmt/format.h>
 #include <gmsh.h>
 #include <string_view>
-#include <type_traits>
 
 namespace deadpoint::machine {
 namespace {
 
 constexpr double longest = 1800;  // [s]
 
-// Bytes as they are in memory: child and parent are the same program.
-template <class T>
-void put(std::string& bytes, const std::vector<T>& values)
-{
-    static_assert(std::is_trivially_copyable_v<T>);
-    const std::size_t count = values.size();
-    bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
-    if (count > 0) {
-        bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(T));
-    }
-}
-
-class Taker {
-public:
-    explicit Taker(const std::string& bytes) : at_(bytes.data()) {}
-    template <class T>
-    void take(std::vector<T>& values)
-    {
-        std::size_t count = 0;
-        std::memcpy(&count, at_, sizeof count);
-        at_ += sizeof count;
-        values.resize(count);
-        if (count > 0) {
-            std::memcpy(values.data(), at_, count * sizeof(T));
-            at_ += count * sizeof(T);
-        }
-    }
-
-private:
-    const char* at_;
-};
-
 std::string packed(const PartMesh& mesh)
 {
-    std::string bytes;
-    put(bytes, std::vector{mesh.kind});
-    put(bytes, mesh.nodes);
-    put(bytes, mesh.cells);
-    put(bytes, mesh.faces);
-    put(bytes, mesh.geometries);
-    put(bytes, std::vector{mesh.groups.size()});
+    Packer to;
+    to.put(mesh.kind);
+    to.put(mesh.nodes);
+    to.put(mesh.cells);
+    to.put(mesh.faces);
+    to.put(mesh.geometries);
+    to.put(mesh.groups.size());
     for (const auto& group : mesh.groups) {
-        put(bytes, std::vector<char>(group.name.begin(), group.name.end()));
-        put(bytes, group.faces);
+        to.put(group.name);
+        to.put(group.faces);
     }
-    return bytes;
+    to.put(mesh.notes.size());
+    for (const auto& note : mesh.notes) {
+        to.put(note);
+    }
+    return to.take();
 }
 
 PartMesh unpacked(const std::string& bytes)
 {
     PartMesh mesh;
-    Taker from(bytes);
-    std::vector<CellKind> kind;
-    from.take(kind);
-    mesh.kind = kind.front();
-    from.take(mesh.nodes);
-    from.take(mesh.cells);
-    from.take(mesh.faces);
-    from.take(mesh.geometries);
-    std::vector<std::size_t> groups;
-    from.take(groups);
-    mesh.groups.resize(groups.front());
+    Unpacker from(bytes);
+    from.get(mesh.kind);
+    from.get(mesh.nodes);
+    from.get(mesh.cells);
+    from.get(mesh.faces);
+    from.get(mesh.geometries);
+    std::size_t count = 0;
+    from.get(count);
+    mesh.groups.resize(count);
     for (auto& group : mesh.groups) {
-        std::vector<char> name;
-        from.take(name);
-        group.name.assign(name.begin(), name.end());
-        from.take(group.faces);
+        from.get(group.name);
+        from.get(group.faces);
+    }
+    from.get(count);
+    mesh.notes.resize(count);
+    for (auto& note : mesh.notes) {
+        from.get(note);
     }
     return mesh;
 }

@@ -23,6 +23,7 @@ struct PartMesh {
     std::vector<Face> faces;
     std::vector<FaceGeometry> geometries;
     std::vector<FaceGroup> groups;
+    std::vector<std::string> notes;  ///< of what was changed to make it
 };
 
 /// Number of nodes of a cell.

@@ -1,13 +1,11 @@
 #include "deadpoint/machine/parts/solids.hpp"
 
-#include "deadpoint/error.hpp"
-#include "deadpoint/machine/foreign/foreign_mesh.hpp"
-#include "deadpoint/machine/foreign/step_file.hpp"
 #include "deadpoint/machine/geometry/shapes.hpp"
-#include "deadpoint/machine/parts/cell_limit.hpp"
 #include "deadpoint/machine/parts/frame.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
+#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/parts/tetrahedra.hpp"
 #include "deadpoint/observer.hpp"
 
 #include <algorithm>
@@ -161,78 +159,6 @@ void build_solid(const std::vector<Prism>& prisms, bool half)
     occ::synchronize();
 }
 
-/// [m3], of solids in Gmsh's model.
-double volume_of(const Tags& solids)
-{
-    double sum = 0;
-    for (const auto& [dimension, tag] : solids) {
-        double own = 0;
-        occ::getMass(dimension, tag, own);
-        sum += own;
-    }
-    return sum * gmsh_unit * gmsh_unit * gmsh_unit;
-}
-
-/// Quality from which no other size is tried.
-constexpr double fair_quality = 0.1;
-/// A slightly different size often avoids a sliver.
-constexpr std::array<double, 4> size_factors{1.0, 0.93, 0.86, 0.8};
-
-PartMesh generate_at(double size)
-{
-    gmsh::model::mesh::clear();
-    gmsh::option::setNumber("Mesh.MeshSizeMax", to_gmsh(size));
-    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", segments_per_circle);
-    gmsh::model::mesh::generate(3);
-    gmsh::model::mesh::optimize("");
-    PartMesh mesh = collect_mesh(CellKind::tetrahedron, gmsh_unit, SurfaceNames::from_model, {});
-    if (mesh.cells.empty()) {
-        throw std::runtime_error("no tetrahedra were made");
-    }
-    return mesh;
-}
-
-/// Meshes the solids in Gmsh's model; lengths in the model are millimetres.
-PartMesh generate(const std::string& part, double size, Observer& observer)
-{
-    Tags volumes;
-    gmsh::model::getEntities(volumes, 3);
-    if (volumes.empty()) {
-        return {};
-    }
-    check_cell_count(part, about_tetrahedra(volume_of(volumes), size), size, observer);
-    PartMesh best;
-    for (const double factor : size_factors) {
-        PartMesh mesh = generate_at(factor * size);
-        if (best.cells.empty() || worst_cell(mesh).quality > worst_cell(best).quality) {
-            best = std::move(mesh);
-        }
-        if (worst_cell(best).quality >= fair_quality) {
-            break;
-        }
-    }
-    return best;
-}
-
-/// The solids of a STEP file in Gmsh's model, in millimetres.
-Tags import_solids(const ForeignFile& file)
-{
-    Tags solids;
-    const GmshComplaints complaints;
-    try {
-        occ::importShapes(file.name, solids, true, "step");
-    } catch (...) {
-        complaints.require_none(file);
-        throw;
-    }
-    complaints.require_none(file);
-    std::erase_if(solids, [](const auto& shape) { return shape.first != 3; });
-    if (solids.empty()) {
-        throw InputError(fmt::format("part '{}': '{}' holds no solid; export a closed solid", file.part, file.path));
-    }
-    return solids;
-}
-
 }  // namespace
 
 PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half,
@@ -242,36 +168,9 @@ PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& pris
     guard_gmsh(name, "meshing with tetrahedra", [&] {
         reset_gmsh();
         build_solid(prisms, half);
-        mesh = generate(name, size, observer);
+        mesh = mesh_model(name, {size, 0, segments_per_circle}, observer);
     });
     return mesh;
-}
-
-PartMesh mesh_step(const PartDescription& part, const StepSource& source, double size, bool half,
-                   const Waiting& waiting)
-{
-    const ForeignFile file{part.name, source.path, "part.step"};
-    // A file without a unit is read as millimetres.
-    const double scale = check_step_file(part.name, source.path).has_unit ? 1 : source.unit / gmsh_unit;
-    const auto make = [&] {
-        PartMesh mesh;
-        guard_gmsh(part.name, "reading and meshing its STEP file", [&] {
-            reset_gmsh();
-            const Tags solids = import_solids(file);
-            if (scale != 1) {
-                occ::dilate(solids, 0, 0, 0, scale, scale, scale);
-            }
-            if (half) {
-                cut_at(-part.translation[0], solids);
-            }
-            occ::synchronize();
-            Observer nobody;  // messages do not leave the process; only errors and the mesh do
-            mesh = generate(part.name, size, nobody);
-        });
-        // The part is moved after meshing, since its position must not change its mesh.
-        return to_machine(Frame{{0, 1, 2}, {1, 1, 1}, part.translation}, std::move(mesh));
-    };
-    return mesh_foreign_file(file, make, waiting);
 }
 
 }  // namespace deadpoint::machine

@@ -18,9 +18,9 @@ struct Prism;
 PartMesh mesh_tetrahedra(const std::string& name, const std::vector<Prism>& prisms, double size, bool half,
                          Observer& observer);
 
-/// Tetrahedra in the solids of a STEP file; faces named in the file become groups. The file is read in a process that
-/// can do nothing else (foreign_mesh.hpp).
-/// @throws IoError if the file cannot be read, InputError if it holds no solid
+/// Tetrahedra in a solid of a STEP file; faces named in the file become groups. Small holes and roundings are left out
+/// first (StepRules). The file is read in a process that can do nothing else (foreign_mesh.hpp).
+/// @throws IoError if the file cannot be read, InputError if it holds no such solid, or several and none is chosen
 PartMesh mesh_step(const PartDescription& part, const StepSource& source, double size, bool half,
                    const Waiting& waiting);
 

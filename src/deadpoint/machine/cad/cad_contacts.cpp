@@ -1,0 +1,243 @@
+#include "deadpoint/machine/cad/cad_contacts.hpp"
+
+// Coordinates stay numbers of double precision; Boost would round them to integers first.
+#define BOOST_GEOMETRY_NO_ROBUSTNESS
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/multi_polygon.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace deadpoint::machine {
+namespace {
+
+namespace geometry = boost::geometry;
+using Point = geometry::model::d2::point_xy<double>;
+using Polygon = geometry::model::polygon<Point>;
+
+constexpr double parallel = 1e-3;  ///< sine of the angle
+constexpr double turn = 2 * std::numbers::pi;
+
+bool apart(const BoxShape& a, const BoxShape& b, double reach)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (a.min[i] > b.max[i] + reach || b.min[i] > a.max[i] + reach) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Two directions across a third.
+std::array<Vec3, 2> across(const Vec3& normal)
+{
+    const Vec3 other = std::abs(normal[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 u = normalised(cross(normal, other));
+    return {u, cross(normal, u)};
+}
+
+void fill(Polygon::ring_type& ring, const std::vector<Vec3>& loop, const std::array<Vec3, 2>& frame)
+{
+    for (const Vec3& point : loop) {
+        ring.emplace_back(dot(point, frame[0]), dot(point, frame[1]));
+    }
+}
+
+Polygon polygon_of(const CadPlane& plane, const std::array<Vec3, 2>& frame)
+{
+    Polygon polygon;
+    polygon.inners().resize(plane.loops.size() - 1);
+    fill(polygon.outer(), plane.loops.front(), frame);
+    for (std::size_t i = 1; i < plane.loops.size(); ++i) {
+        fill(polygon.inners()[i - 1], plane.loops[i], frame);
+    }
+    geometry::correct(polygon);
+    return polygon;
+}
+
+double shared_area(const CadPlane& a, const CadPlane& b)
+{
+    const auto frame = across(a.normal);
+    geometry::model::multi_polygon<Polygon> common;
+    try {
+        geometry::intersection(polygon_of(a, frame), polygon_of(b, frame), common);
+    } catch (const geometry::exception&) {
+        return 0;  // an outline that crosses itself bounds no area
+    }
+    return geometry::area(common);
+}
+
+std::optional<CadContact> contact_of(const CadPlane& a, const CadPlane& b, const CadReach& reach)
+{
+    if (dot(a.normal, b.normal) > -0.5 || norm(cross(a.normal, b.normal)) > parallel || a.loops.front().empty() ||
+        b.loops.front().empty()) {
+        return std::nullopt;
+    }
+    // Measured at b's outline, so that a slight tilt does not count over a large distance.
+    const double gap = dot(a.normal, b.loops.front().front()) - a.offset;
+    if (gap > reach.plane || gap < -reach.into) {
+        return std::nullopt;
+    }
+    CadContact contact;
+    contact.area = shared_area(a, b);
+    contact.clearance = gap;
+    contact.point = a.loops.front().front();
+    contact.direction = a.normal;
+    return contact.area < reach.least_area ? std::nullopt : std::optional(contact);
+}
+
+double length_of(const std::array<double, 2>& interval) { return interval[1] - interval[0]; }
+
+std::array<double, 2> common(const std::array<double, 2>& a, const std::array<double, 2>& b)
+{
+    const double from = std::max(a[0], b[0]);
+    return {from, std::max(from, std::min(a[1], b[1]))};
+}
+
+/// Shared angle of two arcs about one axis, for all turns of one against the other.
+double common_angle(const std::array<double, 2>& a, const std::array<double, 2>& b)
+{
+    double sum = 0;
+    for (int k = -2; k <= 2; ++k) {
+        sum += length_of(common(a, {b[0] + k * turn, b[1] + k * turn}));
+    }
+    return std::min(sum, turn);
+}
+
+/// Angles and range of a cylinder in the frame of another about the same axis.
+CadCylinder seen_from(const CadCylinder& frame, CadCylinder other)
+{
+    const bool same_way = dot(frame.axis, other.axis) > 0;
+    const Vec3 second = cross(frame.axis, frame.across);
+    const double zero = std::atan2(dot(other.across, second), dot(other.across, frame.across));
+    const double start = dot(other.point - frame.point, frame.axis);
+    if (same_way) {
+        other.angles = {zero + other.angles[0], zero + other.angles[1]};
+        other.range = {start + other.range[0], start + other.range[1]};
+    } else {
+        other.angles = {zero - other.angles[1], zero - other.angles[0]};
+        other.range = {start - other.range[1], start - other.range[0]};
+    }
+    return other;
+}
+
+/// How much of the rectangle of a cylinder's angles and range is its face.
+double fullness(const CadCylinder& cylinder, double area)
+{
+    const double whole = cylinder.radius * length_of(cylinder.angles) * length_of(cylinder.range);
+    return whole > 0 ? std::min(1.0, area / whole) : 0;
+}
+
+bool one_axis(const CadCylinder& a, const CadCylinder& b, double off)
+{
+    const Vec3 way = b.point - a.point;
+    return norm(cross(a.axis, b.axis)) < parallel && norm(way - dot(way, a.axis) * a.axis) <= off;
+}
+
+std::optional<CadContact> contact_of(const CadCylinder& bore, double bore_area, const CadCylinder& shaft,
+                                     double shaft_area, const CadReach& reach)
+{
+    const double clearance = 2 * (bore.radius - shaft.radius);
+    const double most = reach.cylinder * 2 * shaft.radius;
+    if (!bore.bore || shaft.bore || clearance > most || clearance < -reach.into || !one_axis(bore, shaft, 0.5 * most)) {
+        return std::nullopt;
+    }
+    const CadCylinder seen = seen_from(bore, shaft);
+    CadContact contact;
+    contact.kind = CadContact::Kind::cylinder;
+    contact.range = common(bore.range, seen.range);
+    contact.area = shaft.radius * common_angle(bore.angles, seen.angles) * length_of(contact.range) *
+                   fullness(bore, bore_area) * fullness(shaft, shaft_area);
+    contact.clearance = clearance;
+    contact.diameter = 2 * shaft.radius;
+    contact.point = bore.point;
+    contact.direction = bore.axis;
+    return contact.area < reach.least_area ? std::nullopt : std::optional(contact);
+}
+
+bool same_place(const CadContact& one, const CadContact& other)
+{
+    constexpr double near = 1e-5;
+    if (one.kind != other.kind || one.a != other.a || one.b != other.b ||
+        norm(cross(one.direction, other.direction)) > parallel || std::abs(one.diameter - other.diameter) > near) {
+        return false;
+    }
+    const Vec3 way = other.point - one.point;
+    const double along = dot(way, one.direction);
+    return one.kind == CadContact::Kind::plane ? dot(one.direction, other.direction) > 0 && std::abs(along) < near
+                                               : norm(way - along * one.direction) < near;
+}
+
+void add_to(std::vector<CadContact>& contacts, const CadContact& next)
+{
+    const auto same = std::ranges::find_if(contacts, [&](const CadContact& one) { return same_place(one, next); });
+    if (same == contacts.end()) {
+        contacts.push_back(next);
+        return;
+    }
+    const double start = dot(next.point - same->point, same->direction);
+    const double sign = dot(next.direction, same->direction) > 0 ? 1 : -1;
+    for (const double end : next.range) {
+        same->range[0] = std::min(same->range[0], start + sign * end);
+        same->range[1] = std::max(same->range[1], start + sign * end);
+    }
+    same->area += next.area;
+}
+
+/// A contact of two faces, whichever is the bore.
+std::optional<CadContact> contact_of(const CadFace& one, const CadFace& other, bool& swapped, const CadReach& reach)
+{
+    swapped = false;
+    if (const auto* plane = std::get_if<CadPlane>(&one.form)) {
+        const auto* facing = std::get_if<CadPlane>(&other.form);
+        return facing != nullptr ? contact_of(*plane, *facing, reach) : std::nullopt;
+    }
+    const auto* first = std::get_if<CadCylinder>(&one.form);
+    const auto* second = std::get_if<CadCylinder>(&other.form);
+    if (first == nullptr || second == nullptr) {
+        return std::nullopt;
+    }
+    swapped = second->bore;
+    return swapped ? contact_of(*second, other.area, *first, one.area, reach)
+                   : contact_of(*first, one.area, *second, other.area, reach);
+}
+
+void contacts_of(const CadModel& model, std::size_t a, std::size_t b, const CadReach& reach,
+                 std::vector<CadContact>& into)
+{
+    for (const CadFace& one : model.solids[a].faces) {
+        for (const CadFace& other : model.solids[b].faces) {
+            bool swapped = false;
+            if (auto contact = contact_of(one, other, swapped, reach)) {
+                contact->a = swapped ? b : a;
+                contact->b = swapped ? a : b;
+                contact->shorter_is_a = (swapped ? other.area : one.area) <= (swapped ? one.area : other.area) * 1.0001;
+                add_to(into, *contact);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<CadContact> find_contacts(const CadModel& model, const CadReach& reach)
+{
+    std::vector<CadContact> contacts;
+    for (std::size_t a = 0; a < model.solids.size(); ++a) {
+        for (std::size_t b = a + 1; b < model.solids.size(); ++b) {
+            // Diameters may differ by a share of them, which the box of the smaller solid bounds.
+            const Vec3 edges = model.solids[a].bounds.max - model.solids[a].bounds.min;
+            const double near = std::max(reach.plane, reach.cylinder * *std::ranges::max_element(edges));
+            if (!apart(model.solids[a].bounds, model.solids[b].bounds, near)) {
+                contacts_of(model, a, b, reach, contacts);
+            }
+        }
+    }
+    return contacts;
+}
+
+}  // namespace deadpoint::machine

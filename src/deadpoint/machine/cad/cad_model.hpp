@@ -1,0 +1,55 @@
+#pragma once
+
+#include "deadpoint/exchange/machine.hpp"
+
+#include <string>
+#include <vector>
+
+/// What a CAD file holds, as plain values: solids with their plane and cylindrical faces. SI units, coordinates of the
+/// file.
+namespace deadpoint::machine {
+
+/// A face in a plane.
+struct CadPlane {
+    Vec3 normal{};                         ///< unit, out of the solid
+    double offset = 0;                     ///< normal . x on the plane [m]
+    std::vector<std::vector<Vec3>> loops;  ///< outline, then holes; arcs as chords of 6 degrees at most
+};
+
+/// A face on a cylinder, between two angles and two places along its axis.
+struct CadCylinder {
+    Vec3 point{};   ///< on the axis
+    Vec3 axis{};    ///< unit
+    Vec3 across{};  ///< unit, where the angle is 0; the angle turns about `axis`
+    double radius = 0;
+    bool bore = false;               ///< the solid lies outside of the radius
+    std::array<double, 2> angles{};  ///< [rad]
+    std::array<double, 2> range{};   ///< along the axis, from `point` [m]
+};
+
+struct CadFace {
+    std::string name;  ///< in the file; mostly empty
+    double area = 0;   ///< [m2]
+    std::variant<std::monostate, CadPlane, CadCylinder> form;
+};
+
+struct CadSolid {
+    std::string name;    ///< unique in the file
+    std::string path;    ///< names of the assemblies that it is in, with '/'
+    std::string colour;  ///< "#rrggbb", or empty
+    double volume = 0;   ///< [m3]
+    BoxShape bounds;
+    std::vector<CadFace> faces;
+};
+
+struct CadModel {
+    std::string unit;  ///< that the file says: "millimetre"; empty if it says none
+    double scale = 1;  ///< lengths here over those that the file says: not 1 where the user states another unit
+    std::vector<CadSolid> solids;
+    std::vector<std::string> without_solid;  ///< products that hold surfaces or curves only
+};
+
+/// Length of the longest edge of the box around all solids [m].
+double extent(const CadModel& model);
+
+}  // namespace deadpoint::machine

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "deadpoint/machine/cad/cad_model.hpp"
+#include "deadpoint/machine/foreign/foreign_mesh.hpp"
+
+#include <optional>
+
+namespace deadpoint::machine {
+
+/// The solids of a STEP file, without a mesh. The file is read in a process that can do nothing else
+/// (foreign_mesh.hpp).
+/// @param part  begins error messages
+/// @param unit  length of one unit of the file [m], where the user states one
+/// @throws IoError if the file cannot be read, InputError if it is no STEP file or holds no solid
+CadModel read_cad(const std::string& part, const std::string& path, std::optional<double> unit, const Waiting& waiting);
+
+/// Names of the solids that a part asks for.
+/// @param solid  a name or a pattern with *; empty: the only one
+/// @throws InputError if there is none, or several and no name
+std::vector<std::string> chosen_solids(const std::string& part, const std::string& path, const std::string& solid,
+                                       const std::vector<std::string>& names);
+
+}  // namespace deadpoint::machine
