@@ -2,6 +2,8 @@
 #include "deadpoint/casefile/files/shipped.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/write_file.hpp"
+#include "deadpoint/machine/cad/read_cad.hpp"
+#include "deadpoint/study/draft/draft.hpp"
 #include "output.hpp"
 
 #include <filesystem>
@@ -12,9 +14,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void write_starter(const fs::path& folder)
+struct InitOptions {
+    std::string folder;
+    std::string step;
+};
+
+void create(const fs::path& folder)
 {
-    const fs::path file = folder / "case.toml";
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
@@ -22,9 +28,75 @@ void write_starter(const fs::path& folder)
             fmt::format("cannot create the folder '{}': {}\n  help: name a folder you may write to", folder.string(),
                         error.message()));
     }
-    deadpoint::write_file(file, deadpoint::casefile::starter_case(), deadpoint::IfThere::refuse);
+}
+
+void say_next(const fs::path& file)
+{
     print_out("wrote {}\n  look at it:  deadpoint check {}\n  compute it:  deadpoint run {} -o {}\n", file.string(),
-              file.string(), file.string(), (folder / "results").string());
+              file.string(), file.string(), (file.parent_path() / "results").string());
+}
+
+void write_starter(const fs::path& folder)
+{
+    create(folder);
+    const fs::path file = folder / "case.toml";
+    deadpoint::write_file(file, deadpoint::casefile::starter_case(), deadpoint::IfThere::refuse);
+    say_next(file);
+}
+
+/// A case holds its files: the drawing goes into its folder, unless it is there.
+void copy_into(const fs::path& drawing, const fs::path& copy)
+{
+    std::error_code unknown;
+    if (fs::equivalent(drawing, copy, unknown)) {
+        return;
+    }
+    std::error_code error;
+    fs::copy_file(drawing, copy, fs::copy_options::none, error);
+    if (error) {
+        throw deadpoint::IoError(
+            fmt::format("cannot copy '{}' to '{}': {}\n  help: name a new folder, or remove that file",
+                        drawing.string(), copy.string(), error.message()));
+    }
+}
+
+void say_what_was_found(const deadpoint::study::Draft& draft)
+{
+    const auto in_joints = [&] {
+        std::size_t sum = 0;
+        for (const auto& joint : draft.joints) {
+            sum += joint.contacts.size();
+        }
+        return sum;
+    };
+    print_out("{} solids in {} bodies, {} contacts: {} of them in {} joints\n", draft.model.solids.size(),
+              draft.bodies.size(), draft.contacts.size(), in_joints(), draft.joints.size());
+    for (const auto& body : draft.bodies) {
+        std::string names;
+        for (const std::size_t i : body.solids) {
+            names += (names.empty() ? "" : ", ") + draft.model.solids[i].name;
+        }
+        print_out("  {}: {}\n", body.name, names);
+    }
+    print_out("Lines with TO DO in the case hold guesses.\n");
+}
+
+void write_draft(const InitOptions& options)
+{
+    const fs::path folder = options.folder;
+    const fs::path file = folder / "case.toml";
+    if (fs::exists(file)) {
+        throw deadpoint::IoError(fmt::format("'{}' is there already\n  help: name another folder", file.string()));
+    }
+    const fs::path drawing = options.step;
+    const auto draft = deadpoint::study::draft_of(
+        deadpoint::machine::read_cad(drawing.stem().string(), drawing.string(), std::nullopt, [](double) {}));
+    create(folder);
+    copy_into(drawing, folder / drawing.filename());
+    deadpoint::write_file(file, deadpoint::study::draft_text(draft, drawing.filename().string()),
+                          deadpoint::IfThere::refuse);
+    say_what_was_found(draft);
+    say_next(file);
 }
 
 }  // namespace
@@ -32,10 +104,12 @@ void write_starter(const fs::path& folder)
 void add_init(CLI::App& app, int& exit_code)
 {
     auto* command = app.add_subcommand("init", "write a commented case file to start from");
-    const auto folder = std::make_shared<std::string>();
-    command->add_option("DIR", *folder, "the folder to write case.toml into; created if missing")->required();
-    command->callback([folder, &exit_code] {
-        write_starter(*folder);
+    const auto options = std::make_shared<InitOptions>();
+    command->add_option("DIR", options->folder, "the folder to write case.toml into; created if missing")->required();
+    command->add_option("--step", options->step,
+                        "a STEP file: the case gets its solids as parts, and bodies and joints from what touches");
+    command->callback([options, &exit_code] {
+        options->step.empty() ? write_starter(options->folder) : write_draft(*options);
         exit_code = 0;
     });
 }

@@ -49,9 +49,9 @@ foreach {name from to} {bush_front 290 350 bush_back -250 -190} {
     rod inner z 0 0 50 -400 400
     minus $name inner
 }
-# The eccentric shaft: journals of 100 mm, an eccentric of 180 mm thrown 50 mm down.
+# The eccentric shaft: journals of 100 mm, an eccentric of 180 mm thrown 30 mm down.
 rod crankshaft z 0 0 50 -420 380
-rod eccentric z 0 -50 90 -60 60
+rod eccentric z 0 -30 90 -60 60
 rod web_front z 0 -20 75 60 284
 rod web_back z 0 -20 75 -184 -60
 plus crankshaft eccentric web_front web_back
@@ -62,11 +62,11 @@ minus flywheel inner
 foreach {x y} {150 0 -150 0 0 150 0 -150} { rod hole z $x $y 40 -500 500; minus flywheel hole }
 
 # The connecting rod on the eccentric, with an eye for the wrist pin.
-rod connecting_rod z 0 -50 130 -50 50
+rod connecting_rod z 0 -30 130 -50 50
 rod eye z 0 -400 65 -50 50
 block shank -45 45 -390 -150 -40 40
 plus connecting_rod eye shank
-rod inner z 0 -50 90 -100 100
+rod inner z 0 -30 90 -100 100
 rod small z 0 -400 35 -100 100
 minus connecting_rod inner small
 rod hole y -80 0 5 -75 90

@@ -105,6 +105,7 @@ struct Interface {
     bool seat = false;          ///< its fitted centre on the ground body is the joint's centre there (bearing seats)
     bool journal = false;       ///< its fitted centre on the moving body is the joint's centre there
     bool partial = false;       ///< side a may reach beyond side b
+    std::optional<double> drawn_gap;  ///< largest distance of the sides as drawn [m]
 };
 
 struct Joint {

@@ -371,6 +371,10 @@ void describe(Visitor& v, Interface& i)
            i.load_zone);
     v.flag({"partial", "side a may reach beyond side b; only the touching area conducts, the rest is exposed"},
            i.partial);
+    v.quantity({"drawn_gap",
+                "largest distance of the two sides as drawn that still counts as contact; else 10 um. For parts "
+                "that are drawn with their clearance"},
+               i.drawn_gap, D::length, positive);
     v.flag({"stands_still", "this interface does not rotate, although the joint makes full turns (outer rings)"},
            i.stands_still);
     v.flag({"seat", "its fitted centre on the ground body is the joint's centre there"}, i.seat);

@@ -11,6 +11,7 @@
 #include "deadpoint/machine/assembly/overlaps.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/assembly/select.hpp"
+#include "deadpoint/machine/cad/survey.hpp"
 #include "deadpoint/machine/geometry/polygon.hpp"
 #include "deadpoint/machine/geometry/seams.hpp"
 #include "deadpoint/machine/parts/cell_limit.hpp"
@@ -218,9 +219,6 @@ PartMesh mesh_part(const MachineDescription& description, const PartDescription&
         check_quality(part, mesh);
         return mesh;
     }
-    if (const auto* file = std::get_if<MeshSource>(&part.source)) {
-        return read_mesh(part, *file, half, waiting);
-    }
     if (half && beyond_symmetry(prisms)) {
         return {};
     }
@@ -291,11 +289,29 @@ BoxShape bounds_of_all(const std::vector<std::vector<Prism>>& drawn)
     return bounds_of(all);
 }
 
+/// Meshes of files, which are quick to read, and a look at all drawings: what is wrong there is said before anything is
+/// meshed.
+std::vector<PartMesh> read_mesh_files(const MachineDescription& description, Observer& observer)
+{
+    std::vector<PartMesh> meshes(description.parts.size());
+    Mistakes mistakes(bad_geometry);
+    for (std::size_t i = 0; i < description.parts.size(); ++i) {
+        const PartDescription& part = description.parts[i];
+        if (const auto* file = std::get_if<MeshSource>(&part.source)) {
+            mistakes.attempt(path_of(part), [&] { meshes[i] = read_mesh(part, *file, description.half_model, {}); });
+        }
+    }
+    survey_drawings(description, mistakes, observer);
+    mistakes.raise();
+    return meshes;
+}
+
 std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description, Assembly& assembly,
                                            Observer& observer)
 {
     const GmshSession session;
     std::vector<std::vector<Prism>> drawn = drawn_parts(description, observer);
+    std::vector<PartMesh> files = read_mesh_files(description, observer);
     const BoxShape bounds = bounds_of_all(drawn);
     std::vector<std::vector<Prism>> shapes;
     Mistakes mistakes(bad_geometry);
@@ -307,7 +323,9 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
             observer.progress(done, fmt::format("{}, for {:.0f} s", part.name, seconds));
         };
         mistakes.attempt(path_of(part), [&] {
-            PartMesh mesh = mesh_part(description, part, drawn[i], bounds, observer, waiting);
+            PartMesh mesh = std::holds_alternative<MeshSource>(part.source)
+                                ? std::move(files[i])
+                                : mesh_part(description, part, drawn[i], bounds, observer, waiting);
             for (const auto& note : mesh.notes) {
                 observer.info(fmt::format("part '{}': {}", part.name, note));
             }

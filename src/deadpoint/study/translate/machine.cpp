@@ -84,7 +84,8 @@ InterfaceDescription interface_of(const casefile::Case& input, const std::string
                                   const casefile::Interface& interface, const Travel& travel, Mistakes& mistakes)
 {
     const std::string path = fmt::format("joints.{}.interfaces.{}", joint, interface.name);
-    InterfaceDescription result{joint + "." + interface.name, {}, {}, 0, travel, interface.partial};
+    InterfaceDescription result{joint + "." + interface.name,    {},     {},
+                                interface.drawn_gap.value_or(0), travel, interface.partial};
     mistakes.attempt(path + ".a", [&] { result.a = side_of(input, input.joints.at(joint), interface, interface.a); });
     mistakes.attempt(path + ".b", [&] { result.b = side_of(input, input.joints.at(joint), interface, interface.b); });
     return result;

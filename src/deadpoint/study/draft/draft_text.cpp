@@ -1,0 +1,523 @@
+#include "deadpoint/study/draft/draft.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <numbers>
+#include <set>
+
+namespace deadpoint::study {
+namespace {
+
+using machine::CadContact;
+using machine::CadFace;
+using machine::CadPlane;
+using machine::CadSolid;
+
+constexpr double drawn_exactly = 1e-5;  ///< clearance that the mesh takes for none [m]
+
+/// A length in millimetres, to a tenth of a micrometre and without zeros at its end.
+std::string mm(double metres)
+{
+    std::string text = fmt::format("{:.4f}", 1e3 * metres);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) {
+        text.pop_back();
+    }
+    return fmt::format("\"{} mm\"", text == "-0" ? "0" : text);
+}
+
+const char* letter(std::size_t axis) { return axis == 0 ? "x" : (axis == 1 ? "y" : "z"); }
+
+/// The axis along which a direction lies; 3 where it lies along none.
+std::size_t axis_of(const Vec3& direction)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (std::abs(direction[i]) > 1 - 1e-6) {
+            return i;
+        }
+    }
+    return 3;
+}
+
+double exterior(const CadSolid& solid)
+{
+    double sum = 0;
+    for (const CadFace& face : solid.faces) {
+        sum += face.area;
+    }
+    return sum;
+}
+
+/// Area of the faces of a solid that lie in the plane, or on the cylinder, of a contact.
+double area_at(const CadSolid& solid, const CadContact& contact, bool is_a)
+{
+    double sum = 0;
+    for (const CadFace& face : solid.faces) {
+        if (const auto* plane = std::get_if<CadPlane>(&face.form);
+            plane != nullptr && contact.kind == CadContact::Kind::plane) {
+            const Vec3 normal = (is_a ? 1.0 : -1.0) * contact.direction;
+            const double at = dot(normal, contact.point) + (is_a ? 0.0 : -contact.clearance);
+            sum += norm(plane->normal - normal) < 1e-3 && std::abs(plane->offset - at) < 1e-5 ? face.area : 0;
+        }
+        if (const auto* c = std::get_if<machine::CadCylinder>(&face.form);
+            c != nullptr && contact.kind == CadContact::Kind::cylinder && c->bore == is_a) {
+            const Vec3 way = c->point - contact.point;
+            const bool same = norm(way - dot(way, contact.direction) * contact.direction) < 1e-5 &&
+                              std::abs(2 * c->radius - contact.diameter - (is_a ? contact.clearance : 0)) < 1e-5;
+            sum += same ? face.area : 0;
+        }
+    }
+    return sum;
+}
+
+/// Text of a case, and what was asked of its reader.
+class Writer {
+public:
+    Writer(const Draft& draft, std::string file) : draft_(draft), file_(std::move(file)) {}
+
+    std::string all()
+    {
+        head();
+        materials();
+        bodies();
+        parts();
+        joints();
+        other_contacts();
+        surfaces();
+        operation();
+        chain();
+        numerics();
+        return std::move(out_);
+    }
+
+private:
+    template <class... T>
+    void line(fmt::format_string<T...> format, T&&... values)
+    {
+        out_ += fmt::format(format, std::forward<T>(values)...) + "\n";
+    }
+    void section(const char* title)
+    {
+        line("\n# ---------------------------------------------------------------- {}\n", title);
+    }
+    const CadSolid& solid(std::size_t i) const { return draft_.model.solids[i]; }
+    const std::string& body(std::size_t i) const { return draft_.bodies[i].name; }
+    const DraftBody* body_with(Role role) const
+    {
+        const auto found = std::ranges::find(draft_.bodies, role, &DraftBody::role);
+        return found == draft_.bodies.end() ? nullptr : &*found;
+    }
+
+    void head()
+    {
+        line("# A first case from '{}': {} solids, {} contacts between them. Every line with TO DO holds a guess; "
+             "replace it, then",
+             file_, draft_.model.solids.size(), draft_.contacts.size());
+        line("#   deadpoint check case.toml               is it sound, and what would be computed?");
+        line("#   deadpoint run case.toml -o results      how far does it drift?");
+        line("# The drawing must show the press at bottom dead point. x points to the right, y up, z along the "
+             "crankshaft.");
+        for (const auto& name : draft_.model.without_solid) {
+            line("# TO DO: '{}' holds no solid, only surfaces or curves; it is left out. Export it as a closed solid "
+                 "if it matters.",
+                 name);
+        }
+        if (!draft_.axes.found) {
+            line("# TO DO: the drawing does not show which way the crankshaft lies; the axes are those of the drawing. "
+                 "If they are others,");
+            line("# turn every part by `axes`.");
+        }
+        line("format = 1\n\n[machine]\nname = \"press\"\ninitial_temperature = \"20 degC\"\nambient = \"20 degC\"");
+    }
+
+    void materials()
+    {
+        section("what things are made of");
+        constexpr std::array<std::pair<const char*, const char*>, 3> known{
+            {{"iron", "GJL-250"}, {"steel", "42CrMo4"}, {"bronze", "CuSn8"}}};
+        std::set<std::string> used;
+        for (std::size_t i = 0; i < draft_.model.solids.size(); ++i) {
+            used.insert(material(i));
+        }
+        line("# TO DO: guessed from names; docs/case-file.md lists the shipped library.");
+        for (const auto& [key, library] : known) {
+            if (used.contains(key)) {
+                line("[materials.{}]\nlibrary = \"{}\"", key, library);
+            }
+        }
+        line("[lubricants.oil]\nlibrary = \"ISO-VG-68\"   # TO DO: your oil");
+    }
+
+    std::string material(std::size_t i) const
+    {
+        return material_of(solid(i).name, draft_.bodies[draft_.body_of[i]].role);
+    }
+
+    void bodies()
+    {
+        section("what moves as one");
+        for (std::size_t b = 0; b < draft_.bodies.size(); ++b) {
+            const DraftBody& one = draft_.bodies[b];
+            if (!one.by_name) {
+                line("# TO DO: no name says what this is.");
+            }
+            line("[bodies.{}]{}", one.name, b == 0 ? "\nground = true" : "");
+            if (b > 0 && !has_joint(b)) {
+                line("# TO DO: nothing that moves touches it; give it a joint, or add its parts to another body.");
+            }
+        }
+    }
+
+    bool has_joint(std::size_t b) const
+    {
+        return std::ranges::any_of(draft_.joints, [&](const DraftJoint& j) { return j.body_a == b || j.body_b == b; });
+    }
+
+    /// Walls of a plate count twice in its surface, so that two volumes over the surface are its thickness.
+    double size_of(const CadSolid& one) const
+    {
+        const double thickness = 2 * one.volume / exterior(one);
+        return std::clamp(std::round(1e3 * thickness), 1e3 * global_size() / 4, 1e3 * global_size()) * 1e-3;
+    }
+    double global_size() const { return std::max(1e-3, std::round(1e3 * extent(draft_.model) / 35) * 1e-3); }
+
+    std::string axes() const
+    {
+        std::vector<std::string> names;
+        for (const Vec3& row : draft_.axes.rows) {
+            const std::size_t axis = axis_of(row);
+            names.push_back(fmt::format("\"{}{}\"", row[axis] < 0 ? "-" : "", letter(axis)));
+        }
+        const std::string text = fmt::format("{}", fmt::join(names, ", "));
+        return text == "\"x\", \"y\", \"z\"" ? "" : fmt::format("axes = [{}]\n", text);
+    }
+
+    void parts()
+    {
+        section("its solids; touching parts of one body are bonded by themselves");
+        for (std::size_t i = 0; i < draft_.model.solids.size(); ++i) {
+            const CadSolid& one = solid(i);
+            const Vec3 edges = one.bounds.max - one.bounds.min;
+            line("# {:.4g} litres, {:.1f} x {:.1f} x {:.1f} mm{}{}", 1e3 * one.volume, 1e3 * edges[0], 1e3 * edges[1],
+                 1e3 * edges[2], one.path.empty() ? "" : ", in " + one.path,
+                 one.colour.empty() ? "" : ", colour " + one.colour);
+            line("[parts.{}]\nbody = \"{}\"\nmaterial = \"{}\"\nstep = \"{}\"\nsolid = \"{}\"\n{}size = {}\n", one.name,
+                 body(draft_.body_of[i]), material(i), file_, one.name, axes(), mm(size_of(one)));
+        }
+    }
+
+    /// The joint of crankshaft and frame with the largest contact.
+    const DraftJoint* crank_joint() const
+    {
+        const DraftJoint* best = nullptr;
+        double largest = 0;
+        for (const DraftJoint& joint : draft_.joints) {
+            const bool fits = !joint.slide && joint.body_b == 0 && draft_.bodies[joint.body_a].role == Role::crank;
+            if (fits && area_of(joint) > largest) {
+                best = &joint;
+                largest = area_of(joint);
+            }
+        }
+        return best;
+    }
+
+    double area_of(const DraftJoint& joint) const
+    {
+        double sum = 0;
+        for (const std::size_t c : joint.contacts) {
+            sum += draft_.contacts[c].area;
+        }
+        return sum;
+    }
+
+    void joints()
+    {
+        section("what connects the bodies, and what rubs");
+        line("# TO DO: coefficients of friction, clearances and films are customary values, not yours.");
+        for (const DraftJoint& joint : draft_.joints) {
+            joint.slide ? guide(joint) : bearing(joint);
+        }
+    }
+
+    void bearing(const DraftJoint& joint)
+    {
+        const CadContact& first = draft_.contacts[joint.contacts.front()];
+        double length = 0;
+        for (const std::size_t c : joint.contacts) {
+            length += draft_.contacts[c].area / (std::numbers::pi * draft_.contacts[c].diameter);
+        }
+        const double radial = first.clearance > drawn_exactly ? 0.5 * first.clearance : 5e-4 * first.diameter;
+        line("[friction.{}]\nlaw = \"pin\"\nlubricant = \"oil\"\ncoefficient = 0.03     # TO DO\ndiameter = {}\nlength "
+             "= {}\nclearance = {}   # TO DO: "
+             "{}\n",
+             joint.name, mm(first.diameter), mm(length), mm(radial),
+             first.clearance > drawn_exactly ? "half of the clearance in the drawing"
+                                             : "radial; drawn without, a thousandth of the diameter here");
+        const bool driver = &joint == crank_joint();
+        const bool turns = driver || draft_.bodies[joint.body_a].role == Role::crank ||
+                           draft_.bodies[joint.body_b].role == Role::crank;
+        line("[joints.{}]\nkind = \"revolute\"\nbodies = [\"{}\", \"{}\"]\ncentre = [{}, {}]{}{}\nclearance = "
+             "{}\nfriction = \"{}\"\ninterfaces = [",
+             joint.name, body(joint.body_a), body(joint.body_b), mm(first.point[0]), mm(first.point[1]),
+             turns ? "\nturns_fully = true" : "", driver ? "\ndriver = true" : "", mm(2 * radial), joint.name);
+        for (const std::size_t c : joint.contacts) {
+            interface(joint, draft_.contacts[c],
+                      fmt::format(
+                          "law = \"oil_film\", fluid_conductivity = \"0.14 W/m/K\", clearance = {}, eccentricity = 0.6",
+                          mm(radial)),
+                      driver);
+        }
+        line("]\n");
+        cylinders_of(joint);
+    }
+
+    void guide(const DraftJoint& joint)
+    {
+        Vec3 middle{};
+        for (const std::size_t c : joint.contacts) {
+            middle = middle + (1.0 / static_cast<double>(joint.contacts.size())) * draft_.contacts[c].point;
+        }
+        line("[friction.{}]\nlaw = \"guide\"\nlubricant = \"oil\"\ncoefficient = 0.05     # TO DO\nfilm_thickness = "
+             "\"20 um\"   # TO DO\nfilm_area = \"{:.5g} "
+             "m^2\"\n",
+             joint.name, area_of(joint));
+        line("[joints.{}]\nkind = \"slide\"\nbodies = [\"{}\", \"{}\"]\ncentre = [{}, {}]\ndirection = [0, 1]\npreload "
+             "= \"1 kN\"         # TO DO: of the "
+             "gibs\nfriction = \"{}\"\ninterfaces = [",
+             joint.name, body(joint.body_a), body(joint.body_b), mm(crank_x()), mm(middle[1]), joint.name);
+        for (const std::size_t c : joint.contacts) {
+            interface(joint, draft_.contacts[c],
+                      "law = \"oil_film\", fluid_conductivity = \"0.14 W/m/K\", thickness = \"20 um\"", false);
+        }
+        line("]\n");
+        planes_of(joint);
+    }
+
+    double crank_x() const
+    {
+        const DraftJoint* joint = crank_joint();
+        return joint == nullptr ? 0 : draft_.contacts[joint->contacts.front()].point[0];
+    }
+
+    std::string surface_name(const DraftJoint& joint, std::size_t solid_index, const CadContact& contact) const
+    {
+        std::size_t number = 0;
+        for (const std::size_t c : joint.contacts) {
+            const CadContact& other = draft_.contacts[c];
+            if (&other == &contact) {
+                break;
+            }
+            number += other.a == solid_index || other.b == solid_index ? 1 : 0;
+        }
+        return fmt::format("{}_at_{}{}", solid(solid_index).name, joint.name,
+                           number == 0 ? "" : fmt::format("_{}", number + 1));
+    }
+
+    /// Whether both sides go by the joint's centre and one diameter.
+    static bool by_diameter(const CadContact& contact)
+    {
+        return contact.kind == CadContact::Kind::cylinder && std::abs(contact.clearance) <= drawn_exactly;
+    }
+
+    void interface(const DraftJoint& joint, const CadContact& contact, const std::string& conductance, bool seat)
+    {
+        // The other side must cover side a: the smaller face.
+        const double areas[2] = {area_at(solid(contact.a), contact, true), area_at(solid(contact.b), contact, false)};
+        const bool a_first = areas[0] <= areas[1];
+        const std::size_t one = a_first ? contact.a : contact.b;
+        const std::size_t other = a_first ? contact.b : contact.a;
+        const bool by_part = by_diameter(contact);
+        const std::string more =
+            fmt::format("{}{}{}{}", by_part ? fmt::format(", diameter = {}", mm(contact.diameter)) : "",
+                        contact.area < 0.985 * std::min(areas[0], areas[1]) ? ", partial = true" : "",
+                        seat ? ", seat = true, journal = true" : "",
+                        std::abs(contact.clearance) > drawn_exactly
+                            ? fmt::format(", drawn_gap = {}", mm(1.01 * std::abs(contact.clearance) + 1e-5))
+                            : "");
+        line("    # {:.4g} cm2, drawn with {} of clearance", 1e4 * contact.area, mm(contact.clearance));
+        line("    {{ name = \"{}_{}\", a = \"{}\", b = \"{}\"{}, conductance = {{ {} }} }},", solid(one).name,
+             solid(other).name, by_part ? solid(one).name : surface_name(joint, one, contact),
+             by_part ? solid(other).name : surface_name(joint, other, contact), more, conductance);
+    }
+
+    void cylinders_of(const DraftJoint& joint)
+    {
+        for (const std::size_t c : joint.contacts) {
+            const CadContact& contact = draft_.contacts[c];
+            if (by_diameter(contact)) {
+                continue;
+            }
+            for (const std::size_t side : {contact.a, contact.b}) {
+                line("[surfaces.{}]\nparts = [\"{}\"]\nselect = \"cylinder\"\naxis = \"z\"\ncentre = [{}, "
+                     "{}]\ndiameter = {}\n",
+                     surface_name(joint, side, contact), solid(side).name, mm(contact.point[0]), mm(contact.point[1]),
+                     mm(contact.diameter + (side == contact.a ? contact.clearance : 0)));
+            }
+        }
+    }
+
+    void plane(const std::string& name, std::size_t of, const Vec3& normal, const Vec3& point)
+    {
+        const std::size_t axis = axis_of(normal);
+        const std::string where =
+            axis < 3 ? fmt::format("axis = \"{}\"\nposition = {}", letter(axis), mm(point[axis]))
+                     : fmt::format("normal = [{:.9g}, {:.9g}, {:.9g}]\npoint = [{}, {}, {}]", normal[0], normal[1],
+                                   normal[2], mm(point[0]), mm(point[1]), mm(point[2]));
+        line("[surfaces.{}]\nparts = [\"{}\"]\nselect = \"plane\"\n{}\n", name, solid(of).name, where);
+    }
+
+    void planes_of(const DraftJoint& joint)
+    {
+        for (const std::size_t c : joint.contacts) {
+            const CadContact& contact = draft_.contacts[c];
+            plane(surface_name(joint, contact.a, contact), contact.a, contact.direction, contact.point);
+            plane(surface_name(joint, contact.b, contact), contact.b, contact.direction,
+                  contact.point + contact.clearance * contact.direction);
+        }
+    }
+
+    void other_contacts()
+    {
+        section("contacts that are no joint");
+        line("# Within a body, touching parts are bonded. What is drawn apart is not: change the drawing, or leave it "
+             "so.");
+        for (std::size_t i = 0; i < draft_.contacts.size(); ++i) {
+            const CadContact& contact = draft_.contacts[i];
+            const bool inside = draft_.body_of[contact.a] == draft_.body_of[contact.b];
+            const bool in_joint = std::ranges::any_of(draft_.joints, [&](const DraftJoint& j) {
+                return std::ranges::find(j.contacts, i) != j.contacts.end();
+            });
+            if (in_joint) {
+                continue;
+            }
+            const std::string form =
+                contact.kind == CadContact::Kind::plane
+                    ? "planes"
+                    : fmt::format("cylinders of {} about ({:.1f}, {:.1f}, {:.1f})", mm(contact.diameter),
+                                  1e3 * contact.point[0], 1e3 * contact.point[1], 1e3 * contact.point[2]);
+            const bool apart = std::abs(contact.clearance) > drawn_exactly;
+            line("# {} | {}: {}, {:.4g} cm2, clearance {}: {}", solid(contact.a).name, solid(contact.b).name, form,
+                 1e4 * contact.area, mm(contact.clearance),
+                 inside ? (apart ? "not bonded, since drawn apart" : "bonded")
+                        : "TO DO: two bodies that touch without a joint; no heat passes here");
+        }
+    }
+
+    std::string parts_of(bool ground) const
+    {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < draft_.model.solids.size(); ++i) {
+            if ((draft_.body_of[i] == 0) == ground) {
+                names.push_back(fmt::format("\"{}\"", solid(i).name));
+            }
+        }
+        return fmt::format("{}", fmt::join(names, ", "));
+    }
+
+    void surfaces()
+    {
+        section("what cools");
+        line("# TO DO: still air at the frame, moved air at what moves.");
+        for (const bool ground : {true, false}) {
+            const std::string names = parts_of(ground);
+            if (!names.empty()) {
+                line("[surfaces.air_{}]\nparts = [{}]\nselect = \"exposed\"\nfilm = {{ coefficient = \"{} W/m^2/K\", "
+                     "emissivity = 0.6 }}\n",
+                     ground ? "frame" : "moving", names, ground ? 5 : 12);
+            }
+        }
+    }
+
+    void operation()
+    {
+        section("what the press does");
+        line("[[operation]]\nname = \"warm-up\"\nduration = \"3 h\"");
+        if (crank_joint() != nullptr) {
+            line("speed = \"60 rpm\"      # TO DO\nforce = \"100 kN\"      # TO DO: of the process");
+        } else {
+            line("speed = \"60 rpm\"\n# TO DO: no joint of crankshaft and frame was found; without it nothing is "
+                 "driven and nothing rubs.");
+        }
+    }
+
+    struct Found {
+        std::size_t solid = 0;
+        double position = 0;
+        double area = 0;
+    };
+
+    /// The plane face of a body across y with the largest measure of `worth`.
+    template <class Worth>
+    std::optional<Found> face_across_y(const DraftBody& of, double sign, const Worth& worth) const
+    {
+        std::optional<Found> best;
+        double most = 0;
+        for (const std::size_t i : of.solids) {
+            for (const CadFace& face : solid(i).faces) {
+                const auto* plane = std::get_if<CadPlane>(&face.form);
+                if (plane == nullptr || sign * plane->normal[1] < 1 - 1e-6) {
+                    continue;
+                }
+                const Found found{i, sign * plane->offset, face.area};
+                if (const double value = worth(found); value > 0 && value > most) {
+                    most = value;
+                    best = found;
+                }
+            }
+        }
+        return best;
+    }
+
+    void chain()
+    {
+        const DraftBody* slide = body_with(Role::slide);
+        const DraftJoint* crank = crank_joint();
+        if (slide == nullptr || crank == nullptr) {
+            line("\n# TO DO: the dimension chain ([chain] in docs/case-file.md) needs a slide and the joint of "
+                 "crankshaft and frame.");
+            return;
+        }
+        const double top = draft_.contacts[crank->contacts.front()].point[1];
+        const auto area = [](const Found& f) { return f.area; };
+        const auto below = face_across_y(*slide, -1, area);
+        const auto table = !below ? below : face_across_y(draft_.bodies[0], 1, [&](const Found& f) {
+            return f.position < below->position + 1e-6 && f.area > 1e-4 ? 1 / (below->position - f.position + 1e-3) : 0;
+        });
+        const auto feet =
+            face_across_y(draft_.bodies[0], -1, [&](const Found& f) { return f.area > 1e-4 ? top - f.position : 0; });
+        if (!below || !table || !feet) {
+            line("\n# TO DO: the dimension chain needs plane faces across y on slide and table.");
+            return;
+        }
+        section("the gap between slide and table");
+        line("# TO DO: {} of {} faces {} of {} over {:.1f} mm; are these the two faces of your tool?",
+             mm(below->position), solid(below->solid).name, mm(table->position), solid(table->solid).name,
+             1e3 * (below->position - table->position));
+        plane("slide_face", below->solid, {0, 1, 0}, {0, below->position, 0});
+        plane("table_top", table->solid, {0, 1, 0}, {0, table->position, 0});
+        plane("feet", feet->solid, {0, 1, 0}, {0, feet->position, 0});
+        line("[chain]\nslide_body = \"{}\"\nslide_surface = \"slide_face\"\ntable_surface = "
+             "\"table_top\"\nground_surface = \"feet\"\ncrank_joint = \"{}\"\n"
+             "reaction_angle = \"90 deg\"\ndrift_rate_limit = \"1 um/h\"",
+             slide->name, crank->name);
+    }
+
+    void numerics()
+    {
+        section("how finely");
+        line("[numerics]\nsize = {}", mm(global_size()));
+    }
+
+    const Draft& draft_;
+    std::string file_;
+    std::string out_;
+};
+
+}  // namespace
+
+std::string draft_text(const Draft& draft, const std::string& file) { return Writer(draft, file).all(); }
+
+}  // namespace deadpoint::study

@@ -1,0 +1,219 @@
+#include "deadpoint/machine/cad/cad_contacts.hpp"
+#include "deadpoint/machine/cad/read_cad.hpp"
+#include "fixture.hpp"
+
+#include <algorithm>
+
+using namespace machine_test;
+using namespace deadpoint::machine;
+using doctest::Approx;
+
+namespace {
+
+const double pi = std::numbers::pi;
+const std::string data = DEADPOINT_TEST_DATA;
+const std::string press = data + "/../../cases/c-frame/press.step";
+
+CadModel read(const std::string& path, std::optional<double> unit = {}) { return read_cad("import", path, unit, {}); }
+
+/// A square of 100 mm in the plane z = `z`, its lower corner at (x, 0).
+CadFace square(double x, double z, double up)
+{
+    CadPlane plane{{0, 0, up}, up * z, {{{x, 0, z}, {x + 0.1, 0, z}, {x + 0.1, 0.1, z}, {x, 0.1, z}}}};
+    return {"", 0.01, plane};
+}
+
+/// Half of a cylinder about z: angles from `start`, length 40 mm from `from`.
+CadFace half_cylinder(double radius, bool bore, double start, double from)
+{
+    CadCylinder cylinder{{0.2, 0.1, 0}, {0, 0, 1}, {1, 0, 0}, radius, bore, {start, start + pi}, {from, from + 0.04}};
+    return {"", pi * radius * 0.04, cylinder};
+}
+
+CadModel pair(std::vector<CadFace> a, std::vector<CadFace> b)
+{
+    const BoxShape everywhere{{-1, -1, -1}, {1, 1, 1}};
+    CadModel model;
+    model.solids = {{"a", "", "", 1, everywhere, std::move(a)}, {"b", "", "", 1, everywhere, std::move(b)}};
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("planes that face each other share the area of their common outline")
+{
+    const auto found = find_contacts(pair({square(0, 0.05, 1)}, {square(0.03, 0.0502, -1)}));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].area == Approx(0.07 * 0.1).epsilon(1e-12));
+    CHECK(found[0].clearance == Approx(0.2e-3).epsilon(1e-9));
+    CHECK(find_contacts(pair({square(0, 0.05, 1)}, {square(0.03, 0.05, 1)})).empty());     // they look the same way
+    CHECK(find_contacts(pair({square(0, 0.05, 1)}, {square(0.03, 0.052, -1)})).empty());   // 2 mm apart
+    CHECK(find_contacts(pair({square(0, 0.05, 1)}, {square(0.2, 0.05, -1)})).empty());     // side by side
+    CHECK(find_contacts(pair({square(0, 0.05, 1)}, {square(0.0999, 0.05, -1)})).empty());  // 10 mm2
+}
+
+TEST_CASE("a hole in one of two planes carries nothing")
+{
+    CadFace holed = square(0, 0, 1);
+    std::get<CadPlane>(holed.form)
+        .loops.push_back({{0.02, 0.02, 0}, {0.02, 0.05, 0}, {0.05, 0.05, 0}, {0.05, 0.02, 0}});
+    const auto found = find_contacts(pair({holed}, {square(0, 0, -1)}));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].area == Approx(0.01 - 0.03 * 0.03).epsilon(1e-12));
+}
+
+TEST_CASE("halves of cylinders in one bore count together, whatever their seams and directions")
+{
+    CadFace back = half_cylinder(0.02, false, 2.0, 0.01);  // drawn from the other end
+    auto& turned = std::get<CadCylinder>(back.form);
+    turned.axis = {0, 0, -1};
+    turned.point = {0.2, 0.1, 0.03};
+    turned.angles = {-2.0 - 2 * pi, -2.0 - pi};
+    turned.range = {-0.02, 0.02};
+    const auto found = find_contacts(pair({half_cylinder(0.02004, true, 0, 0), half_cylinder(0.02004, true, pi, 0)},
+                                          {half_cylinder(0.02, false, 2.0, 0.01), back}));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].kind == CadContact::Kind::cylinder);
+    CHECK(found[0].a == 0);  // the bore
+    CHECK(found[0].diameter == Approx(0.04));
+    CHECK(found[0].clearance == Approx(0.08e-3).epsilon(1e-9));
+    CHECK(found[0].area == Approx(2 * pi * 0.02 * 0.03).epsilon(1e-9));  // 30 mm of 40 mm lie in the bore
+    CHECK(find_contacts(pair({half_cylinder(0.02, true, 0, 0)}, {half_cylinder(0.02, true, 0, 0)})).empty());
+    CHECK(find_contacts(pair({half_cylinder(0.021, true, 0, 0)}, {half_cylinder(0.02, false, 0, 0)}))
+              .empty());  // 2 mm play
+}
+
+TEST_CASE("the solids of an assembly come with names, volumes and places")
+{
+    const CadModel model = read(press);
+    CHECK(model.unit == "millimetre");
+    REQUIRE(model.solids.size() == 15);
+    const auto solid = [&](const std::string& name) {
+        const auto found = std::ranges::find(model.solids, name, &CadSolid::name);
+        REQUIRE(found != model.solids.end());
+        return *found;
+    };
+    CHECK(solid("bolster").volume == Approx(0.5 * 0.06 * 0.4).epsilon(1e-9));
+    CHECK(solid("bush_front").volume == Approx(pi * (0.075 * 0.075 - 0.05 * 0.05) * 0.06).epsilon(1e-9));
+    CHECK(solid("gib_left").bounds.min[0] == Approx(-0.22).epsilon(1e-9));
+    CHECK(solid("wrist_pin").bounds.max[2] == Approx(0.12).epsilon(1e-9));  // this one has a placement of its own
+    CHECK(solid("bush_front").faces.size() == 4);
+}
+
+TEST_CASE("every contact of the drawn press is found, and no other")
+{
+    const CadModel model = read(press);
+    struct Truth {
+        const char* one;
+        const char* other;
+        double area;
+    };
+    // What make.tcl draws: cylinders 2 pi r l, planes by their edges.
+    const double length_of_rod = 0.1;
+    const std::vector<Truth> truth{{"frame", "bush_front", 2 * pi * 0.075 * 0.06},
+                                   {"frame", "bush_back", 2 * pi * 0.075 * 0.06},
+                                   {"bush_front", "crankshaft", 2 * pi * 0.05 * 0.06},
+                                   {"bush_back", "crankshaft", 2 * pi * 0.05 * 0.06},
+                                   {"flywheel", "crankshaft", 2 * pi * 0.05 * 0.06},
+                                   {"connecting_rod", "crankshaft", 2 * pi * 0.09 * length_of_rod},
+                                   {"connecting_rod", "wrist_pin", 2 * pi * 0.035 * length_of_rod},
+                                   {"slide", "wrist_pin", 2 * pi * 0.035 * 0.136},
+                                   {"slide", "gib_left", 0.34 * 0.24},
+                                   {"slide", "gib_right", 0.34 * 0.24},
+                                   {"bracket_left", "gib_left", 0.34 * 0.35},
+                                   {"bracket_right", "gib_right", 0.34 * 0.35},
+                                   {"frame", "bracket_left", 0.36 * 0.08},
+                                   {"frame", "bracket_right", 0.36 * 0.08},
+                                   {"frame", "bolster", 0.5 * 0.4},
+                                   {"frame", "motor_foot", 0.2 * 0.25},
+                                   {"motor", "motor_foot", 0.12 * 0.15}};
+    const auto found = find_contacts(model);
+    for (const Truth& expected : truth) {
+        CAPTURE(expected.one);
+        CAPTURE(expected.other);
+        const auto fits = [&](const CadContact& contact) {
+            const std::string a = model.solids[contact.a].name;
+            const std::string b = model.solids[contact.b].name;
+            return (a == expected.one && b == expected.other) || (b == expected.one && a == expected.other);
+        };
+        REQUIRE(std::ranges::count_if(found, fits) == 1);
+        // An oil hole of 8 or 10 mm diameter goes through some bores.
+        CHECK(std::ranges::find_if(found, fits)->area == Approx(expected.area).epsilon(0.005));
+    }
+    CHECK(found.size() == truth.size());
+}
+
+TEST_CASE("a part names its solid")
+{
+    const std::vector<std::string> names{"frame", "gib_left", "gib_right"};
+    CHECK(chosen_solids("p", "a.step", "gib_*", names) == std::vector<std::string>{"gib_left", "gib_right"});
+    CHECK(chosen_solids("p", "a.step", "", {"only"}) == std::vector<std::string>{"only"});
+    CHECK_THROWS_WITH_AS(
+        chosen_solids("p", "a.step", "", names),
+        "part 'p': 'a.step' holds 3 solids: frame, gib_left, gib_right\n  help: choose one by solid = "
+        "\"frame\"; solid = \"*\" makes all of them one piece; `deadpoint init --step` writes a part for each",
+        InputError);
+    CHECK_THROWS_WITH_AS(
+        chosen_solids("p", "a.step", "fram", names),
+        "part 'p': 'a.step' holds no solid 'fram'; it holds frame, gib_left, gib_right\n  help: did you mean "
+        "'frame'?",
+        InputError);
+}
+
+TEST_CASE("a stated unit counts instead of that of the file")
+{
+    const CadModel inches = read(data + "/plate_with_hole.step", 0.0254);
+    CHECK(inches.scale == Approx(25.4).epsilon(1e-12));
+    CHECK(extent(inches) == Approx(2.54).epsilon(1e-9));  // 100 units
+    CHECK(read(data + "/plate_with_hole.step").scale == 1);
+}
+
+TEST_CASE("small holes are left out before meshing, large ones stay")
+{
+    MachineDescription description;
+    PartDescription import;
+    import.name = "slide";
+    import.body = "b";
+    import.density = 1000;
+    StepSource source{press, "slide"};
+    import.source = source;
+    description.parts = {import};
+    description.size = 0.06;
+    Log log;
+    const Machine without = build_machine(description, log);
+    REQUIRE(log.infos.size() == 1);
+    CHECK(log.infos[0].starts_with(
+        "part 'slide': 4 holes and roundings up to 15 mm are left out"));  // M12, a quarter of 60 mm
+    source.rules.omit = 0;
+    description.parts[0].source = source;
+    const Machine with = build(description);
+    CHECK(with.cells.size() > without.cells.size());
+    // Four holes of 12 mm, 40 mm deep; chords of the seat of 70 mm differ between the meshes by less than a twentieth
+    // of that.
+    const double holes = 4 * pi * 0.006 * 0.006 * 0.04;
+    CHECK(without.parts[0].volume - with.parts[0].volume == Approx(holes).epsilon(0.3));
+}
+
+TEST_CASE("a part may be turned from the axes of its file")
+{
+    MachineDescription description;
+    PartDescription import;
+    import.name = "bolster";
+    import.body = "b";
+    import.density = 1000;
+    StepSource source{press, "bolster"};
+    source.axes = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};  // z, x and y of the file are x, y and z
+    import.source = source;
+    description.parts = {import};
+    description.size = 0.06;
+    const Machine machine = build(description);
+    double least[3]{1, 1, 1};
+    for (const Vec3& node : machine.nodes) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            least[i] = std::min(least[i], node[i]);
+        }
+    }
+    CHECK(least[0] == Approx(-0.15).epsilon(1e-9));
+    CHECK(least[1] == Approx(-0.25).epsilon(1e-9));
+    CHECK(least[2] == Approx(-0.95).epsilon(1e-9));
+}

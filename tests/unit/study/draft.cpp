@@ -1,0 +1,155 @@
+#include "deadpoint/study/draft/draft.hpp"
+
+#include "../../scratch_folder.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/machine/cad/read_cad.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numbers>
+
+using namespace deadpoint;
+using namespace deadpoint::study;
+using doctest::Approx;
+
+namespace {
+
+const std::string press = DEADPOINT_SOURCE_DIR "/cases/c-frame/press.step";
+
+machine::CadModel drawing() { return machine::read_cad("press", press, {}, {}); }
+
+std::vector<std::string> solids_of(const Draft& draft, const std::string& body)
+{
+    const auto found = std::ranges::find(draft.bodies, body, &DraftBody::name);
+    REQUIRE(found != draft.bodies.end());
+    std::vector<std::string> names;
+    for (const std::size_t i : found->solids) {
+        names.push_back(draft.model.solids[i].name);
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+const DraftJoint& joint(const Draft& draft, const std::string& name)
+{
+    const auto found = std::ranges::find(draft.joints, name, &DraftJoint::name);
+    REQUIRE(found != draft.joints.end());
+    return *found;
+}
+
+/// The drawing with its axes exchanged: x, y and z become y, z and x.
+machine::CadModel turned(machine::CadModel model)
+{
+    const auto turn = [](Vec3& v) { v = {v[2], v[0], v[1]}; };
+    for (auto& solid : model.solids) {
+        turn(solid.bounds.min);
+        turn(solid.bounds.max);
+        for (auto& face : solid.faces) {
+            if (auto* plane = std::get_if<machine::CadPlane>(&face.form)) {
+                turn(plane->normal);
+                for (auto& loop : plane->loops) {
+                    std::ranges::for_each(loop, turn);
+                }
+            } else if (auto* cylinder = std::get_if<machine::CadCylinder>(&face.form)) {
+                turn(cylinder->point);
+                turn(cylinder->axis);
+                turn(cylinder->across);
+            }
+        }
+    }
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("words in names of solids say what they are")
+{
+    CHECK(role_of("frame") == Role::frame);  // it holds "ram"
+    CHECK(role_of("Slide_Guide-left") == Role::frame);
+    CHECK(role_of("ram_upper") == Role::slide);
+    CHECK(role_of("connecting_rod") == Role::rod);
+    CHECK(role_of("Kurbelwelle") == Role::crank);
+    CHECK(role_of("motor_shaft") == Role::frame);
+    CHECK(role_of("part_17") == Role::unknown);
+    CHECK(material_of("bush_front", Role::frame) == "bronze");
+    CHECK(material_of("wrist_pin", Role::slide) == "steel");
+    CHECK(material_of("slide", Role::slide) == "iron");
+}
+
+TEST_CASE("the solids of a press fall into its bodies")
+{
+    const Draft draft = draft_of(drawing());
+    CHECK(draft.bodies.size() == 4);
+    CHECK(draft.bodies.front().role == Role::frame);
+    // The bushes hold to their housing by more area than to the journal, the pin to the slide's eyes more than to the
+    // rod.
+    CHECK(solids_of(draft, "frame") == std::vector<std::string>{"bolster", "bracket_left", "bracket_right", "bush_back",
+                                                                "bush_front", "frame", "gib_left", "gib_right", "motor",
+                                                                "motor_foot"});
+    CHECK(solids_of(draft, "crank") == std::vector<std::string>{"crankshaft", "flywheel"});
+    CHECK(solids_of(draft, "rod") == std::vector<std::string>{"connecting_rod"});
+    CHECK(solids_of(draft, "slide") == std::vector<std::string>{"slide", "wrist_pin"});
+}
+
+TEST_CASE("joints are where the bodies of a press meet")
+{
+    const Draft draft = draft_of(drawing());
+    REQUIRE(draft.joints.size() == 4);
+    CHECK(joint(draft, "crank_frame").contacts.size() == 2);  // both bushes
+    CHECK(joint(draft, "slide_frame").slide);
+    CHECK(joint(draft, "slide_frame").contacts.size() == 2);
+    const auto& pin = draft.contacts[joint(draft, "rod_crank").contacts.front()];
+    CHECK(pin.diameter == Approx(0.18));
+    CHECK(pin.point[1] == Approx(-0.03).epsilon(1e-9));
+    CHECK(draft.contacts[joint(draft, "rod_slide").contacts.front()].diameter == Approx(0.07));
+}
+
+TEST_CASE("the crankshaft and the slide of a drawing say where z and up are")
+{
+    const Draft straight = draft_of(drawing());
+    REQUIRE(straight.axes.found);
+    CHECK(straight.axes.rows == std::array<Vec3, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+    const Draft draft = draft_of(turned(drawing()));
+    REQUIRE(draft.axes.found);
+    CHECK(draft.axes.rows == std::array<Vec3, 3>{{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}});
+    CHECK(draft.joints.size() == 4);
+    const auto& pin = draft.contacts[joint(draft, "rod_crank").contacts.front()];
+    CHECK(pin.point[1] == Approx(-0.03).epsilon(1e-9));
+}
+
+TEST_CASE("the first case of a drawing is a case")
+{
+    const ScratchFolder folder;
+    std::filesystem::copy_file(press, folder.path / "press.step");
+    const auto file = folder.file("case.toml", draft_text(draft_of(drawing()), "press.step"));
+    const auto input = casefile::read_case(file.string()).value;
+    CHECK(input.parts.size() == 15);
+    CHECK(input.bodies.at("frame").ground);
+    CHECK(input.parts.at("bush_back").material == "bronze");
+    REQUIRE(input.joints.size() == 4);
+    CHECK(input.joints.at("crank_frame").driver);
+    CHECK(input.joints.at("rod_slide").centre[1] == Approx(-0.4));
+    CHECK(input.friction.size() == 4);
+    // Table top and slide face of the drawing: y of -890 and -780 mm.
+    CHECK(*input.surfaces.at("table_top").position == Approx(-0.89));
+    CHECK(*input.surfaces.at("slide_face").position == Approx(-0.78));
+    CHECK(*input.surfaces.at("feet").position == Approx(-1.1));
+}
+
+TEST_CASE("drawn clearances reach the case")
+{
+    auto model = drawing();
+    for (auto& solid : model.solids) {
+        for (auto& face : solid.faces) {
+            auto* cylinder = std::get_if<machine::CadCylinder>(&face.form);
+            if (solid.name == "connecting_rod" && cylinder != nullptr && std::abs(cylinder->radius - 0.09) < 1e-9) {
+                cylinder->radius += 0.06e-3;
+            }
+        }
+    }
+    const std::string text = draft_text(draft_of(model), "press.step");
+    CHECK(text.find("clearance = \"0.06 mm\"   # TO DO: half of the clearance in the drawing") != std::string::npos);
+    CHECK(text.find("drawn_gap = \"0.1312 mm\"") != std::string::npos);
+    CHECK(text.find("diameter = \"180.12 mm\"") != std::string::npos);
+}
