@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <doctest/doctest.h>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 
 using namespace deadpoint;
@@ -130,11 +133,23 @@ TEST_CASE("the first case of a drawing is a case")
     REQUIRE(input.joints.size() == 4);
     CHECK(input.joints.at("crank_frame").driver);
     CHECK(input.joints.at("rod_slide").centre[1] == Approx(-0.4));
+    CHECK(input.joints.at("slide_frame").centre[1] == Approx(-0.59));  // gibs from -760 to -420 mm
     CHECK(input.friction.size() == 4);
     // Table top and slide face of the drawing: y of -890 and -780 mm.
     CHECK(*input.surfaces.at("table_top").position == Approx(-0.89));
     CHECK(*input.surfaces.at("slide_face").position == Approx(-0.78));
     CHECK(*input.surfaces.at("feet").position == Approx(-1.1));
+}
+
+TEST_CASE("the shipped case of a drawing is what the program writes")
+{
+    const std::string file = DEADPOINT_SOURCE_DIR "/cases/c-frame/case.toml";
+    const std::string text = draft_text(draft_of(drawing()), "press.step");
+    if (std::getenv("DEADPOINT_RENEW_DOCS") != nullptr) {
+        std::ofstream(file) << text;
+    }
+    std::ifstream stream(file);
+    CHECK(std::string(std::istreambuf_iterator<char>(stream), {}) == text);
 }
 
 TEST_CASE("drawn clearances reach the case")

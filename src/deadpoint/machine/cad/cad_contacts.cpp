@@ -59,16 +59,28 @@ Polygon polygon_of(const CadPlane& plane, const std::array<Vec3, 2>& frame)
     return polygon;
 }
 
-double shared_area(const CadPlane& a, const CadPlane& b)
+/// What two planes share: its area, and its centroid on the first plane.
+struct Shared {
+    double area = 0;
+    Vec3 centre{};
+};
+
+Shared shared(const CadPlane& a, const CadPlane& b)
 {
     const auto frame = across(a.normal);
     geometry::model::multi_polygon<Polygon> common;
     try {
         geometry::intersection(polygon_of(a, frame), polygon_of(b, frame), common);
     } catch (const geometry::exception&) {
-        return 0;  // an outline that crosses itself bounds no area
+        return {};  // an outline that crosses itself bounds no area
     }
-    return geometry::area(common);
+    Shared result{geometry::area(common), {}};
+    if (result.area > 0) {
+        Point middle(0, 0);
+        geometry::centroid(common, middle);
+        result.centre = middle.x() * frame[0] + middle.y() * frame[1] + a.offset * a.normal;
+    }
+    return result;
 }
 
 std::optional<CadContact> contact_of(const CadPlane& a, const CadPlane& b, const CadReach& reach)
@@ -83,9 +95,10 @@ std::optional<CadContact> contact_of(const CadPlane& a, const CadPlane& b, const
         return std::nullopt;
     }
     CadContact contact;
-    contact.area = shared_area(a, b);
+    const Shared common = shared(a, b);
+    contact.area = common.area;
     contact.clearance = gap;
-    contact.point = a.loops.front().front();
+    contact.point = common.centre;
     contact.direction = a.normal;
     return contact.area < reach.least_area ? std::nullopt : std::optional(contact);
 }
@@ -185,6 +198,9 @@ void add_to(std::vector<CadContact>& contacts, const CadContact& next)
         same->range[0] = std::min(same->range[0], start + sign * end);
         same->range[1] = std::max(same->range[1], start + sign * end);
     }
+    if (same->kind == CadContact::Kind::plane) {
+        same->point = (1 / (same->area + next.area)) * (same->area * same->point + next.area * next.point);
+    }
     same->area += next.area;
 }
 
@@ -215,7 +231,6 @@ void contacts_of(const CadModel& model, std::size_t a, std::size_t b, const CadR
             if (auto contact = contact_of(one, other, swapped, reach)) {
                 contact->a = swapped ? b : a;
                 contact->b = swapped ? a : b;
-                contact->shorter_is_a = (swapped ? other.area : one.area) <= (swapped ? one.area : other.area) * 1.0001;
                 add_to(into, *contact);
             }
         }

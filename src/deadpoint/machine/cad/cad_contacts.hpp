@@ -13,10 +13,9 @@ struct CadContact {
     double area = 0;       ///< that both faces share [m2]
     double clearance = 0;  ///< distance of planes, difference of diameters [m]; negative: drawn into each other
     double diameter = 0;   ///< of the inner cylinder [m]
-    Vec3 point{};          ///< on the axis of a cylinder; on the plane of `a`
+    Vec3 point{};          ///< on the axis of a cylinder; middle of the contact on the plane of `a`
     Vec3 direction{};      ///< axis of a cylinder; normal of a plane out of `a`
     std::array<double, 2> range{};  ///< of a cylinder along its axis, from `point` [m]
-    bool shorter_is_a = true;       ///< whether the face of `a` is the smaller one
 };
 
 /// How near faces must be.

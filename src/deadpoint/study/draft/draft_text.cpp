@@ -19,14 +19,25 @@ using machine::CadSolid;
 constexpr double drawn_exactly = 1e-5;  ///< clearance that the mesh takes for none [m]
 
 /// A length in millimetres, to a tenth of a micrometre and without zeros at its end.
-std::string mm(double metres)
+std::string in_words(double metres)
 {
     std::string text = fmt::format("{:.4f}", 1e3 * metres);
     text.erase(text.find_last_not_of('0') + 1);
     if (text.ends_with('.')) {
         text.pop_back();
     }
-    return fmt::format("\"{} mm\"", text == "-0" ? "0" : text);
+    return fmt::format("{} mm", text == "-0" ? "0" : text);
+}
+
+/// The same as a value of a case.
+std::string mm(double metres) { return fmt::format("\"{}\"", in_words(metres)); }
+
+std::string place(const Vec3& p) { return fmt::format("{:.1f}, {:.1f}, {:.1f}", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]); }
+
+/// The middle of the part of a cylinder that is in contact.
+Vec3 middle_of(const CadContact& contact)
+{
+    return contact.point + 0.5 * (contact.range[0] + contact.range[1]) * contact.direction;
 }
 
 const char* letter(std::size_t axis) { return axis == 0 ? "x" : (axis == 1 ? "y" : "z"); }
@@ -337,7 +348,7 @@ private:
                         std::abs(contact.clearance) > drawn_exactly
                             ? fmt::format(", drawn_gap = {}", mm(1.01 * std::abs(contact.clearance) + 1e-5))
                             : "");
-        line("    # {:.4g} cm2, drawn with {} of clearance", 1e4 * contact.area, mm(contact.clearance));
+        line("    # {:.4g} cm2, drawn with {} of clearance", 1e4 * contact.area, in_words(contact.clearance));
         line("    {{ name = \"{}_{}\", a = \"{}\", b = \"{}\"{}, conductance = {{ {} }} }},", solid(one).name,
              solid(other).name, by_part ? solid(one).name : surface_name(joint, one, contact),
              by_part ? solid(other).name : surface_name(joint, other, contact), more, conductance);
@@ -396,11 +407,10 @@ private:
             const std::string form =
                 contact.kind == CadContact::Kind::plane
                     ? "planes"
-                    : fmt::format("cylinders of {} about ({:.1f}, {:.1f}, {:.1f})", mm(contact.diameter),
-                                  1e3 * contact.point[0], 1e3 * contact.point[1], 1e3 * contact.point[2]);
+                    : fmt::format("cylinders of {} about ({}) mm", in_words(contact.diameter), place(middle_of(contact)));
             const bool apart = std::abs(contact.clearance) > drawn_exactly;
             line("# {} | {}: {}, {:.4g} cm2, clearance {}: {}", solid(contact.a).name, solid(contact.b).name, form,
-                 1e4 * contact.area, mm(contact.clearance),
+                 1e4 * contact.area, in_words(contact.clearance),
                  inside ? (apart ? "not bonded, since drawn apart" : "bonded")
                         : "TO DO: two bodies that touch without a joint; no heat passes here");
         }
@@ -494,7 +504,7 @@ private:
         }
         section("the gap between slide and table");
         line("# TO DO: {} of {} faces {} of {} over {:.1f} mm; are these the two faces of your tool?",
-             mm(below->position), solid(below->solid).name, mm(table->position), solid(table->solid).name,
+             in_words(below->position), solid(below->solid).name, in_words(table->position), solid(table->solid).name,
              1e3 * (below->position - table->position));
         plane("slide_face", below->solid, {0, 1, 0}, {0, below->position, 0});
         plane("table_top", table->solid, {0, 1, 0}, {0, table->position, 0});
