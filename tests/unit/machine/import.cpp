@@ -149,6 +149,38 @@ TEST_CASE("a Gmsh file of hexahedra is taken as it is")
     CHECK(contains(complaint(description), "named groups there are: tip"));
 }
 
+TEST_CASE("a mesh of second order is taken by its corners")
+{
+    // one tetrahedron of ten nodes with edges of one unit along x, y and z; its middle nodes lie off the edges
+    std::string text =
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 .5 0 .01\n";
+    text += "6 .5 .5 0\n7 0 .5 0\n8 0 0 .5\n9 0 .5 .5\n10 .5 0 .5\n$EndNodes\n$Elements\n1\n";
+    text += "1 11 2 1 1 1 2 3 4 5 6 7 8 9 10\n$EndElements\n";
+    const TemporaryFile file("curved.msh", text);
+    const Machine machine = build(imported(MeshSource{file.path(), 0.1}));
+    CHECK(machine.cells.size() == 1);
+    CHECK(machine.nodes.size() == 4);
+    CHECK(machine.parts[0].volume == Approx(1e-3 / 6).epsilon(1e-12));
+}
+
+TEST_CASE("a drawing in metres that should be in millimetres is refused before meshing")
+{
+    std::ifstream file(data + "/plate_with_hole.step");
+    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const std::string milli = "SI_UNIT(.MILLI.,.METRE.)";
+    text.replace(text.find(milli), milli.size(), "SI_UNIT(.KILO.,.METRE.)");
+    const TemporaryFile copy("kilometres.step", text);
+    CHECK(contains(complaint(imported(StepSource{copy.path()})),
+                   "part 'import' is 100000 m long\n  help: its file says kilometre; if that is wrong, state `unit`"));
+    Log log;
+    StepSource corrected{copy.path()};
+    corrected.unit = 1e-3;
+    CHECK(machine::build_machine(imported(corrected), log).parts[0].volume ==
+          Approx((0.1 * 0.06 - pi * 0.015 * 0.015) * 0.02).epsilon(0.005));
+    REQUIRE(log.warnings.size() == 1);
+    CHECK(contains(log.warnings[0], "makes it 1e-06 times as large as its file says"));
+}
+
 TEST_CASE("a half model takes the half of a mesh that has faces on its plane")
 {
     const TemporaryFile file("bar.msh", bar_of_cubes(-2, 3));

@@ -299,6 +299,10 @@ std::vector<PartMesh> read_mesh_files(const MachineDescription& description, Obs
         const PartDescription& part = description.parts[i];
         if (const auto* file = std::get_if<MeshSource>(&part.source)) {
             mistakes.attempt(path_of(part), [&] { meshes[i] = read_mesh(part, *file, description.half_model, {}); });
+            if (description.size_scale != 1) {
+                observer.warn(
+                    fmt::format("part '{}' keeps the cells of its mesh file: --size does not change them", part.name));
+            }
         }
     }
     survey_drawings(description, mistakes, observer);

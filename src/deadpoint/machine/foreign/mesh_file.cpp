@@ -17,7 +17,29 @@ namespace deadpoint::machine {
 
 namespace {
 
-/// Only first-order hexahedra, or only first-order tetrahedra.
+/// Elements of higher order become those of their corners.
+/// @return whether there were any
+bool straighten()
+{
+    std::vector<int> types;
+    gmsh::model::mesh::getElementTypes(types, 3);
+    const bool curved = std::ranges::any_of(types, [](int type) {
+        std::string name;
+        int dimension = 0;
+        int order = 0;
+        int nodes = 0;
+        int primary = 0;
+        std::vector<double> local;
+        gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, local, primary);
+        return order > 1;
+    });
+    if (curved) {
+        gmsh::model::mesh::setOrder(1);
+    }
+    return curved;
+}
+
+/// Only hexahedra, or only tetrahedra.
 CellKind cell_kind_in_file(const PartDescription& part, const MeshSource& source)
 {
     std::vector<int> types;
@@ -33,10 +55,10 @@ CellKind cell_kind_in_file(const PartDescription& part, const MeshSource& source
         int primary = 0;
         std::vector<double> local;
         gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, local, primary);
-        throw InputError(
-            fmt::format("part '{}': '{}' holds cells of type '{}', but only first-order hexahedra or tetrahedra "
-                        "can be used; mesh it again with one of these",
-                        part.name, source.path, name));
+        throw InputError(fmt::format(
+            "part '{}': '{}' holds cells of type '{}', but only hexahedra or tetrahedra can be used; mesh it "
+            "again with one of these",
+            part.name, source.path, name));
     }
     if (types.empty()) {
         throw InputError(
@@ -176,7 +198,13 @@ PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool h
         PartMesh mesh;
         guard_gmsh(part.name, "reading its mesh file", [&] {
             read_with_gmsh(file);
+            const bool straightened = straighten();
             mesh = collect_mesh(cell_kind_in_file(part, source), source.unit, SurfaceNames::from_groups, adjust);
+            if (straightened) {
+                mesh.notes.emplace_back(
+                    "cells of higher order in its file are taken by their corners; `order` = 2 makes edges on "
+                    "cylinders round again");
+            }
         });
         return mesh;
     };

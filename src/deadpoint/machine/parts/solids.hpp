@@ -25,9 +25,10 @@ PartMesh mesh_step(const PartDescription& part, const StepSource& source, double
                    const Waiting& waiting);
 
 /// Cells of a Gmsh mesh file (MSH 2 or 4, text or binary); physical surfaces become groups. Planes and cylinders are
-/// recognised. The file is read in a process that can do nothing else (foreign_mesh.hpp).
-/// @throws IoError if the file cannot be read, InputError for another format and for cells other than first-order
-/// hexahedra or tetrahedra
+/// recognised. Cells of higher order are taken by their corners. The file is read in a process that can do nothing else
+/// (foreign_mesh.hpp).
+/// @throws IoError if the file cannot be read, InputError for another format and for cells other than hexahedra or
+/// tetrahedra
 PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool half, const Waiting& waiting);
 
 }  // namespace deadpoint::machine

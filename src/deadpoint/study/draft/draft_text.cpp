@@ -404,10 +404,10 @@ private:
             if (in_joint) {
                 continue;
             }
-            const std::string form =
-                contact.kind == CadContact::Kind::plane
-                    ? "planes"
-                    : fmt::format("cylinders of {} about ({}) mm", in_words(contact.diameter), place(middle_of(contact)));
+            const std::string form = contact.kind == CadContact::Kind::plane
+                                         ? "planes"
+                                         : fmt::format("cylinders of {} about ({}) mm", in_words(contact.diameter),
+                                                       place(middle_of(contact)));
             const bool apart = std::abs(contact.clearance) > drawn_exactly;
             line("# {} | {}: {}, {:.4g} cm2, clearance {}: {}", solid(contact.a).name, solid(contact.b).name, form,
                  1e4 * contact.area, in_words(contact.clearance),
