@@ -68,7 +68,7 @@ struct Shape {
 /// How finely the solid of a STEP file is meshed, beyond the cell size of its part.
 struct StepRules {
     int circle_cells = 24;       ///< cells around a full circle, where they are not smaller than `smallest`
-    double smallest = 0;         ///< smallest cell [m]; 0: a quarter of the cell size
+    double smallest = 0;         ///< smallest cell [m]; 0: a third of the cell size
     std::optional<double> omit;  ///< holes and roundings up to this diameter are left out [m]; none: `smallest`
 };
 

@@ -183,7 +183,7 @@ TEST_CASE("small holes are left out before meshing, large ones stay")
     const Machine without = build_machine(description, log);
     REQUIRE(log.infos.size() == 1);
     CHECK(log.infos[0].starts_with(
-        "part 'slide': 4 holes and roundings up to 15 mm are left out"));  // M12, a quarter of 60 mm
+        "part 'slide': 4 holes and roundings up to 20 mm are left out"));  // M12, a third of 60 mm
     source.rules.omit = 0;
     description.parts[0].source = source;
     const Machine with = build(description);

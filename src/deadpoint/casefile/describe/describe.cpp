@@ -236,7 +236,7 @@ void describe(Visitor& v, Part& p)
             p.axes);
     v.integer({"circle_cells", "cells of a STEP part around a full circle, where `smallest_cell` allows"},
               p.circle_cells, {6, 200, false});
-    v.quantity({"smallest_cell", "smallest cell of a STEP part on curved faces; else a quarter of its size"},
+    v.quantity({"smallest_cell", "smallest cell of a STEP part on curved faces; else a third of its size"},
                p.smallest_cell, D::length, positive);
     v.quantity({"omit", "holes and roundings of a STEP part up to this diameter are left out; else those up to "
                         "`smallest_cell`; \"0 mm\": none"},

@@ -148,8 +148,8 @@ PartMesh mesh_step(const PartDescription& part, const StepSource& source, double
 {
     check_step_file(part.name, source.path);
     const ForeignFile file{part.name, source.path, "part.step"};
-    const double smallest = source.rules.smallest > 0 ? std::min(source.rules.smallest, size) : size / 4;
-    const TetrahedronSize sizes{size, smallest, source.rules.circle_cells};
+    const double smallest = source.rules.smallest > 0 ? std::min(source.rules.smallest, size) : size / 3;
+    const TetrahedronSize sizes{size, smallest, source.rules.circle_cells, true};
     const auto make = [&] {
         PartMesh mesh;
         guard_gmsh(part.name, "reading and meshing its STEP file", [&] {

@@ -62,6 +62,7 @@ PartMesh generate(const TetrahedronSize& sizes, const Attempt& attempt)
     set("Mesh.MeshSizeMax", attempt.factor * sizes.size / gmsh_unit);
     set("Mesh.MeshSizeMin", attempt.factor * sizes.smallest / gmsh_unit);
     set("Mesh.MeshSizeFromCurvature", sizes.circle_cells);
+    set("Mesh.MeshSizeExtendFromBoundary", sizes.fine_at_curves_only ? 0 : 1);
     set("Mesh.Algorithm", attempt.on_surfaces);
     set("Mesh.Algorithm3D", attempt.in_solids);
     gmsh::model::mesh::generate(3);
