@@ -7,6 +7,7 @@
 #include "output.hpp"
 
 #include <memory>
+#include <string>
 
 using namespace deadpoint;
 
@@ -18,6 +19,15 @@ void summarise(const CaseOptions& options, const Console& console)
     print_out("{}: no errors, {} warning{}\n", options.path, count, count == 1 ? "" : "s");
 }
 
+/// The plan, at once: what follows may take a while, or fail.
+void show(const CaseOptions& options, const std::string& plan)
+{
+    if (!options.console.quiet) {
+        print_out("{}\n", plan);
+        flush_out();
+    }
+}
+
 void check(const CaseOptions& options)
 {
     Console console(options.console);
@@ -25,14 +35,12 @@ void check(const CaseOptions& options)
     const auto& description = press.input();
     Observer silent;
     if (description.parts.empty()) {
-        print_out("{}\n", report::linkage_plan_text(description));
-        flush_out();
+        show(options, report::linkage_plan_text(description));
         press.check(silent);  // does the linkage move?
         return summarise(options, console);
     }
     const auto& machine = mesh_parts(press, console);
-    print_out("{}\n", report::plan_text(description, machine));
-    flush_out();
+    show(options, report::plan_text(description, machine));
     for (const auto& warning : report::plan_warnings(description, machine)) {
         console.warn(warning);
     }

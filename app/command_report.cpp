@@ -50,8 +50,11 @@ fs::path page_file(const ReportOptions& options)
     return options.file;
 }
 
-/// Runs a program of the path; false if there is none or it fails. With `quiet` it says nothing.
-bool run_program(std::vector<std::string> command, bool quiet)
+/// What a started program may write.
+enum class Says { everything, no_errors, nothing };
+
+/// Runs a program of the path; false if there is none or it fails.
+bool run_program(std::vector<std::string> command, Says says)
 {
     std::vector<char*> arguments;
     for (auto& argument : command) {
@@ -60,8 +63,10 @@ bool run_program(std::vector<std::string> command, bool quiet)
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    if (quiet) {
+    if (says == Says::nothing) {
         posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    }
+    if (says != Says::everything) {
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     }
     pid_t child = 0;
@@ -105,7 +110,7 @@ void take_pictures(const fs::path& page, const fs::path& folder)
         }
         for (const char* browser : {"chromium", "chromium-browser", "google-chrome"}) {
             command.front() = browser;
-            if (run_program(command, true) && fs::exists(file)) {
+            if (run_program(command, Says::nothing) && fs::exists(file)) {
                 break;
             }
         }
@@ -190,17 +195,20 @@ void open_report(const fs::path& folder)
         write_page_of({folder}, page, IfThere::replace);
     }
     const auto shown = fs::absolute(page).lexically_normal().string();
-    std::vector<std::string> openers{"xdg-open", "open", "wslview"};
-    if (const char* browser = std::getenv("BROWSER"); browser && *browser) {
+    const char* browser = std::getenv("BROWSER");
+    const auto opens = [&](const char* opener) {
+        // A browser that the user names may say what is wrong with it. The others list what they lack.
+        return run_program({opener, shown}, opener == browser ? Says::everything : Says::no_errors);
+    };
+    std::vector<const char*> openers{"xdg-open", "open", "wslview"};
+    if (browser != nullptr && *browser != '\0') {
         openers.insert(openers.begin(), browser);
     }
-    for (const auto& opener : openers) {
-        if (run_program({opener, shown}, false)) {
-            print_out("opened {}\n", shown);
-            return;
-        }
+    if (std::ranges::any_of(openers, opens)) {
+        print_out("opened {}\n", shown);
+    } else {
+        print_out("found no browser to open; the page is {}\n", shown);
     }
-    print_out("found no browser to open; the page is {}\n", shown);
 }
 
 }  // namespace

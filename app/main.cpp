@@ -2,6 +2,7 @@
 #include "deadpoint/core/suggest.hpp"
 #include "deadpoint/core/version.hpp"
 #include "errors.hpp"
+#include "examples.hpp"
 #include "interrupt.hpp"
 #include "manual.hpp"
 #include "output.hpp"
@@ -16,26 +17,6 @@
 #include <vector>
 
 namespace {
-
-constexpr const char* examples = R"(Examples:
-  deadpoint init my-press                                   write a commented case to start from
-  deadpoint check my-press/case.toml                        what is in it, and is it all right?
-  deadpoint mesh my-press/case.toml -o my-press/mesh        look at the geometry in ParaView
-  deadpoint loads my-press/case.toml -o my-press/loads      joint forces and bearing loads over a turn
-  deadpoint heat my-press/case.toml -o my-press/heat        joint heat, conductances, film coefficients
-  deadpoint run my-press/case.toml -o my-press/results      warm it up and see the gap move
-  deadpoint run my-press/case.toml -o fast --size 2 --set "operation.0.speed=300 rpm"
-  deadpoint sweep my-press/study.toml -o study              many runs: speeds, forces, ...
-  deadpoint sensitivity my-press/study.toml --reduced press.rom -o what-matters   which unknowns matter?
-  deadpoint calibrate my-press/case.toml measured.toml --reduced press.rom -o calibrated   fit it to measurements
-  deadpoint optimise my-press/study.toml --reduced press.rom -o best   the shortest warm-up, the least drift
-  deadpoint compare my-press/results measured.toml          how good is it against what was measured?
-  deadpoint probe my-press/results --at "frame,0 mm,0 mm,50 mm"   how warm does this place get?
-  deadpoint view my-press/results                           see it as a page in the browser
-  deadpoint report a b -o a-and-b.html                      two results on one page
-  mpirun -n 2 deadpoint run my-press/case.toml -o results   the same on two processes
-
-Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 file trouble, 130 stopped by Ctrl-C.)";
 
 constexpr int other_error = 1;
 
@@ -59,7 +40,6 @@ int run(int argc, char** argv)
 {
     CLI::App app("deadpoint: thermal drift of a mechanical press at bottom dead point", "deadpoint");
     app.set_version_flag("--version", fmt::format("deadpoint {}", deadpoint::version));
-    app.footer(examples);
     app.require_subcommand(1);
     int exit_code = 0;
     add_init(app, exit_code);
@@ -77,6 +57,7 @@ int run(int argc, char** argv)
     add_probe(app, exit_code);
     add_report(app, exit_code);
     add_view(app, exit_code);
+    add_examples(app);
     if (argc == 3 && std::string_view(argv[1]) == "--write-manual") {  // used when the program is packaged
         write_manual(app, std::string(deadpoint::version), argv[2]);
         return 0;

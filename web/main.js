@@ -32,7 +32,7 @@ function sideBySide() {
     row("slope of the slide at the end, left to right [µm/m]", (run) => slope(run, "left_to_right"));
     row("slope of the slide at the end, front to back [µm/m]", (run) => slope(run, "front_to_back"));
     row("largest change of the force [kN]", (run) => fixed(run.summary.gaps.force.largest_kN, 1, true));
-    row("friction heat [MJ]", (run) => shown(run.summary.energy_J.generated / 1e6));
+    row("heat of joints and heat sources [MJ]", (run) => shown(run.summary.energy_J.generated / 1e6));
     const probes = [...new Set(runs.flatMap((run) => Object.keys(run.summary?.probe_rises_K ?? {})))];
     for (const probe of probes) row(`rise of ${words(probe)} [K]`, (run) => fixed(run.summary.probe_rises_K[probe].end, 2, true));
     row("off the reference, rms [K]", (run) => run.summary.reference && shown(run.summary.reference.rms_residual_K));

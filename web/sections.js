@@ -2,6 +2,10 @@
 
 const kelvinNote = "Rises are relative to the temperature at the start. Heat is that of the whole press.";
 
+/** Heat is called friction heat where nothing else heats: no motor, no clutch, no enclosed power. */
+const heatName = (run) => columnsOf(run.history, "source_heat", "enclosed_air_power").length
+    ? "heat of joints and heat sources" : "friction heat";
+
 function facts(run) {
     const { summary, loads } = run;
     const cards = [];
@@ -19,7 +23,7 @@ function facts(run) {
         const [name, most] = rises.reduce((a, b) => (b[1] > a[1] ? b : a));
         card(`largest rise of a probe: ${words(name)}`, `${fixed(most, 1, true)} K`);
     }
-    if (summary?.energy_J) card("friction heat over the run", `${shown(summary.energy_J.generated / 1e6)} MJ`);
+    if (summary?.energy_J) card(`${heatName(run)} over the run`, `${shown(summary.energy_J.generated / 1e6)} MJ`);
     if (summary?.reference) card(`difference from the published rises (if no rise is predicted: ${shown(summary.reference.rms_null_K)} K)`,
         `${shown(summary.reference.rms_residual_K)} K rms`);
     if (loads) {
@@ -81,16 +85,17 @@ function heatSection(run) {
     if (joints.length === 0 && !run.summary.energy_J.generated) return null;
     const generated = run.hours.map((_, i) => joints.reduce((sum, line) => sum + line.y[i], 0));
     const air = column(run.history, "heat_to_air"), oil = column(run.history, "heat_to_oil");
-    const balance = [{ name: "friction heat", y: generated, bold: true }, { name: "to the air", y: air },
+    const balance = [{ name: heatName(run), y: generated, bold: true }, { name: "to the air", y: air },
         { name: "to the oil", y: oil }].filter((line) => line.y);
     if (!run.summary.energy_J.from_surfaces) balance.push({ name: "into the machine",
         y: generated.map((value, i) => value - (air?.[i] ?? 0) - (oil?.[i] ?? 0)) });
     const shownJoints = joints.slice(0, 8).filter((line) => Math.max(...line.y) > 0);
     return make("section", { id: "heat" }, make("h2", {}, "Heat"), flowFigure(run),
-        lineChart({ id: "balance", title: "Heat flows over time", text: "The heat of the joints goes to the air or to the oil, "
+        lineChart({ id: "balance", title: "Heat flows over time", text: "The heat generated goes to the air or to the oil, "
             + "or warms the machine.", x: ["time", "h"], y: ["heat flow", "W"],
         series: balance.map((line) => ({ ...line, x: run.hours })) }),
-        lineChart({ id: "joint-heat", title: "Friction heat of the joints", text: joints.length > 8
+        lineChart({ id: "joint-heat", title: heatName(run) === "friction heat" ? "Friction heat of the joints"
+            : "Heat of joints and heat sources", text: joints.length > 8
             ? `The eight largest of ${joints.length}.` : "", x: ["time", "h"], y: ["heat", "W"], series: shownJoints }));
 }
 

@@ -87,7 +87,11 @@ TEST_CASE("--version and --help answer on standard output with exit code 0")
     for (const char* piece : {"init", "check", "mesh", "loads", "run", "compare", "Examples:", "Exit codes:"}) {
         CHECK_MESSAGE(has(help.out, piece), piece);
     }
-    CHECK(has(deadpoint("run --help").out, "--force"));
+    const auto run = deadpoint("run --help").out;
+    CHECK(has(run, "--force"));
+    CHECK(has(run, "Examples:\n  deadpoint run my-press/case.toml -o my-press/results "));
+    CHECK(has(run, "Exit codes:"));
+    CHECK_FALSE(has(run, "deadpoint init"));  // each subcommand shows its own examples
 }
 
 TEST_CASE("a wrong command line is exit code 2 and says what is wrong")
@@ -172,7 +176,10 @@ TEST_CASE("check prints the plan and warns of a mass that does not fit")
     CHECK(has(result.out, "no errors, 1 warning\n"));
     CHECK(has(result.err, "warning: body 'frame' has 15.60 kg by its parts, but 16.00 kg are stated (-2.5 %)"));
     CHECK(has(result.err, "mesh\n"));
-    CHECK_FALSE(has(deadpoint("check --quiet " + two_blocks).err, "mesh\n"));
+    const auto quiet = deadpoint("check --quiet " + two_blocks);
+    CHECK(quiet.out == two_blocks + ": no errors, 1 warning\n");
+    CHECK(has(quiet.err, "warning: body 'frame'"));
+    CHECK_FALSE(has(quiet.err, "mesh\n"));
 }
 
 TEST_CASE("--set changes a value, --size the cells")
@@ -1069,6 +1076,20 @@ TEST_CASE("view makes the page where it is missing and hands it to the browser")
     CHECK(content(folder / "shown") == "report.html\n");
     CHECK(fs::exists(folder / "a/report.html"));
     CHECK(deadpoint("view " + (folder / "nothing")).code != 0);
+    // Openers that find no desktop are not heard: the page is named instead.
+    fs::create_directories(folder / "bin");
+    for (const char* name : {"xdg-open", "open", "wslview"}) {
+        const auto opener = folder / ("bin/" + std::string(name));
+        std::ofstream(opener) << "#!/bin/sh\necho no method available >&2\nexit 3\n";
+        fs::permissions(opener, fs::perms::owner_all);
+    }
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", ((folder / "bin") + ":" + path).c_str(), 1);
+    const auto nowhere = deadpoint("view " + (folder / "a"));
+    setenv("PATH", path.c_str(), 1);
+    CHECK(nowhere.code == 0);
+    CHECK(has(nowhere.out, "found no browser to open; the page is "));
+    CHECK(nowhere.err.empty());
 }
 
 TEST_CASE("--accuracy refuses what is no accuracy of something in the case")

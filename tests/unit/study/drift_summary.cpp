@@ -88,18 +88,25 @@ TEST_CASE("a run shorter than the stretches and the window is summarised over it
     CHECK_THROWS_AS((void)summarise_course({0, 1}, {{0, 1}, {0}}), DomainError);
 }
 
-TEST_CASE("steady from the step after the last one that is too fast")
+TEST_CASE("steady from the last time at which the rate, also between the steps, is too high")
 {
-    const std::vector<double> time{0, 10, 20, 30};
-    CHECK(steady_from(time, {{0, 0, 0, 0}, {2, 0.5, -2, 1}}, 1) == 30);
-    CHECK(steady_from(time, {{0, 0, 0, 0}, {1, 1, 1, 1}}, 1) == 0);
-    CHECK_FALSE(steady_from(time, {{0, 0, 0, 0}, {0, 0, 0, -2}}, 1));
+    // t - t^2/40 is a cubic of the steps: its rate, 1 - t/20, is 0.3 at t = 14.
+    CHECK(*steady_from({0, 20}, {{0, 10}, {1, 0}}, 0.3) == doctest::Approx(14).epsilon(1e-12));
+    CHECK(*steady_from({0, 20}, {{0, -10}, {-1, 0}}, 0.3) == doctest::Approx(14).epsilon(1e-12));
+    CHECK(*steady_from({0, 20, 50}, {{0, 10, 10}, {1, 0, 0}}, 0.3) == doctest::Approx(14).epsilon(1e-12));
+    // 3 s^2 - 2 s^3 stands at both ends of a step of 10 and moves at 0.15 in its middle, above 0.1 until
+    // 6 s (1 - s) = 1, s = (1 + sqrt(1/3)) / 2.
+    CHECK(*steady_from({0, 10}, {{0, 1}, {0, 0}}, 0.1) == doctest::Approx(5 * (1 + std::sqrt(1.0 / 3))).epsilon(1e-12));
+    CHECK(*steady_from({0, 10}, {{0, 1}, {0, 0}}, 0.2) == 0);
+    CHECK(*steady_from({0, 10, 20}, {{0, 10, 20}, {1, 1, 1}}, 1) == 0);  // at the limit
+    CHECK_FALSE(steady_from({0, 10}, {{0, -20}, {-2, -2}}, 1));
 }
 
-TEST_CASE("the time to a share of the last value is that of the last leave")
+TEST_CASE("the time to a share of the change is that of the last leave")
 {
     const std::vector<double> time{0, 1, 2, 3, 4};
     CHECK(time_to_share(time, std::vector<double>{0, 9.6, 8, 9.6, 10}, 0.95) == 3);  // leaves again at 2
     CHECK(time_to_share(time, std::vector<double>{0, 5, 5.1, 9, 10}, 0.5) == 1);
     CHECK(time_to_share(time, std::vector<double>{10, 10, 10, 10, 10}, 0.95) == 0);
+    CHECK(time_to_share(time, std::vector<double>{20, 20, 24, 25, 25}, 0.95) == 3);  // starts warm, changes by 5
 }

@@ -394,8 +394,9 @@ private:
         check_step_count();
         for (std::size_t i = 0; i < c_.operation.size(); ++i) {
             if (!c_.parts.empty() && c_.operation[i].duration == 0) {
-                report("missing-key", fmt::format("operation.{}", i), "'duration' is missing",
-                       "add it: how long the segment lasts");
+                report("no-duration", fmt::format("operation.{}.duration", i),
+                       "the segment has no duration: 'duration' is missing or zero",
+                       "state how long the segment lasts, like duration = \"4 h\"");
             }
         }
         std::set<std::string> names;

@@ -27,7 +27,9 @@ void describe(Visitor& v, Mechanism& m)
              m.stroke_direction, D::none);
     v.expect(!m.stroke_direction || norm(*m.stroke_direction) > 0, "stroke_direction", "the direction has no length",
              "write it like [0, 1]");
-    v.integer({"positions", "crank positions over a turn"}, m.positions, {36, 100000, false});
+    v.integer(
+        {"positions", "crank positions over a turn, or a few more where they would miss the largest process force"},
+        m.positions, {36, 100000, false});
     v.curve({"speed", "speed of the crank relative to that of the operation, over its angle after bottom dead point; "
                       "from the last point it is linear to the first; without it the speed is constant"},
             m.speed, {"angle", D::angle, D::none, positive});

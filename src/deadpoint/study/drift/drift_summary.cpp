@@ -85,6 +85,55 @@ private:
     std::vector<double> samples_;
 };
 
+/// Rate within a step [per second] over its share s: the derivative of the cubic that `interpolate` evaluates,
+/// a + b s + c s^2.
+class StepRate {
+public:
+    StepRate(const std::vector<double>& time, const Series& series, std::size_t k) : a_(series.rate[k])
+    {
+        const double mean = (series.value[k + 1] - series.value[k]) / (time[k + 1] - time[k]);
+        b_ = 6 * mean - 4 * series.rate[k] - 2 * series.rate[k + 1];
+        c_ = 3 * (series.rate[k] + series.rate[k + 1] - 2 * mean);
+    }
+    /// Share of the step behind which the magnitude stays at or below a limit, if it is above it before.
+    [[nodiscard]] std::optional<double> last_above(double limit) const
+    {
+        std::optional<double> last;
+        for (const double level : {limit, -limit}) {
+            for (const double s : roots(level)) {
+                if (s > 0 && s <= 1 && std::abs(at(std::max(0.0, s - probe))) > limit && s > last.value_or(0)) {
+                    last = s;
+                }
+            }
+        }
+        return last;
+    }
+
+private:
+    static constexpr double probe = 1e-6;  // share of the step
+    [[nodiscard]] double at(double s) const { return a_ + s * (b_ + s * c_); }
+    [[nodiscard]] std::vector<double> roots(double level) const
+    {
+        const double a = a_ - level;
+        const double inside = b_ * b_ - 4 * a * c_;
+        if (inside < 0) {
+            return {};
+        }
+        const double q = -0.5 * (b_ + std::copysign(std::sqrt(inside), b_));
+        std::vector<double> found;
+        if (c_ != 0) {
+            found.push_back(q / c_);
+        }
+        if (q != 0) {
+            found.push_back(a / q);
+        }
+        return found;
+    }
+    double a_;
+    double b_ = 0;
+    double c_ = 0;
+};
+
 }  // namespace
 
 CourseSummary summarise_course(const std::vector<double>& time, const Series& series)
@@ -103,23 +152,23 @@ CourseSummary summarise_course(const std::vector<double>& time, const Series& se
 
 std::optional<double> steady_from(const std::vector<double>& time, const Series& series, double rate_limit)
 {
-    double since = 0;
-    for (std::size_t k = 0; k < time.size(); ++k) {
-        if (std::abs(series.rate[k]) > rate_limit) {
-            if (k + 1 == time.size()) {
-                return std::nullopt;
-            }
-            since = time[k + 1];
+    if (std::abs(series.rate.back()) > rate_limit) {
+        return std::nullopt;
+    }
+    for (std::size_t k = time.size() - 1; k > 0; --k) {
+        const StepRate rate(time, series, k - 1);
+        if (const auto share = rate.last_above(rate_limit)) {
+            return time[k - 1] + *share * (time[k] - time[k - 1]);
         }
     }
-    return since;
+    return time.front();
 }
 
 double time_to_share(std::span<const double> time, std::span<const double> value, double share)
 {
     double since = time.front();
     for (std::size_t k = 0; k < time.size(); ++k) {
-        if (std::abs(value[k] - value.back()) > (1 - share) * std::abs(value.back())) {
+        if (std::abs(value[k] - value.back()) > (1 - share) * std::abs(value.back() - value.front())) {
             since = time[std::min(k + 1, time.size() - 1)];
         }
     }

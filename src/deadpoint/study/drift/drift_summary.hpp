@@ -43,11 +43,11 @@ struct CourseSummary {
 /// @throws DomainError if there is no step, or not one value and rate per step
 CourseSummary summarise_course(const std::vector<double>& time, const Series& series);
 
-/// Time from which |rate| stays at or below a limit, by the rates at the steps; none if the last
-/// step exceeds it.
+/// Time from which |rate| stays at or below a limit, between the steps too: by the derivative of the cubic that
+/// `interpolate` evaluates, and history.csv shows. None if the rate at the end exceeds the limit.
 std::optional<double> steady_from(const std::vector<double>& time, const Series& series, double rate_limit);
 
-/// Time from which a sampled course stays within (1 - share) of its last value, relative to that
+/// Time from which a sampled course stays within (1 - share) of its whole change, first to last value, of its last
 /// value: the first of the given times after which it does.
 /// @param time, value  of equal length, at least one
 double time_to_share(std::span<const double> time, std::span<const double> value, double share);

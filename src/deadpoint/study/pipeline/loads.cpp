@@ -12,6 +12,7 @@
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
+#include "deadpoint/mechanism/force_tip.hpp"
 #include "deadpoint/mechanism/mirror.hpp"
 #include "deadpoint/mechanism/turn.hpp"
 #include "deadpoint/study/pipeline/body_masses.hpp"
@@ -238,6 +239,13 @@ CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads
     return result;
 }
 
+CycleHistory cycle_of(const LoadsResult& loads, TurnCache* turns)
+{
+    if (turns == nullptr)
+        return mechanism::analyse_cycle(loads.linkage, loads.request);
+    return mechanism::analyse_cycle(loads.linkage, loads.request, *turns->get(loads.linkage, loads.request.positions));
+}
+
 }  // namespace
 
 bool has_loads(const casefile::Case& input)
@@ -298,11 +306,13 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
 
     result.request = about("process_force", [&] { return describe_cycle(input, operation, result.throw_at_bottom); });
     result.request.masses = result.masses;
-    result.history = about("mechanism", [&] {
-        return turns ? mechanism::analyse_cycle(result.linkage, result.request,
-                                                *turns->get(result.linkage, result.request.positions))
-                     : mechanism::analyse_cycle(result.linkage, result.request);
-    });
+    result.history = about("mechanism", [&] { return cycle_of(result, turns); });
+    const auto corners = describe_corners(input, result.throw_at_bottom);
+    if (const int met = mechanism::positions_for_tip(result.history, result.request, corners);
+        met > result.request.positions) {
+        result.request.positions = met;
+        result.history = cycle_of(result, turns);
+    }
     timer.done("motion and joint forces");
     result.stroke = mechanism::stroke_figures(result.linkage, result.request, result.history);
     result.drive = mechanism::drive_figures(result.history);

@@ -33,7 +33,7 @@ struct RunSummary {
     double largest_gap_time = 0;
     double final_gap = 0;
     std::optional<double> warm_up_time;        ///< |dE_SW/dt| stays below the case's limit from here on [s]
-    std::vector<double> time_to_95;            ///< per probe: reaches 95 % of its final rise for good [s]
+    std::vector<double> time_to_95;            ///< per probe: reaches 95 % of its own change for good [s]
     std::optional<CourseSummary> gap_course;   ///< of E_SW [m]
     std::vector<CourseSummary> probe_courses;  ///< [K]
 };

@@ -8,6 +8,7 @@
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
+#include "deadpoint/mechanism/force_tip.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>
@@ -94,6 +95,13 @@ mechanism::AngleWindow force_window(const casefile::Case& input, double throw_at
     return {start, end > start ? end : end + 2 * pi};
 }
 
+// A multiple of the positions near to a number of samples: at steady speed the samples meet all positions.
+int samples_of(std::size_t positions, int wanted)
+{
+    const int count = static_cast<int>(positions);
+    return count * std::max(1, (wanted + count / 2) / count);
+}
+
 // The pin's load must lie on the shaft; where it does not, its keys are named, not what follows from them.
 void require_pin_on_shaft(const casefile::Crankshaft& given)
 {
@@ -140,6 +148,23 @@ mechanism::ProcessForceLaw describe_process_force(const casefile::Case& input, d
                                             process.both_ways ? mechanism::Strokes::both : mechanism::Strokes::down);
     default:
         return mechanism::no_force();
+    }
+}
+
+mechanism::ForceCorners describe_corners(const casefile::Case& input, double throw_at_bottom)
+{
+    using Kind = casefile::ProcessForce::Kind;
+    const auto& process = process_of(input);
+    const auto window = force_window(input, throw_at_bottom);
+    switch (process_force_kind(input)) {
+    case Kind::half_sine:
+        return {{0.5 * (window.start + window.end)}, {}};
+    case Kind::angle_table:
+        return {shifted(process.over_angle.x, throw_at_bottom), {}};
+    case Kind::travel_table:
+        return {{}, process.over_height.x};
+    default:
+        return {};
     }
 }
 
@@ -280,6 +305,7 @@ crankshaft::ShaftLoads describe_shaft_loads(const casefile::Case& input, const L
     loads.pin_position = given.pin_position;
     loads.pin_width = given.pin_width;
     loads.gravity = casefile::plane_gravity(input);
+    loads.samples = samples_of(history.time.size(), loads.samples);
     loads.pin_force.assign(history.time.size(), Vec2{});
     for (std::size_t j = 0; j < linkage.joints.size(); ++j) {
         const auto& joint = linkage.joints[j];

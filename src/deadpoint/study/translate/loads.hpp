@@ -26,7 +26,8 @@ struct Segment;
 }  // namespace deadpoint::casefile
 namespace deadpoint::mechanism {
 struct CycleRequest;
-}
+struct ForceCorners;
+}  // namespace deadpoint::mechanism
 namespace deadpoint::tribology {
 struct GuideFaces;
 }
@@ -41,6 +42,10 @@ casefile::ProcessForce::Kind process_force_kind(const casefile::Case& input);
 /// @param peak             of the operation [N]
 /// @param throw_at_bottom  direction of the crank throw at bottom dead point [rad]; the case counts crank angles from x
 mechanism::ProcessForceLaw describe_process_force(const casefile::Case& input, double peak, double throw_at_bottom);
+
+/// Corners and maximum of that law, between which positions could miss its largest force; none where positions meet it
+/// anyhow.
+mechanism::ForceCorners describe_corners(const casefile::Case& input, double throw_at_bottom);
 
 /// A warning where the window of a half-sine or rectangular force does not hold bottom dead point.
 std::optional<std::string> misplaced_force(const casefile::Case& input, double throw_at_bottom);
