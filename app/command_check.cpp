@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 using namespace deadpoint;
 
@@ -28,15 +29,26 @@ void show(const CaseOptions& options, const std::string& plan)
     }
 }
 
+/// Passes on warnings and nothing else.
+class Warnings : public Observer {
+public:
+    explicit Warnings(Console& console) : console_(console) {}
+    void warn(std::string_view text) override { console_.warn(text); }
+    [[nodiscard]] bool cancelled() const override { return console_.cancelled(); }
+
+private:
+    Console& console_;
+};
+
 void check(const CaseOptions& options)
 {
     Console console(options.console);
     study::Press press(read_case(options, console).value, options.size_scale);
     const auto& description = press.input();
-    Observer silent;
+    Warnings warnings(console);
     if (description.parts.empty()) {
         show(options, report::linkage_plan_text(description));
-        press.check(silent);  // does the linkage move?
+        press.check(warnings);  // does the linkage move?
         return summarise(options, console);
     }
     const auto& machine = mesh_parts(press, console);
@@ -44,7 +56,7 @@ void check(const CaseOptions& options)
     for (const auto& warning : report::plan_warnings(description, machine)) {
         console.warn(warning);
     }
-    press.check(silent);
+    press.check(warnings);
     summarise(options, console);
 }
 

@@ -2,9 +2,9 @@
 #include "deadpoint/core/suggest.hpp"
 #include "deadpoint/core/version.hpp"
 #include "errors.hpp"
-#include "examples.hpp"
 #include "interrupt.hpp"
 #include "manual.hpp"
+#include "options/examples.hpp"
 #include "output.hpp"
 
 #include <algorithm>

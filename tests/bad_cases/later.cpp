@@ -79,5 +79,5 @@ TEST_CASE("check refuses a press that is not drawn at bottom dead point")
     CHECK(broken::missing_line(outcome.message,
                                "error[inconsistent]: joints....\n  the case's joints are not placed at "
                                "bottom dead point...\n  help: give all coordinates at bottom dead "
-                               "point") == "");
+                               "point; if they are, correct machine.gravity_direction...") == "");
 }

@@ -174,11 +174,12 @@ TEST_CASE("check prints the plan and warns of a mass that does not fit")
     CHECK(has(result.out, "0.1000  convection 10.0 W/m2/K"));  // ten faces of 100 mm x 100 mm
     CHECK(has(result.out, "16 hexahedra"));                    // 2 x 2 x 2 cells of 50 mm in each block
     CHECK(has(result.out, "no errors, 1 warning\n"));
-    CHECK(has(result.err, "warning: body 'frame' has 15.60 kg by its parts, but 16.00 kg are stated (-2.5 %)"));
+    CHECK(has(result.err,
+              "bodies.frame.mass\n  body 'frame' has 15.60 kg by its parts, but 16.00 kg are stated (-2.5 %)\n"));
     CHECK(has(result.err, "mesh\n"));
     const auto quiet = deadpoint("check --quiet " + two_blocks);
     CHECK(quiet.out == two_blocks + ": no errors, 1 warning\n");
-    CHECK(has(quiet.err, "warning: body 'frame'"));
+    CHECK(has(quiet.err, "warning[mass]: bodies.frame.mass\n"));
     CHECK_FALSE(has(quiet.err, "mesh\n"));
 }
 
@@ -200,7 +201,7 @@ TEST_CASE("mesh writes a new folder, refuses an old one and replaces it on reque
     CHECK(has(content(target + "/mesh.vtu"), "NumberOfPoints=\"54\" NumberOfCells=\"16\""));  // 3 x 3 x 3 nodes each
     CHECK(has(content(target + "/mesh.vtu"), "hash "));
     CHECK(has(content(target + "/surfaces.vtu"), "NumberOfCells=\"48\""));  // 6 x 4 faces each
-    CHECK(has(content(target + "/names.csv"), "# warning: body 'frame'"));
+    CHECK(has(content(target + "/names.csv"), "body 'frame' has 15.60 kg by its parts"));
     CHECK(has(content(target + "/names.csv"), "surface,0,air\n"));
 
     std::ofstream(target + "/mine.txt") << "mine";
@@ -242,7 +243,7 @@ TEST_CASE("run writes every file with version, hash and warnings, and says where
     const auto history = content(target + "/history.csv");
     CHECK(history.find("# deadpoint ") == 0);
     CHECK(has(history, "hash "));
-    CHECK(has(history, "# warning: body 'frame'"));
+    CHECK(has(history, "body 'frame' has 15.60 kg by its parts"));
     CHECK(has(history, "time [s],top [degC]"));
     CHECK(has(history, "\n0,30"));  // it starts where it was told to
     CHECK(has(content(target + "/summary.json"), "\"interrupted\": false"));
@@ -463,14 +464,15 @@ TEST_CASE("check and run say what to do with a linkage without parts")
     CHECK(fs::is_empty(folder.path));
 }
 
-TEST_CASE("the shipped simple presses pass their check without warnings")
+TEST_CASE("the shipped simple presses pass their check, with the warnings of a run")
 {
     for (const char* name : {"slider-crank", "knuckle-joint", "starter", "starter-by-laws"}) {
         CAPTURE(name);
         const auto result = deadpoint("check -q " DEADPOINT_SOURCE_DIR "/cases/" + std::string(name) + "/case.toml");
+        const bool asymmetric = std::string(name) == "knuckle-joint";  // its knuckle leans on the guide
         CHECK(result.code == 0);
-        CHECK(has(result.out, "no errors, 0 warnings"));
-        CHECK(result.err.empty());
+        CHECK(has(result.out, asymmetric ? "no errors, 1 warning\n" : "no errors, 0 warnings"));
+        CHECK(has(result.err, "warning: guide 'guide' carries a moment") == asymmetric);
     }
 }
 
@@ -481,7 +483,7 @@ TEST_CASE("run computes the loads first and writes them beside its results")
     const auto result = deadpoint("run -v " DEADPOINT_SOURCE_DIR "/cases/slider-crank/case.toml -o " + target +
                                   " --size 3 --set 'operation.0.duration=5 min' --set output.fields=false");
     REQUIRE(result.code == 0);
-    CHECK(has(result.out, "loads: stroke 60.00 mm, largest joint force 375 kN (wrist_pin)"));
+    CHECK(has(result.out, "loads: stroke 60.00 mm, largest joint force 395 kN (wrist_pin)"));
     for (const char* name : {"summary.json", "drift.svg", "loads.json", "joints.csv", "bearings.csv", "linkage.svg"}) {
         CHECK_MESSAGE(fs::exists(fs::path(target) / name), name);
     }

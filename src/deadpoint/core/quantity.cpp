@@ -319,7 +319,13 @@ QuantityProblem unknown_unit(std::string_view unit, const DimensionInfo& wanted)
         "deg", "rad",    "rpm", "rad/s", "N",     "kN",     "MN",    "W",      "kW",      "Pa",
         "MPa", "GPa",    "K",   "degC",  "degF",  "kg/m^3", "W/m/K", "J/kg/K", "W/m^2/K", "m^2 K/W",
         "1/K", "mm^2/s", "cSt", "N/m",   "N s/m", "kg m^2", "W/m^2", "um/h",   "mm/s"};
-    const std::string suggestion = closest_name(unit, common);
+    std::vector<std::string> fitting;
+    for (const auto& name : common) {
+        if (unit_scale(name, wanted.dimension)) {
+            fitting.push_back(name);
+        }
+    }
+    const std::string suggestion = closest_name(unit, fitting);
     std::string help = fmt::format("write it like \"{}\"", wanted.example);
     if (!suggestion.empty()) {
         help = fmt::format("did you mean '{}'? {}", suggestion, help);

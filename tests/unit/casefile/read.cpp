@@ -280,7 +280,7 @@ TEST_CASE("a body that nothing uses is a warning, not an error")
 {
     const auto result = read_case(data / "sound.toml", {"bodies.spare.thermal_only=true"});
     REQUIRE(result.warnings.size() == 1);
-    CHECK(has(result.warnings.at(0), "no part or joint belongs to body 'spare'"));
+    CHECK(has(result.warnings.at(0), "body 'spare' has no part and no joint"));
 }
 
 TEST_CASE("what a case states of its slide and its process force without effect is a warning with its place")

@@ -98,9 +98,10 @@ TEST_CASE("the plan warns of masses beyond 2 %, overlaps and floating parts, and
     machine.floating_parts = {"rod"};
     const auto warnings = plan_warnings(small_case(), machine);
     REQUIRE(warnings.size() == 3);
-    CHECK(warnings[0] == "body 'link' has 10.00 kg by its parts, but 9.700 kg are stated (+3.1 %)");
-    CHECK(warnings[1] == "parts 'beam' and 'rod' overlap by 2.00 mm near (100.0, 0.0, 0.0) mm");
-    CHECK(warnings[2].find("part 'rod' is not connected") == 0);
+    CHECK(warnings[0] == "bodies.link.mass: body 'link' has 10.00 kg by its parts, but 9.700 kg are stated (+3.1 %); "
+                         "correct the mass, or the shapes and materials of its parts");
+    CHECK(warnings[1].find("parts.rod: parts 'beam' and 'rod' overlap by 2.00 mm near (100.0, 0.0, 0.0) mm; ") == 0);
+    CHECK(warnings[2].find("parts.rod: part 'rod' is not connected") == 0);
 }
 
 TEST_CASE("unknowns and memory follow order and dimension chain")

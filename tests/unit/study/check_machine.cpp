@@ -1,5 +1,6 @@
-#include "deadpoint/study/pipeline/check_machine.hpp"
+#include "deadpoint/study/check/check_machine.hpp"
 
+#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/error.hpp"
@@ -74,8 +75,16 @@ TEST_CASE("a body whose parts are not all bonded is named with its pieces")
     Machine machine = three_cubes();
     const auto warnings = study::loose_bodies(machine);
     REQUIRE(warnings.size() == 1);
-    CHECK(warnings.front() == "body 'frame' consists of 2 pieces without a bond between them, and each expands "
-                              "separately: a, b | c; let its parts touch, or make separate bodies");
+    CHECK(warnings.front().path == "parts.c");
+    CHECK(warnings.front().message == "body 'frame' consists of 2 pieces without a bond between them, and each expands "
+                                      "separately: a, b | c; 'c' lies 1000 mm along x from 'b'");
+    const auto after_move = [&](double x) {
+        for (std::size_t n = 16; n < 24; ++n)
+            machine.nodes[n][0] += x;  // of c
+        return study::loose_bodies(machine).front().message;
+    };
+    CHECK(after_move(-0.995).ends_with("; 'c' lies 5 mm along x from 'b'"));
+    CHECK(after_move(-0.005).ends_with("; 'c' is next to 'b', but no faces of the two lie on each other"));
     machine.parts[2].body = "slide";
     CHECK(study::loose_bodies(machine).empty());
 }
@@ -88,8 +97,9 @@ TEST_CASE("a body of one part that is in two pieces is named too, unless another
     machine.piece_of_cell = {0, 0, 0};
     const auto warnings = study::loose_bodies(machine);
     REQUIRE(warnings.size() == 2);
-    CHECK(warnings.front().find("body 'frame' consists of 2 pieces without a bond between them, and each expands "
-                                "separately: a (piece 1 of 2) | a (piece 2 of 2)") == 0);
+    CHECK(
+        warnings.front().message.find("body 'frame' consists of 2 pieces without a bond between them, and each expands "
+                                      "separately: a (piece 1 of 2) | a (piece 2 of 2)") == 0);
 
     Machine held = three_cubes();  // a and b are bonded; piece 2 of a is bonded to c, and c to b
     held.parts[0].pieces = 2;

@@ -207,11 +207,11 @@ TEST_CASE("the tip of a steep force is in the loads, the crankshaft's too")
     auto input = read(data / "balanced-crank.toml");
     auto& process = input.process_force.emplace();
     process.kind = casefile::ProcessForce::Kind::travel_table;
-    process.over_height = {{2e-3, 2.03e-3, 2.06e-3}, {0, 1, 0}};  // of a slide that moves 0.1 mm per position there
+    process.over_height = {{1.97e-3, 2.03e-3, 2.09e-3}, {0, 1, 0}};  // of a slide that moves 0.1 mm per position there
     const auto loads = loads_of(input);
     const double peak = *std::ranges::max_element(loads.history.process_force);
     CHECK(peak <= loads.force);
-    CHECK(peak >= 0.999 * loads.force);
+    CHECK(peak >= 0.998 * loads.force);  // none of up to 2880 positions lies nearer than 0.12 % to this tip
     CHECK(loads.history.process_force.size() == static_cast<std::size_t>(loads.request.positions));
     // Its samples are a multiple of the positions, so that the bearings carry the peak of the pin too.
     CHECK(loads.crankshaft->rigid.time.size() % loads.history.time.size() == 0);

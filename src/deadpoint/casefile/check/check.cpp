@@ -1,9 +1,11 @@
 #include "deadpoint/casefile/check/check.hpp"
 
+#include "deadpoint/casefile/check/belonging.hpp"
 #include "deadpoint/casefile/check/check_elastic.hpp"
 #include "deadpoint/casefile/check/check_enclosures.hpp"
 #include "deadpoint/casefile/check/directions.hpp"
 #include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/check/plausible.hpp"
 #include "deadpoint/casefile/describe/accuracy.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/case_films.hpp"
@@ -50,6 +52,8 @@ public:
             add(std::move(*finding));
         }
         check_reference();
+        add_all(check_belonging(c_));
+        add_all(check_values(c_));
         return take();
     }
 
@@ -146,17 +150,6 @@ private:
         }
         if (first.empty() && !c_.bodies.empty()) {
             report("ground", "bodies", "no body is the ground", "add ground = true to the body that stands still");
-        }
-        for (const auto& entry : c_.bodies) {
-            const std::string& name = entry.first;
-            const bool used = std::ranges::any_of(c_.parts, [&](const auto& p) { return p.second.body == name; });
-            const bool jointed = std::ranges::any_of(c_.joints, [&](const auto& j) {
-                return std::ranges::find(j.second.bodies, name) != j.second.bodies.end();
-            });
-            if (!used && !jointed) {
-                warn("unused", "bodies." + name, fmt::format("no part or joint belongs to body '{}'", name),
-                     "remove it, or name it in a part");
-            }
         }
     }
 

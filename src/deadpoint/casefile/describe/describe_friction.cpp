@@ -74,6 +74,9 @@ void describe_rings(Visitor& v, PalmgrenFriction& f)
         "give `balls`, `ball_diameter` and `contact_angle`, or remove `ring_expansion`");
 }
 
+constexpr std::string_view name_lubricant =
+    "add lubricant = \"oil\", with a section [lubricants.oil] such as library = \"ISO-VG-68\"";
+
 // What a law asks of the keys that all laws share.
 
 void check_shared(Visitor& v, const Friction& f)
@@ -83,13 +86,12 @@ void check_shared(Visitor& v, const Friction& f)
     const auto* guide = std::get_if<GuideFriction>(&f.law);
     const bool oiled = !f.lubricant.empty();
     v.expect(oiled || calibrated == nullptr || calibrated->viscous_part == 0, "viscous_part",
-             "a viscous part needs a lubricant", "name one with `lubricant`");
+             "a viscous part needs a lubricant", name_lubricant);
     v.expect(oiled || calibrated != nullptr || pin != nullptr || guide != nullptr, "law",
-             "a rolling bearing needs a lubricant", "name one with `lubricant`");
-    v.expect(oiled || pin == nullptr || !pin->clearance, "clearance", "an oil film needs a lubricant",
-             "name one with `lubricant`");
+             "a rolling bearing needs a lubricant", name_lubricant);
+    v.expect(oiled || pin == nullptr || !pin->clearance, "clearance", "an oil film needs a lubricant", name_lubricant);
     v.expect(oiled || guide == nullptr || !guide->film_thickness, "film_thickness", "an oil film needs a lubricant",
-             "name one with `lubricant`");
+             name_lubricant);
     v.expect(f.load_measure != LoadMeasure::peak || calibrated == nullptr || calibrated->reference_force,
              "load_measure", "without `reference_force` the heat does not follow the load", "add `reference_force`");
 }

@@ -21,6 +21,7 @@ struct CaseSource {
 };
 
 class Diagnostics;
+struct Finding;
 
 /// What was found, as the public headers have it.
 std::vector<deadpoint::Diagnostic> as_data(const Diagnostics& found);
@@ -29,6 +30,10 @@ std::vector<deadpoint::Diagnostic> as_data(const Diagnostics& found);
 /// already, where the case was not read from files, and where those are no longer what they were.
 CaseError placed(const CaseError& error, const Case& input);
 CaseDomainError placed(const CaseDomainError& error, const Case& input);
+
+/// Warnings about keys of a case, each with its place, line and caret where these are known as for `placed`, else as
+/// "path: message; help".
+std::vector<std::string> placed_warnings(const Case& input, const std::vector<Finding>& found);
 
 /// Runs what may find mistakes in a case after reading; they get their places.
 template <class Action>

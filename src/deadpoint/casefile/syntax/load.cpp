@@ -267,7 +267,7 @@ private:
             const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
             if (error != std::errc() || end != step.data() + step.size() || index >= node.children.size()) {
                 report(fmt::format("'{}' is not one of the {} items of this list", step, node.children.size()),
-                       "items are counted from 0");
+                       items_help(node));
                 return nullptr;
             }
             return &node.children[index];
@@ -285,6 +285,21 @@ private:
         child.key_place = key_;
         node.children.push_back(std::move(child));
         return &node.children.back();
+    }
+
+    /// Which items a list has, and how it gets another.
+    static std::string items_help(const Node& list)
+    {
+        const auto count = list.children.size();
+        const std::string known = count == 0 ? "the list is empty"
+                                             : fmt::format("items are counted from 0, so 0{} can be changed",
+                                                           count > 1 ? fmt::format(" to {}", count - 1) : "");
+        if (count > 0 && list.children.front().kind == Node::Kind::table && !list.key.empty()) {
+            return fmt::format("{}; to add one, write another [[{}]] in the case file, or in a file of your own that "
+                               "includes it",
+                               known, list.key);
+        }
+        return fmt::format("{}; to add one, give the whole list: {}=[..., ...]", known, list.key);
     }
 
     void report(std::string message, std::string help)

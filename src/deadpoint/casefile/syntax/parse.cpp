@@ -299,6 +299,48 @@ Diagnostic syntax_error(const Place& place, std::string message, std::string hel
     return diagnostic;
 }
 
+/// What a line states: "[parts.bed]" or "size"; empty where it states nothing.
+std::string_view stated(std::string_view line)
+{
+    const auto begin = line.find_first_not_of(" \t");
+    if (begin == std::string_view::npos || line[begin] == '#') {
+        return {};
+    }
+    const bool header = line[begin] == '[';
+    const auto end = line.find(header ? ']' : '=', begin);
+    if (end == std::string_view::npos) {
+        return {};
+    }
+    const auto text = line.substr(begin, end + (header ? 1 : 0) - begin);
+    return text.substr(0, text.find_last_not_of(" \t") + 1);
+}
+
+/// The line, from 1, that states the same section or key as a later one; 0 if there is none. A key is looked for in
+/// its own section.
+int first_statement(std::string_view text, int line)
+{
+    std::vector<std::string_view> lines;
+    for (std::size_t begin = 0; begin < text.size() && static_cast<int>(lines.size()) < line;) {
+        const auto end = std::min(text.find('\n', begin), text.size());
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    if (line < 1 || static_cast<int>(lines.size()) < line) {
+        return 0;
+    }
+    const auto wanted = stated(lines.back());
+    for (int i = line - 1; i > 0 && !wanted.empty(); --i) {
+        const auto found = stated(lines[static_cast<std::size_t>(i) - 1]);
+        if (found == wanted) {
+            return i;
+        }
+        if (found.starts_with('[') && !wanted.starts_with('[')) {
+            break;
+        }
+    }
+    return 0;
+}
+
 }  // namespace
 
 Node* Node::find(std::string_view name)
@@ -360,11 +402,15 @@ Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics)
             help = "a value is \"text\", a number, true, false, a [list] or a { table }";
         }
         if (twice) {
-            help = "state every key and every section once";
+            help = "state every key and every section once; rename one of the two, or merge them";
         }
         auto diagnostic = syntax_error(to_place(error.source(), file), what, help);
         if (twice) {
             diagnostic.code = "duplicate-key";
+            if (const int first = first_statement(text, diagnostic.place.line)) {
+                diagnostic.other = Place{file, first, 1, 1 << 16};
+                diagnostic.other_note = "first stated here";
+            }
         }
         diagnostics.add(std::move(diagnostic));
     } catch (const TooManyNames& error) {

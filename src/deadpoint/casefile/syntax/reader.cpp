@@ -5,6 +5,7 @@
 #include "deadpoint/core/suggest.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <initializer_list>
@@ -63,6 +64,39 @@ std::string_view type_help(Node::Kind wanted)
     default:
         return "write a bare number";
     }
+}
+
+/// A word of engineers for something that the case file calls otherwise, or does not have.
+struct OtherWord {
+    std::string_view word;
+    std::string_view option;  ///< that stands for it
+    std::string_view help;
+};
+
+constexpr std::array other_words{
+    OtherWord{"ball", "revolute",
+              "a ball joint turns like a pin in the plane of the linkage: use \"revolute\" with its `centre`, and "
+              "describe its contact by surfaces"},
+    OtherWord{"spherical", "revolute",
+              "a spherical joint turns like a pin in the plane of the linkage: use \"revolute\" with its `centre`, and "
+              "describe its contact by surfaces"},
+    OtherWord{"pin", "revolute", "a pin is \"revolute\""},
+    OtherWord{"hinge", "revolute", "a hinge is \"revolute\""},
+    OtherWord{"bearing", "revolute", "a bearing is \"revolute\""},
+    OtherWord{"guide", "slide", "a guide is a \"slide\""},
+    OtherWord{"prismatic", "slide", "a prismatic joint is a \"slide\""},
+    OtherWord{"fixed", "revolute",
+              "parts that are fixed to each other belong to one body and are bonded where they "
+              "touch: remove the joint"},
+};
+
+/// Empty for a word that is not known, or where the option it stands for is not allowed.
+std::string_view help_of_word(std::string_view word, std::span<const std::string_view> options)
+{
+    const auto found = std::ranges::find_if(other_words, [&](const OtherWord& other) {
+        return other.word == word && std::ranges::find(options, other.option) != options.end();
+    });
+    return found == other_words.end() ? std::string_view{} : found->help;
 }
 
 bool is_plain_name(const std::string& name)
@@ -367,9 +401,11 @@ void Reader::choice(const Key& key, std::string& value, std::span<const std::str
     }
     if (std::ranges::find(options, node->text) == options.end()) {
         const std::string near = closest_name(node->text, {options.begin(), options.end()});
+        const auto other = help_of_word(node->text, options);
         report(*node, "unknown-choice", path_of(key.name), fmt::format("'{}' is not an allowed value", node->text),
-               near.empty() ? fmt::format("write one of {}", joined(options, "\""))
-                            : fmt::format("did you mean \"{}\"? Known: {}", near, joined(options, "\"")));
+               !other.empty() ? fmt::format("{}; write one of {}", other, joined(options, "\""))
+               : near.empty() ? fmt::format("write one of {}", joined(options, "\""))
+                              : fmt::format("did you mean \"{}\"? Known: {}", near, joined(options, "\"")));
         return;
     }
     value = node->text;

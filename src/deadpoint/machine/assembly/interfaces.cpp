@@ -23,8 +23,7 @@ std::vector<std::uint32_t> faces_or_throw(const Assembly& assembly, const Surfac
 {
     std::vector<std::uint32_t> faces = selected_faces(assembly, selector, owner);
     if (faces.empty()) {
-        throw InputError(fmt::format("{}: {} matches no face; {}", owner, describe(selector),
-                                     alternatives(assembly, selector, selected_parts(assembly, selector, owner))));
+        throw no_face(assembly, selector, owner);
     }
     return faces;
 }

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace deadpoint::machine {
@@ -218,8 +219,7 @@ MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& d
         surface.area += face.fraction * area(machine, machine.faces[index]);
     }
     if (faces.empty()) {
-        throw InputError(fmt::format("{}: {} matches no face; {}", owner, describe(selector),
-                                     alternatives(assembly, selector, selected_parts(assembly, selector, owner))));
+        throw no_face(assembly, selector, owner);
     }
     if (surface.faces.empty()) {
         throw InputError(fmt::format("{}: {} has no area in its box; correct the box", owner, describe(selector)));
@@ -268,6 +268,9 @@ std::string describe(const SurfaceSelector& selector)
     return fmt::format("surface of {}", parts);
 }
 
+namespace {
+
+/// Existing faces of the requested kind on these parts, nearest first.
 std::string alternatives(const Assembly& assembly, const SurfaceSelector& selector,
                          const std::vector<std::uint32_t>& parts)
 {
@@ -309,6 +312,104 @@ std::string alternatives(const Assembly& assembly, const SurfaceSelector& select
         return fmt::format("there are no {} {} there", kind, direction_text(selector));
     }
     return fmt::format("the nearest there: {}", fmt::join(texts, ", "));
+}
+
+/// A position as the case file has it.
+std::string written(double length) { return fmt::format("\"{} mm\"", millimetres(length)); }
+
+/// The key of a selector that one of the existing cylinders differs in, and its value there.
+std::string cylinder_remedy(const std::vector<const CylinderGeometry*>& cylinders, const SurfaceSelector& selector)
+{
+    const auto same_size = [&](const CylinderGeometry& c) {
+        return std::abs(c.radius - selector.diameter / 2) < position_tolerance;
+    };
+    const auto off = [&](const CylinderGeometry& c) { return norm(project(selector.axis, c.point) - selector.centre); };
+    const CylinderGeometry* nearest = nullptr;
+    for (const auto* c : cylinders) {
+        if (along(c->axis, selector.axis) && same_size(*c) && (nearest == nullptr || off(*c) < off(*nearest))) {
+            nearest = c;
+        }
+    }
+    if (nearest != nullptr) {
+        const Vec2 centre = project(selector.axis, nearest->point);
+        return fmt::format("change the centre to [{}, {}], or move the part by {:.4g} mm", written(centre[0]),
+                           written(centre[1]), 1e3 * off(*nearest));
+    }
+    const auto other_size = [&](const CylinderGeometry& c) { return std::abs(c.radius - selector.diameter / 2); };
+    for (const auto* c : cylinders) {
+        if (along(c->axis, selector.axis) && off(*c) < position_tolerance &&
+            (nearest == nullptr || other_size(*c) < other_size(*nearest))) {
+            nearest = c;
+        }
+    }
+    if (nearest != nullptr) {
+        return fmt::format("change the diameter to {}, that of the nearest cylinder there",
+                           written(2 * nearest->radius));
+    }
+    for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+        for (const auto* c : cylinders) {
+            if (axis != selector.axis && along(c->axis, axis)) {
+                return fmt::format("the part has a cylinder of diameter {} mm along {}: if it is the one, change the "
+                                   "axis of its shape to \"{}\"",
+                                   millimetres(2 * c->radius), axis_names[index_of(axis)],
+                                   axis_names[index_of(selector.axis)]);
+            }
+        }
+    }
+    return "give a part that has such a bore or pin";
+}
+
+std::string plane_remedy(const std::vector<const PlaneGeometry*>& planes, const SurfaceSelector& selector)
+{
+    if (selector.normal) {
+        return "correct `normal` and `point`";
+    }
+    std::optional<double> nearest;
+    for (const auto* plane : planes) {
+        const double position = plane->offset * plane->normal[index_of(selector.axis)];
+        const auto away = [&](double value) { return std::abs(value - selector.position); };
+        if (along(*plane, selector) && (!nearest || away(position) < away(*nearest))) {
+            nearest = position;
+        }
+    }
+    return nearest ? fmt::format("change the position to {}, or move the part by {:.4g} mm", written(*nearest),
+                                 1e3 * std::abs(*nearest - selector.position))
+                   : "correct `axis`: planes lie across it";
+}
+
+/// What to change so that a selector finds one of the faces of some parts.
+std::string remedy(const Assembly& assembly, const SurfaceSelector& selector, const std::vector<std::uint32_t>& parts)
+{
+    std::vector<const CylinderGeometry*> cylinders;
+    std::vector<const PlaneGeometry*> planes;
+    for (std::uint32_t g = 0; g < assembly.machine.geometries.size(); ++g) {
+        if (!std::ranges::binary_search(parts, assembly.part_of_geometry[g]) || assembly.faces_of_geometry[g].empty()) {
+            continue;
+        }
+        if (const auto* cylinder = std::get_if<CylinderGeometry>(&assembly.machine.geometries[g])) {
+            cylinders.push_back(cylinder);
+        }
+        if (const auto* plane = std::get_if<PlaneGeometry>(&assembly.machine.geometries[g])) {
+            planes.push_back(plane);
+        }
+    }
+    switch (selector.kind) {
+    case Kind::cylinder:
+        return cylinder_remedy(cylinders, selector);
+    case Kind::plane:
+        return plane_remedy(planes, selector);
+    default:
+        return "select a face that is there";
+    }
+}
+
+}  // namespace
+
+InputError no_face(const Assembly& assembly, const SurfaceSelector& selector, const std::string& owner)
+{
+    const auto parts = selected_parts(assembly, selector, owner);
+    return InputError(fmt::format("{}: {} matches no face; {}\n  help: {}", owner, describe(selector),
+                                  alternatives(assembly, selector, parts), remedy(assembly, selector, parts)));
 }
 
 }  // namespace deadpoint::machine

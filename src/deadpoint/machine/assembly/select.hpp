@@ -8,6 +8,7 @@ namespace deadpoint {
 struct MeshSurface;
 struct SurfaceDescription;
 struct SurfaceSelector;
+class InputError;
 }  // namespace deadpoint
 
 namespace deadpoint::machine {
@@ -31,8 +32,7 @@ MeshSurface select_surface(const Assembly& assembly, const SurfaceDescription& d
 /// "the cylinder of diameter 90 mm along z about (0, -25) mm of part 'link_3'", for messages.
 std::string describe(const SurfaceSelector& selector);
 
-/// Existing faces of the requested kind on these parts, nearest first, for messages.
-std::string alternatives(const Assembly& assembly, const SurfaceSelector& selector,
-                         const std::vector<std::uint32_t>& parts);
+/// The error that a selector matches no face: which faces there are instead, the nearest first, and what to change.
+InputError no_face(const Assembly& assembly, const SurfaceSelector& selector, const std::string& owner);
 
 }  // namespace deadpoint::machine

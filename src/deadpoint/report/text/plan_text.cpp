@@ -1,5 +1,7 @@
 #include "deadpoint/report/text/plan_text.hpp"
 
+#include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/report/files/mesh_files.hpp"
 #include "deadpoint/report/text/table.hpp"
@@ -225,25 +227,32 @@ SizeEstimate estimate_size(const Case& description, const Machine& machine)
 
 std::vector<std::string> plan_warnings(const Case& description, const Machine& machine)
 {
-    std::vector<std::string> result;
+    std::vector<casefile::Finding> found;
     for (const auto& mass : body_masses(description, machine)) {
         const auto deviation = mass.deviation();
         if (deviation && std::abs(*deviation) > mass_tolerance) {
-            result.push_back(fmt::format("body '{}' has {} kg by its parts, but {} kg are stated ({:+.1f} %)",
-                                         mass.body, significant(mass.computed, 4), significant(*mass.stated, 4),
-                                         100 * *deviation));
+            found.push_back(
+                {"mass", fmt::format("bodies.{}.mass", mass.body),
+                 fmt::format("body '{}' has {} kg by its parts, but {} kg are stated ({:+.1f} %)", mass.body,
+                             significant(mass.computed, 4), significant(*mass.stated, 4), 100 * *deviation),
+                 "correct the mass, or the shapes and materials of its parts", true});
         }
     }
     for (const auto& overlap : machine.overlaps) {
-        result.push_back(fmt::format("parts '{}' and '{}' overlap by {} mm near ({:.1f}, {:.1f}, {:.1f}) mm",
+        found.push_back({"overlap", "parts." + overlap.part_b,
+                         fmt::format("parts '{}' and '{}' overlap by {} mm near ({:.1f}, {:.1f}, {:.1f}) mm",
                                      overlap.part_a, overlap.part_b, significant(1e3 * overlap.depth),
-                                     1e3 * overlap.where[0], 1e3 * overlap.where[1], 1e3 * overlap.where[2]));
+                                     1e3 * overlap.where[0], 1e3 * overlap.where[1], 1e3 * overlap.where[2]),
+                         "let their faces lie on each other there: move one of them, or change its size or bore",
+                         true});
     }
     for (const auto& part : machine.floating_parts) {
-        result.push_back(
-            fmt::format("part '{}' is not connected: no bond and no interface joins it to another part", part));
+        found.push_back(
+            {"floating", "parts." + part,
+             fmt::format("part '{}' is not connected: no bond and no interface joins it to another part", part),
+             "let it touch a part of its body, or name it in an interface of a joint", true});
     }
-    return result;
+    return casefile::placed_warnings(description, found);
 }
 
 std::string plan_text(const Case& description, const Machine& machine)

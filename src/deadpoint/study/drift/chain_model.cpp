@@ -82,7 +82,8 @@ void require_bottom(const Linkage& linkage, const BottomDeadPointSensitivity& se
                      fmt::format("the case's joints are not placed at bottom dead point: the crank would have to turn "
                                  "by {:.3f} degrees to get there",
                                  sensitivity.crank_angle * 180 / std::numbers::pi),
-                     "give all coordinates at bottom dead point");
+                     "give all coordinates at bottom dead point; if they are, correct machine.gravity_direction or "
+                     "mechanism.stroke_direction, which tell on which side the table is");
 }
 
 }  // namespace

@@ -1,28 +1,26 @@
 #include "deadpoint/study/pipeline/prepare.hpp"
 
+#include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/machine/assembly/build.hpp"
 #include "deadpoint/machine/assembly/measure.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/pipeline/check_machine.hpp"
+#include "deadpoint/study/check/check_machine.hpp"
+#include "deadpoint/study/check/question.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/machine.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <map>
 
 namespace deadpoint::study {
 namespace {
-
-bool has_condition(const casefile::Surface& surface)
-{
-    return surface.film || surface.temperature || !surface.temperature_formula.empty() || surface.heat_flux ||
-           surface.insulated;
-}
 
 bool apart(const std::optional<BoxShape>& a, const std::optional<BoxShape>& b)
 {
@@ -180,7 +178,9 @@ Machine prepare_machine(const casefile::Case& input, double size_scale, Observer
             observer.warn(warning);
     });
     mistakes.raise();
-    for (const auto& warning : loose_bodies(machine))
+    auto questions = loose_bodies(machine);
+    std::ranges::move(question_machine(input, machine, size_scale), std::back_inserter(questions));
+    for (const auto& warning : casefile::placed_warnings(input, questions))
         observer.warn(warning);
     return machine;
 }

@@ -173,6 +173,7 @@ private:
         parts_.note_work(result_);
         result_.timings = watch_.times();
         warn_about(result_.thermal, problem_, observer_);
+        warn_of_extremes(input_, parts_.machine, result_, observer_);
         for (const auto& warning : material_warnings(input_, parts_.machine, result_.thermal))
             observer_.warn(warning);
     }

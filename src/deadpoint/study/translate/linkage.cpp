@@ -140,9 +140,12 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
         ++index;
     }
     if (result.seats.empty() || result.bearings.empty())
-        mistakes.add("joints." + chain.crank_joint,
-                     "the crank's bearings need interfaces on the frame, marked 'seat' (ring or bush in the frame) and "
-                     "'journal' (ring or bush on the shaft)");
+        mistakes.add(
+            "joints." + chain.crank_joint,
+            "the crank's bearings need interfaces on the frame, marked 'seat' (ring or bush in the frame) and "
+            "'journal' (ring or bush on the shaft)",
+            "if this is not the joint of crankshaft and frame, name that in chain.crank_joint; else add seat = "
+            "true and journal = true to its interfaces");
     mistakes.raise();
     return result;
 }

@@ -8,7 +8,8 @@ struct Machine;
 }
 namespace deadpoint::casefile {
 struct Case;
-}
+struct Finding;
+}  // namespace deadpoint::casefile
 
 namespace deadpoint::study {
 
@@ -22,7 +23,8 @@ void require_probes_on_parts(const casefile::Case& input, const Machine& machine
 std::vector<std::string> cold_formulas(const casefile::Case& input, const Machine& machine);
 
 /// Bodies of several pieces without a bond between them: each piece would expand separately. A part
-/// may be several pieces; those that meet the same interface of a joint are held by it.
-std::vector<std::string> loose_bodies(const Machine& machine);
+/// may be several pieces; those that meet the same interface of a joint are held by it. Says how far off the nearest
+/// other part is, by the boxes around the parts.
+std::vector<casefile::Finding> loose_bodies(const Machine& machine);
 
 }  // namespace deadpoint::study

@@ -1,4 +1,4 @@
-#include "deadpoint/study/pipeline/check_machine.hpp"
+#include "deadpoint/study/check/check_machine.hpp"
 
 #include "deadpoint/casefile/check/check.hpp"
 #include "deadpoint/casefile/check/findings.hpp"
@@ -8,6 +8,7 @@
 #include "deadpoint/exchange/machine.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -131,6 +132,89 @@ std::vector<std::size_t> pieces_held_together(const Machine& machine, const std:
     return group;
 }
 
+Bounds bounds_of(const Machine& machine, const MeshPart& part)
+{
+    Bounds bounds = bounds_of(machine, machine.cells[part.first_cell]);
+    for (std::uint32_t c = part.first_cell; c < part.first_cell + part.cell_count; ++c) {
+        const Bounds cell = bounds_of(machine, machine.cells[c]);
+        for (int k = 0; k < 3; ++k) {
+            bounds.low[k] = std::min(bounds.low[k], cell.low[k]);
+            bounds.high[k] = std::max(bounds.high[k], cell.high[k]);
+        }
+    }
+    return bounds;
+}
+
+/// Gap between two boxes along each axis; 0 where they overlap.
+Vec3 gap_between(const Bounds& a, const Bounds& b)
+{
+    Vec3 gap{};
+    for (int k = 0; k < 3; ++k)
+        gap[k] = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
+    return gap;
+}
+
+std::string axes_of(const Vec3& gap)
+{
+    std::vector<std::string_view> axes;
+    for (int k = 0; k < 3; ++k)
+        if (gap[k] > 0)
+            axes.push_back(std::array{"x", "y", "z"}[static_cast<std::size_t>(k)]);
+    return fmt::format("{}", fmt::join(axes, " and "));
+}
+
+/// ": 5 mm along x from 'upright'", the part of other groups whose box is nearest.
+std::string neighbour_text(const Machine& machine, const MeshPart& loose, const std::set<std::size_t>& others)
+{
+    const Bounds own = bounds_of(machine, loose);
+    const MeshPart* nearest = nullptr;
+    Vec3 least{};
+    for (const auto p : others) {
+        const Vec3 gap = gap_between(own, bounds_of(machine, machine.parts[p]));
+        if (nearest == nullptr || norm(gap) < norm(least)) {
+            nearest = &machine.parts[p];
+            least = gap;
+        }
+    }
+    if (nearest == nullptr)
+        return {};
+    return norm(least) > 0 ? fmt::format("; '{}' lies {:.4g} mm along {} from '{}'", loose.name, 1e3 * norm(least),
+                                         axes_of(least), nearest->name)
+                           : fmt::format("; '{}' is next to '{}', but no faces of the two lie on each other",
+                                         loose.name, nearest->name);
+}
+
+/// @param groups  pieces of the body that are held together
+casefile::Finding loose_body(const Machine& machine, const std::vector<std::size_t>& ends, const std::string& body,
+                             const std::map<std::size_t, std::vector<std::size_t>>& groups)
+{
+    const auto part_of = [&](std::size_t piece) {
+        return static_cast<std::size_t>(std::ranges::upper_bound(ends, piece) - ends.begin()) - 1;
+    };
+    std::vector<std::string> texts;
+    const std::vector<std::size_t>* smallest = nullptr;
+    for (const auto& [number, pieces] : groups) {
+        std::vector<std::string> names;
+        for (const auto piece : pieces)
+            names.push_back(piece_name(machine.parts[part_of(piece)], piece - ends[part_of(piece)]));
+        texts.push_back(fmt::format("{}", fmt::join(names, ", ")));
+        if (smallest == nullptr || pieces.size() < smallest->size())
+            smallest = &pieces;
+    }
+    const std::size_t loose = part_of(smallest->front());
+    std::set<std::size_t> others;
+    for (const auto& [number, pieces] : groups)
+        for (const auto piece : pieces)
+            if (&pieces != smallest && part_of(piece) != loose)
+                others.insert(part_of(piece));
+    return {"loose", "parts." + machine.parts[loose].name,
+            fmt::format("body '{}' consists of {} pieces without a bond between them, and each expands separately: "
+                        "{}{}",
+                        body, groups.size(), fmt::join(texts, " | "),
+                        neighbour_text(machine, machine.parts[loose], others)),
+            "let its parts touch, or make separate bodies", true};
+}
+
 }  // namespace
 
 void require_probes_on_parts(const casefile::Case& input, const Machine& machine)
@@ -179,27 +263,18 @@ std::vector<std::string> cold_formulas(const casefile::Case& input, const Machin
     return warnings;
 }
 
-std::vector<std::string> loose_bodies(const Machine& machine)
+std::vector<casefile::Finding> loose_bodies(const Machine& machine)
 {
     const auto ends = ends_of_parts(machine);
     const auto group = pieces_held_together(machine, ends);
-    std::map<std::string, std::map<std::size_t, std::vector<std::string>>> bodies;
+    std::map<std::string, std::map<std::size_t, std::vector<std::size_t>>> bodies;
     for (std::size_t p = 0; p < machine.parts.size(); ++p)
-        for (std::size_t i = ends[p]; i < ends[p + 1]; ++i) {
-            auto& names = bodies[machine.parts[p].body][group[i]];
-            names.push_back(piece_name(machine.parts[p], i - ends[p]));
-        }
-    std::vector<std::string> warnings;
-    for (const auto& [body, groups] : bodies) {
-        if (groups.size() < 2)
-            continue;
-        std::vector<std::string> texts;
-        for (const auto& [number, parts] : groups)
-            texts.push_back(fmt::format("{}", fmt::join(parts, ", ")));
-        warnings.push_back(fmt::format("body '{}' consists of {} pieces without a bond between them, and each expands "
-                                       "separately: {}; let its parts touch, or make separate bodies",
-                                       body, groups.size(), fmt::join(texts, " | ")));
-    }
+        for (std::size_t i = ends[p]; i < ends[p + 1]; ++i)
+            bodies[machine.parts[p].body][group[i]].push_back(i);
+    std::vector<casefile::Finding> warnings;
+    for (const auto& [body, groups] : bodies)
+        if (groups.size() > 1)
+            warnings.push_back(loose_body(machine, ends, body, groups));
     return warnings;
 }
 

@@ -1,4 +1,4 @@
-#include "examples.hpp"
+#include "options/examples.hpp"
 
 #include <array>
 #include <fmt/format.h>
@@ -36,8 +36,7 @@ constexpr std::array examples{
                         "the least drift"},
     Example{"compare",
             "deadpoint compare my-press/results measured.toml          how good is it against what was measured?"},
-    Example{"probe",
-            "deadpoint probe my-press/results --at \"frame,0 mm,0 mm,50 mm\"   how warm does this place get?"},
+    Example{"probe", "deadpoint probe my-press/results --at \"frame,0 mm,0 mm,50 mm\"   how warm does this place get?"},
     Example{"view", "deadpoint view my-press/results                           see it as a page in the browser"},
     Example{"report", "deadpoint report a b -o a-and-b.html                      two results on one page"},
 };
