@@ -24,7 +24,7 @@ void compute(const SegmentOptions& options)
     const auto tables = press.heat_tables(segment, console);
     console.finish();
     report::write_heat_files(folder->path(), input, tables, console.warnings());
-    commit(*folder, console);
+    commit(*folder, options.tables, console);
     print_out("{}\nheat tables are in {}\n", report::heat_text(input, tables), folder->target().string());
 }
 

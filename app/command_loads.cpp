@@ -36,7 +36,7 @@ void compute(const SegmentOptions& options)
     const auto loads = press.loads(segment, console);
     console.finish();
     report::write_loads_files(folder->path(), input, loads, console.warnings());
-    commit(*folder, console);
+    commit(*folder, options.tables, console);
     print_out("{}\nloads are in {}\n", report::loads_text(input, loads), folder->target().string());
 }
 

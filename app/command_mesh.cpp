@@ -26,7 +26,7 @@ void write_mesh(const ResultOptions& options, bool calculix)
     if (calculix) {
         report::write_calculix_mesh(folder->path() / "mesh.inp", machine, file_comments(description, console));
     }
-    commit(*folder, console);
+    commit(*folder, options.tables, console);
     print_out("{} cells, {} exterior faces; open {} and {} in ParaView\n", machine.cells.size(), machine.faces.size(),
               (folder->target() / "mesh.vtu").string(), (folder->target() / "surfaces.vtu").string());
 }

@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/probe/probe_fields.hpp"
@@ -21,6 +22,7 @@ struct ProbeOptions {
     std::vector<std::string> at;
     std::string output;
     bool force = false;
+    CsvStyle tables = CsvStyle::comments;
     Console::Options console;
 };
 
@@ -72,12 +74,12 @@ void probe(const ProbeOptions& options)
     say_what_is_known(fields, console);
     console.finish();
     const auto comments = file_comments(input, console);
-    const auto columns = report::probe_columns(fields);
+    const auto text = csv_in_style(report::csv_text(comments, report::probe_columns(fields)), options.tables);
     if (options.output.empty()) {
-        print_out("{}", report::csv_text(comments, columns));
+        print_out("{}", text);
         return;
     }
-    report::write_csv(table, comments, columns);
+    write_file(table, text);
     report::write_svg_chart(chart, report::probe_chart(fields, input.machine.name), comments);
     print_out("values are in {}, their chart is in {}\n", table.string(), chart.string());
 }
@@ -100,6 +102,7 @@ void add_probe(CLI::App& app, int& exit_code)
         ->add_option("-o,--output", options->output,
                      "write the table to this file and a chart beside it, .svg; default: the table to the terminal")
         ->type_name("FILE");
+    add_table_option(*command, options->tables);
     command->add_flag("--force", options->force, "replace the files that --output names if they exist");
     command->add_flag("-q,--quiet", options->console.quiet, "show warnings and results only");
     command->callback([options, &exit_code] {

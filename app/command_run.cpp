@@ -252,7 +252,7 @@ int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
                             console.warnings());
     report::write_manifest(folder->path());
     const bool has_page = add_page(*folder, console);
-    commit(*folder, console);
+    commit(*folder, options.tables, console);
     const auto where = folder->target().string();
     const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
     print_out("{}\nresults{} are in {}\n", report::run_text(read.value, result, detail),
@@ -343,7 +343,7 @@ int run_case(RunOptions options, const OnRanks& ranks)
                                 console.warnings());
         report::write_manifest(folder->path());
         const bool has_page = add_page(*folder, console);
-        commit(*folder, console);
+        commit(*folder, options.tables, console);
         const auto where = folder->target().string();
         const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
         print_out("{}\nresults{} are in {}\n", report::run_text(run.press->input(), result, detail),

@@ -14,6 +14,7 @@
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/record_of_run.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/folder/table_style.hpp"
 #include "deadpoint/report/page/sweep_page.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
 #include "deadpoint/report/text/table.hpp"
@@ -55,6 +56,7 @@ struct SweepOptions {
     bool fields = false;
     std::string reduced;  ///< file of a reduced model to compute with
     casefile::FileAccess files = casefile::FileAccess::below;
+    CsvStyle tables = CsvStyle::comments;
     Console::Options console;
 };
 
@@ -144,7 +146,7 @@ study::PointAction action_of(const SweepOptions& options, const std::vector<fs::
         const auto result = press.run(wanted, observer);
         if (!result.thermal.interrupted && folder) {
             report::write_run_files(folder->path(), input, machine, result, observer.warnings);
-            commit(*folder, ranks.console);
+            commit(*folder, options.tables, ranks.console);
         }
     };
 }
@@ -187,6 +189,7 @@ int finish(const SweepOptions& options, const report::SweepResult& result, bool 
     report::write_sweep_files(options.folder, result, console.warnings());
     const auto page = fs::path(options.folder) / "report.html";
     report::write_sweep_report(page, options.folder);
+    report::style_tables(options.folder, options.tables);
     print_out("{}\nresults{} are in {}\nthe page is {}\n", report::sweep_text(result),
               console.cancelled() ? " so far (the same command continues)" : "", options.folder, page.string());
     if (console.cancelled()) {
@@ -372,6 +375,7 @@ void add_sweep(CLI::App& app, int& exit_code)
         ->add_option("-j,--jobs", options->jobs,
                      "number of points at a time; default: as many as cores and memory allow")
         ->check(CLI::Range(1, 1024));
+    add_table_option(*command, options->tables);
     command->add_flag("--fields", options->fields, "write the fields of every point");
     command
         ->add_option("--reduced", options->reduced,

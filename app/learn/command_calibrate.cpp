@@ -92,7 +92,7 @@ int calibrate(const CalibrateOptions& options, const OnRanks& ranks)
         plan.reduced_file = model;
         console.finish();
         report::write_plan_files(folder.path(), plan);
-        commit(folder, console);
+        commit(folder, options.tables, console);
         print_out("{}\nresults are in {}\n", report::calibration_text(plan), folder.target().string());
         return 0;
     }
@@ -102,7 +102,7 @@ int calibrate(const CalibrateOptions& options, const OnRanks& ranks)
         result.full_run = check_by_full_run(options, file, press, result, console);
     console.finish();
     report::write_calibration_files(folder.path(), result);
-    commit(folder, console);
+    commit(folder, options.tables, console);
     const auto page = folder.target() / "report.html";
     report::write_calibration_page(page, result);
     print_out("{}\nresults are in {}\nthe page is {}\n", report::calibration_text(result), folder.target().string(),

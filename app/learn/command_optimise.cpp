@@ -79,7 +79,7 @@ int optimise(const OptimiseOptions& options, Console& console)
     report::write_optimise_files(folder->path(), report, console.warnings());
     report::write_manifest(folder->path());
     report::write_optimise_page(folder->path() / "report.html", folder->path());
-    commit(*folder, console);
+    commit(*folder, options.tables, console);
     print_design(report::optimise_text(report), options);
     return 0;
 }

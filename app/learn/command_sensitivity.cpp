@@ -58,7 +58,7 @@ int sensitivity(const DesignOptions& options)
     report::write_sensitivity_files(folder->path(), report, console.warnings());
     report::write_manifest(folder->path());
     report::write_sensitivity_page(folder->path() / "report.html", folder->path());
-    commit(*folder, console);
+    commit(*folder, options.tables, console);
     print_design(report::sensitivity_text(report), options);
     return 0;
 }

@@ -33,6 +33,7 @@ void add_design_options(CLI::App& command, DesignOptions& options, const std::st
     command.add_flag("--force", options.force,
                      "replace a folder that deadpoint wrote, once the new results are complete");
     command.add_option("-j,--jobs", options.jobs, jobs)->check(CLI::Range(1, 1024));
+    add_table_option(command, options.tables);
     add_file_access(command, options.files);
     add_console_options(command, options.console);
 }

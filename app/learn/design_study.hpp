@@ -2,6 +2,7 @@
 
 #include "console.hpp"
 #include "deadpoint/casefile/syntax/file_access.hpp"
+#include "deadpoint/io/csv_style.hpp"
 
 #include <chrono>
 #include <memory>
@@ -27,6 +28,7 @@ struct DesignOptions {
     std::string reduced;
     int jobs = 0;
     bool force = false;
+    deadpoint::CsvStyle tables = deadpoint::CsvStyle::comments;
     deadpoint::casefile::FileAccess files = deadpoint::casefile::FileAccess::below;
     Console::Options console;
     /// By --jobs, or as many as cores.

@@ -13,6 +13,17 @@ void add_console_options(CLI::App& command, Console::Options& options)
     command.add_flag("-v,--verbose", options.verbose, "show more details");
 }
 
+void add_table_option(CLI::App& command, CsvStyle& style)
+{
+    command
+        .add_option_function<std::string>(
+            "--csv", [&style](const std::string& name) { style = csv_style(name); },
+            "tables with comment lines (comments), without them (plain), or without them and with semicolons and "
+            "decimal commas (comma)")
+        ->type_name("STYLE")
+        ->check(CLI::IsMember({"comments", "plain", "comma"}));
+}
+
 void add_file_access(CLI::App& command, casefile::FileAccess& files)
 {
     command.add_flag_callback(

@@ -4,6 +4,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/syntax/file_access.hpp"
+#include "deadpoint/io/csv_style.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,9 @@ struct CaseOptions {
 
 /// Adds --quiet and --verbose.
 void add_console_options(CLI::App& command, Console::Options& options);
+
+/// Adds --csv.
+void add_table_option(CLI::App& command, deadpoint::CsvStyle& style);
 
 /// Adds --allow-outside.
 void add_file_access(CLI::App& command, deadpoint::casefile::FileAccess& files);

@@ -1,5 +1,7 @@
 #include "options/result_options.hpp"
 
+#include "deadpoint/report/folder/table_style.hpp"
+
 #include <unistd.h>
 
 using namespace deadpoint;
@@ -14,6 +16,7 @@ void add_result_options(CLI::App& command, ResultOptions& options)
         ->type_name("DIR");
     command.add_flag("--force", options.force,
                      "replace a folder that deadpoint wrote, once the new results are complete");
+    add_table_option(command, options.tables);
 }
 
 void add_segment_options(CLI::App& command, SegmentOptions& options)
@@ -56,8 +59,9 @@ std::unique_ptr<ResultFolder> start_folder(const ResultOptions& options, const c
                                           input_files(read));
 }
 
-void commit(ResultFolder& folder, Console& console)
+void commit(ResultFolder& folder, CsvStyle tables, Console& console)
 {
+    report::style_tables(folder.path(), tables);
     folder.commit();
     for (const auto& note : folder.take_notes()) {
         console.note(note);

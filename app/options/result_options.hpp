@@ -10,6 +10,7 @@
 struct ResultOptions : CaseOptions {
     std::string folder;
     bool force = false;  ///< replace the folder if it exists
+    deadpoint::CsvStyle tables = deadpoint::CsvStyle::comments;
 };
 
 /// The same for one segment of the operation.
@@ -17,7 +18,7 @@ struct SegmentOptions : ResultOptions {
     int segment = -1;  ///< from 0; -1: the command chooses
 };
 
-/// Adds the options of a case, --output and --force.
+/// Adds the options of a case, --output, --force and --csv.
 void add_result_options(CLI::App& command, ResultOptions& options);
 
 /// Adds --segment to these.
@@ -35,5 +36,5 @@ std::optional<deadpoint::report::FolderClaim> claim_folder_of(const std::filesys
 std::unique_ptr<deadpoint::report::ResultFolder>
 start_folder(const ResultOptions& options, const deadpoint::casefile::ReadResult& read, Console& console);
 
-/// Gives finished results their name. @throws IoError as ResultFolder::commit()
-void commit(deadpoint::report::ResultFolder& folder, Console& console);
+/// Gives finished results their name, with tables in a style. @throws IoError as ResultFolder::commit()
+void commit(deadpoint::report::ResultFolder& folder, deadpoint::CsvStyle tables, Console& console);

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 import pathlib
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
@@ -81,9 +82,9 @@ def column_of(file: str, kind: str, heading: str, unit: str, values: Values) -> 
     return TableColumn(kind, heading, _schema.name_in(known.heading, heading), unit, known.meaning, values)
 
 
-def _numbers(cells: list[str]) -> Values:
+def _numbers(cells: list[str], comma: bool) -> Values:
     try:
-        return np.array([float(cell) if cell else np.nan for cell in cells])
+        return np.array([float(cell.replace(",", ".") if comma else cell) if cell else np.nan for cell in cells])
     except ValueError:
         return cells
 
@@ -93,6 +94,21 @@ def _heading(text: str) -> tuple[str, str]:
         heading, _, unit = text.rpartition(" [")
         return heading, unit[:-1]
     return text, ""
+
+
+def _head_beside(path: pathlib.Path) -> tuple[list[str], bool]:
+    """Kinds of the columns of a table that lost its comment lines (``--csv``), and whether it has decimal commas."""
+    beside = path.parent / "tables.json"
+    try:
+        heads = json.loads(beside.read_text(encoding="utf-8"))
+        for line in heads["heads"].get(path.name, []):
+            if line.startswith("columns: "):
+                return line[len("columns: ") :].split(", "), heads["style"] == "comma"
+    except FileNotFoundError:
+        pass
+    except (ValueError, KeyError, AttributeError) as error:
+        raise InputError(f"'{beside}' was changed or cut short\n  help: compute it again") from error
+    return [], False
 
 
 def read_table(path: pathlib.Path) -> Table:
@@ -110,15 +126,18 @@ def read_table(path: pathlib.Path) -> Table:
         if line.startswith("# columns: "):
             kinds = line[len("# columns: ") :].strip().split(", ")
         position += len(line)
+    comma = False
+    if not kinds:
+        kinds, comma = _head_beside(path)
     if not kinds:
         raise InputError(f"'{path}' is not a table that deadpoint wrote\n  help: it lacks the line '# columns: ...'")
-    rows = list(csv.reader(io.StringIO(text[position:])))
+    rows = list(csv.reader(io.StringIO(text[position:]), delimiter=";" if comma else ","))
     if not rows or any(len(row) != len(kinds) for row in rows):
         raise InputError(f"'{path}' was changed or cut short\n  help: compute it again")
     columns = []
     for index, (kind, title) in enumerate(zip(kinds, rows[0])):
         heading, unit = _heading(title)
-        columns.append(column_of(path.name, kind, heading, unit, _numbers([row[index] for row in rows[1:]])))
+        columns.append(column_of(path.name, kind, heading, unit, _numbers([row[index] for row in rows[1:]], comma)))
     return Table(path.name, columns)
 
 

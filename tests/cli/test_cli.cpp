@@ -284,6 +284,29 @@ TEST_CASE("probe tells what a probe of the case tells, at the times of the field
     CHECK(outside.out.empty());
 }
 
+TEST_CASE("tables without comment lines are read as those with them")
+{
+    const Folder folder;
+    const auto usual = folder / "usual", comma = folder / "comma";
+    REQUIRE(deadpoint("run -q " + two_blocks + " -o " + usual).code == 0);
+    REQUIRE(deadpoint("run -q " + two_blocks + " --csv comma -o " + comma).code == 0);
+    const auto table = content(comma + "/history.csv");
+    CHECK(table.find("time [s];top [degC]") == 0);
+    CHECK(has(table, "\n0;20;"));
+    CHECK(has(content(comma + "/tables.json"), "columns: time, "));
+    std::ofstream(folder / "m.toml") << "format = 1\nname = \"m\"\nsource = \"s\"\n[[rises]]\ntime = \"7 min\"\n"
+                                        "values = { top = \"0.1 K\" }\n";
+    const auto of_usual = deadpoint("compare " + usual + " " + (folder / "m.toml"));
+    const auto of_comma = deadpoint("compare " + comma + " " + (folder / "m.toml"));
+    CHECK(of_comma.code == 0);
+    CHECK(of_comma.out.substr(0, of_comma.out.find("comparison is in")) ==
+          of_usual.out.substr(0, of_usual.out.find("comparison is in")));
+    CHECK(deadpoint("report -q " + comma + " -o " + (folder / "page.html")).code == 0);
+    const auto wrong = deadpoint("run " + two_blocks + " --csv german -o " + (folder / "x"));
+    CHECK(wrong.code == 2);
+    CHECK(has(wrong.err, "--csv"));
+}
+
 TEST_CASE("run goes on from a result folder, and says when there is none")
 {
     const Folder folder;

@@ -26,7 +26,7 @@ std::string trimmed(std::string_view text)
     return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
 }
 
-std::vector<std::string> split(const std::string& line)
+std::vector<std::string> split(const std::string& line, char separator)
 {
     std::vector<std::string> cells(1);
     bool quoted = false;
@@ -37,7 +37,7 @@ std::vector<std::string> split(const std::string& line)
             ++i;
         } else if (c == '"') {
             quoted = !quoted;
-        } else if (c == ',' && !quoted) {
+        } else if (c == separator && !quoted) {
             cells.emplace_back();
         } else {
             cells.back() += c;
@@ -79,7 +79,10 @@ std::vector<double> CsvTable::numbers(std::size_t column) const
     std::vector<double> values;
     values.reserve(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::string& cell = rows[i].at(column);
+        std::string cell = rows[i].at(column);
+        if (semicolons) {
+            std::ranges::replace(cell, ',', '.');
+        }
         double value = 0;
         const char* begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
         const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
@@ -87,7 +90,7 @@ std::vector<double> CsvTable::numbers(std::size_t column) const
             throw InputError(
                 fmt::format("{}:{}: '{}' in column '{}' is not a finite number\n  help: correct the cell, or "
                             "remove the row",
-                            file, lines[i], cell, columns.at(column).name));
+                            file, lines[i], rows[i][column], columns.at(column).name));
         }
         values.push_back(value);
     }
@@ -116,12 +119,11 @@ CsvTable parse_csv(const std::string& text, const std::string& file)
                             "  help: check that it is the table that is meant",
                             table.file, number, most_columns, most_cells));
         }
-        auto cells = split(line);
+        auto cells = split(line, table.semicolons ? ';' : ',');
         if (table.columns.empty()) {
             if (cells.size() == 1 && line.find(';') != std::string::npos) {
-                throw InputError(fmt::format("{}:{}: the columns are divided by semicolons\n  help: divide them by "
-                                             "commas, with points in the numbers",
-                                             table.file, number));
+                table.semicolons = true;
+                cells = split(line, ';');
             }
             std::ranges::transform(cells, std::back_inserter(table.columns), heading);
             continue;

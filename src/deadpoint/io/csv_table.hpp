@@ -9,8 +9,9 @@
 namespace deadpoint {
 
 /// A CSV file as text: the first line that is neither empty nor a comment ("# ...") names the columns, with the unit in
-/// brackets behind the name ("top [degC]"). Cells are divided by commas and may be quoted as RFC 4180 says; a line
-/// break inside a cell is not read.
+/// brackets behind the name ("top [degC]"). Cells are divided by commas, or by semicolons in a table whose heading is,
+/// and may be quoted as RFC 4180 says. Between semicolons, numbers may have decimal commas; a line break inside a cell
+/// is not read.
 struct CsvTable {
     struct Column {
         std::string name;
@@ -19,7 +20,8 @@ struct CsvTable {
     std::string file;  ///< for messages
     std::vector<Column> columns;
     std::vector<std::vector<std::string>> rows;
-    std::vector<int> lines;  ///< of each row in the file, from 1
+    std::vector<int> lines;   ///< of each row in the file, from 1
+    bool semicolons = false;  ///< between the cells
 
     /// Index of a column.
     /// @throws InputError if there is none of that name

@@ -5,6 +5,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
+#include "deadpoint/report/folder/table_style.hpp"
 
 #include <fmt/format.h>
 #include <functional>
@@ -158,6 +159,9 @@ std::optional<std::string> ResultFiles::read(const std::string& name) const
     auto text = read_file(folder_ / name, largest_result);
     if (text) {
         compare(name, {text->size(), stable_hash(*text)});
+        if (name.ends_with(".csv") && find(table_heads_name) != nullptr) {
+            return usual_table(name, *text, read(table_heads_name).value_or(""));
+        }
     } else if (find(name) != nullptr) {
         throw IoError(fmt::format("'{}' is missing: it belongs to these results\n  help: {}", (folder_ / name).string(),
                                   compute_again));

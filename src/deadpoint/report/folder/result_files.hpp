@@ -35,7 +35,8 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     /// By path from the folder, with '/' between: "fields/top.vtu".
     [[nodiscard]] const std::map<std::string, ListedFile>& listed() const { return listed_; }
-    /// The contents of a file whose size and checksum match the list. @return none if the file
+    /// The contents of a file whose size and checksum match the list; a table as the program writes it, whatever style
+    /// it has (table_style.hpp). @return none if the file
     /// neither exists nor is listed @throws IoError if the file is missing or cannot be read
     /// @throws InputError if it was changed, or added later
     [[nodiscard]] std::optional<std::string> read(const std::string& name) const;
