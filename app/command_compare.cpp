@@ -71,7 +71,7 @@ IfThere replaced_files(const CompareOptions& options, const fs::path& stem)
     if (options.output.empty() || options.force) {
         return IfThere::replace;
     }
-    for (const char* extension : {".json", ".md"}) {
+    for (const char* extension : report::compare_endings) {
         auto file = stem;
         if (fs::exists(file += extension)) {
             throw IoError(

@@ -73,5 +73,6 @@ TEST_CASE("cells divided by semicolons have decimal commas or points")
     CHECK(table.numbers(0) == std::vector<double>{0, 1.5});
     CHECK(table.numbers(1) == std::vector<double>{1.5, -22.5});
     CHECK(table.rows[1][2] == "b;c");
-    CHECK_THROWS_AS(parse_csv("a;b\n1.000,5;2\n", "a.csv").numbers(0), InputError);  // neither 1.0005 nor 1000.5 for sure
+    CHECK_THROWS_AS(parse_csv("a;b\n1.000,5;2\n", "a.csv").numbers(0),
+                    InputError);  // neither 1.0005 nor 1000.5 for sure
 }

@@ -287,3 +287,34 @@ TEST_CASE("another run as baseline: its values and its errors stand beside")
     CHECK(*c.curves[0].figures.rms_baseline == doctest::Approx(3));
     CHECK_FALSE(compare(record(), file).groups[0].figures.rms_baseline);
 }
+
+TEST_CASE("agreement: each set once, errors over the measured change, fitted values only where there are no others")
+{
+    Comparison c;
+    CHECK(!agreement(c));
+    ComparedGroup group;
+    group.figures.rms = 3;
+    group.figures.rms_nothing = 10;
+    c.groups.push_back(group);
+    CHECK(agreement(c)->value == doctest::Approx(0.7).epsilon(1e-14));
+    ComparedCurve curve;
+    curve.figures.count = 1000;
+    curve.figures.rms = 4e-6;
+    curve.figures.rms_nothing = 10e-6;
+    c.curves.push_back(curve);
+    // 0.3^2 + 0.4^2 = 0.5^2: sqrt(0.25 / 2) is off.
+    CHECK(agreement(c)->value == doctest::Approx(1 - 0.5 / std::sqrt(2.0)).epsilon(1e-14));
+    CHECK(agreement(c)->sets == 2);
+    ComparedGroup without;  // times have no "nothing changes"
+    without.figures.rms = 100;
+    c.groups.push_back(without);
+    group.calibrated = true;
+    group.figures.rms = 0;
+    c.groups.push_back(group);
+    CHECK(agreement(c)->sets == 2);
+    CHECK(!agreement(c)->calibrated);
+    c.groups.erase(c.groups.begin());
+    c.curves.clear();
+    CHECK(agreement(c)->value == 1);
+    CHECK(agreement(c)->calibrated);
+}

@@ -5,6 +5,7 @@
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/io/write_file.hpp"
+#include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/text/table.hpp"
@@ -13,6 +14,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
+#include <optional>
 #include <utility>
 
 namespace deadpoint::report {
@@ -273,6 +276,70 @@ Json curve_json(const ComparedCurve& curve)
     return json;
 }
 
+/// "agreement 83 % (...)"; empty if there is none.
+std::string agreement_text(const Comparison& c)
+{
+    const auto found = study::agreement(c);
+    if (!found)
+        return {};
+    return fmt::format("agreement {:.0f} % over {} {}{}: 100 % is as measured, 0 % as far off as predicting no change",
+                       100 * found->value, found->sets, found->sets == 1 ? "set" : "sets",
+                       found->calibrated ? " to which the case was fitted" : "");
+}
+
+bool is_temperature(Dimension dimension)
+{
+    return dimension == Dimension::temperature || dimension == Dimension::temperature_difference;
+}
+
+/// The values of a chart of computed over measured: rises of temperature or the dimension chain.
+std::vector<ChartSeries> compared_points(const study::RunRecord& run, const Comparison& c, bool of_chain)
+{
+    std::map<std::string, ChartSeries> sets;
+    const auto add = [&](const std::string& name, double factor, double reference, double computed) {
+        auto& series = sets[name];
+        series.name = name;
+        series.joined = false;
+        series.markers.push_back({factor * reference, factor * computed});
+    };
+    for (const auto& v : c.values)
+        if (v.kind == (of_chain ? study::ValueKind::chain : study::ValueKind::rises))
+            add(v.group, shown(v.dimension).factor, v.reference, v.computed);
+    for (const auto& curve : c.curves) {
+        const double start = curve.dimension == Dimension::temperature ? run.initial_temperature : 0;
+        for (std::size_t k = 0; k < curve.time.size() && is_temperature(curve.dimension) != of_chain; ++k)
+            add(curve.name, shown(curve.dimension).factor, curve.reference[k] - start, curve.computed[k] - start);
+    }
+    std::vector<ChartSeries> result;
+    for (auto& [name, series] : sets)
+        result.push_back(std::move(series));
+    return result;
+}
+
+/// Computed over measured with the line on which they are equal; none without values.
+std::optional<Chart> agreement_chart(const study::RunRecord& run, const Comparison& c, bool of_chain)
+{
+    Chart chart;
+    chart.series = compared_points(run, c, of_chain);
+    if (chart.series.empty())
+        return std::nullopt;
+    double low = chart.series[0].markers[0].x, high = low;
+    for (const auto& series : chart.series)
+        for (const auto& [x, y] : series.markers) {
+            low = std::min({low, x, y});
+            high = std::max({high, x, y});
+        }
+    ChartSeries equal{"as measured", {low, high}, {low, high}, {}};
+    equal.dashed = true;
+    chart.series.push_back(std::move(equal));
+    chart.title = title(run, c);
+    chart.subtitle = agreement_text(c);
+    chart.x_label = of_chain ? "measured [um]" : "measured rise [K]";
+    chart.y_label = of_chain ? "computed [um]" : "computed rise [K]";
+    chart.include_zero = false;
+    return chart;
+}
+
 Json compare_json(const study::RunRecord& run, const Comparison& c)
 {
     Json json;
@@ -283,6 +350,9 @@ Json compare_json(const study::RunRecord& run, const Comparison& c)
     json["baseline"] = c.baseline.empty() ? Json(nullptr) : Json(c.baseline);
     json["warnings"] = c.warnings;
     json["calibrated_on"] = run.calibrated_on;
+    const auto agreed = study::agreement(c);
+    json["agreement"] = agreed ? Json(agreed->value) : Json(nullptr);
+    json["agreement_sets"] = agreed ? agreed->sets : 0;
     json["sets"] = Json::array();
     for (const auto& g : c.groups) {
         Json set{{"kind", name_of(g.kind)}, {"group", g.group}, {"calibrated", g.calibrated}};
@@ -329,6 +399,8 @@ std::string compare_text(const study::RunRecord& run, const Comparison& c)
         text += fmt::format("\n{}", table_text(values));
     if (const auto figures = figure_sheet(c); !figures.rows.empty())
         text += fmt::format("\n{}  errors are computed less reference; E_SW > 0 opens the gap\n", table_text(figures));
+    if (const auto agreed = agreement_text(c); !agreed.empty())
+        text += fmt::format("  {}\n", agreed);
     if (!run.calibrated_on.empty() &&
         std::ranges::any_of(c.groups, [](const ComparedGroup& g) { return g.calibrated; }))
         text += "  the case was fitted to the rises marked as calibrated: they are no prediction\n";
@@ -339,7 +411,7 @@ std::string compare_text(const study::RunRecord& run, const Comparison& c)
     return text;
 }
 
-std::string compare_page(const study::RunRecord& run, const Comparison& c)
+std::string compare_page(const study::RunRecord& run, const Comparison& c, const std::vector<std::string>& charts)
 {
     std::string text = xml_comment(fmt::format("deadpoint {}, case {}, hash {}", version, run.machine, run.hash));
     text += fmt::format("# {}\n\nReference: {}\n", markdown_text(title(run, c)), markdown_text(c.source));
@@ -350,6 +422,11 @@ std::string compare_page(const study::RunRecord& run, const Comparison& c)
     text += fmt::format("\n{}\n", markdown_text(how_to_read(run, c)));
     if (const auto figures = figure_sheet(c); !figures.rows.empty())
         text += fmt::format("\n## Errors\n{}", table_markdown(figures));
+    if (const auto agreed = agreement_text(c); !agreed.empty())
+        text +=
+            fmt::format("\n**{}.** The share is 1 - sqrt(mean over the sets of (rms / rms of no change)^2).\n", agreed);
+    for (const auto& name : charts)
+        text += fmt::format("\n![Computed over measured]({})\n", name);
     if (const auto values = value_sheet(c); !values.rows.empty())
         text += fmt::format("\n## Values\n{}", table_markdown(values));
     if (!c.verdicts.empty()) {
@@ -373,8 +450,19 @@ void write_compare_files(const std::filesystem::path& stem, const study::RunReco
         std::filesystem::path path = stem;
         return path += extension;
     };
+    std::vector<std::string> drawn;
+    for (const bool of_chain : {false, true}) {
+        const auto* ending = compare_endings[of_chain ? 3 : 2];
+        const auto chart = agreement_chart(run, c, of_chain);
+        if (!chart) {
+            continue;
+        }
+        write_file(with(ending), svg_chart(*chart), if_there);
+        record_file(with(ending));
+        drawn.push_back(with(ending).filename().string());
+    }
     write_json(with(".json"), compare_json(run, c), if_there);
-    write_file(with(".md"), compare_page(run, c), if_there);
+    write_file(with(".md"), compare_page(run, c, drawn), if_there);
     record_file(with(".json"));
     record_file(with(".md"));
 }

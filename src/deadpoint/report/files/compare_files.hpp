@@ -2,8 +2,10 @@
 
 #include "deadpoint/io/write_file.hpp"
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace deadpoint::study {
 
@@ -17,10 +19,15 @@ namespace deadpoint::report {
 /// Tables of values, curves and claims, for the terminal.
 std::string compare_text(const study::RunRecord& run, const study::Comparison& comparison);
 
-/// The same as a page of Markdown.
-std::string compare_page(const study::RunRecord& run, const study::Comparison& comparison);
+/// The same as a page of Markdown. @param charts  names of the drawings that it shows
+std::string compare_page(const study::RunRecord& run, const study::Comparison& comparison,
+                         const std::vector<std::string>& charts = {});
 
-/// Writes `stem`.json and `stem`.md; the first also holds every point of every curve.
+/// What write_compare_files() adds to its stem.
+inline constexpr std::array<const char*, 4> compare_endings{".json", ".md", "-temperatures.svg", "-chain.svg"};
+
+/// Writes `stem`.json and `stem`.md; the first also holds every point of every curve. Draws computed over measured
+/// values in `stem`-temperatures.svg and `stem`-chain.svg, where there are some.
 /// @throws IoError if a file cannot be written
 void write_compare_files(const std::filesystem::path& stem, const study::RunRecord& run,
                          const study::Comparison& comparison, IfThere if_there = IfThere::replace);

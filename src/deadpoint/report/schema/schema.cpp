@@ -107,6 +107,8 @@ std::vector<File> other_files()
         table("courses.csv", "optimise", "the gap over time before and at the optimum", courses::all),
         document("compare.json", "compare", "a result against a reference", compare_keys()),
         other("compare.md", "compare", "the same as text"),
+        other("compare-temperatures.svg", "compare", "chart of computed over measured temperatures"),
+        other("compare-chain.svg", "compare", "chart of computed over measured changes of the dimension chain"),
     };
 }
 

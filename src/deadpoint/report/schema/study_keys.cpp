@@ -120,6 +120,10 @@ Keys compare_keys()
                     {"baseline", "", "folder of the baseline; null: none"},
                     {"warnings", "", ""},
                     {"calibrated_on", "", "keys of the case that were fitted"},
+                    {"agreement", "",
+                     "1 - sqrt(mean over the sets of (rms / rms_of_no_change)^2): 1 as measured, 0 as far off as no "
+                     "change; null: no set counts"},
+                    {"agreement_sets", "", "sets and curves that count in it, each once"},
                     {"sets/[]/kind", "", "rises, chain, times or loads"},
                     {"sets/[]/group", "", "of the reference file"},
                     {"sets/[]/calibrated", "", "true if the case was fitted to these values"},

@@ -290,4 +290,28 @@ Comparison compare(const RunRecord& run, const casefile::ReferenceFile& referenc
     return result;
 }
 
+std::optional<Agreement> agreement(const Comparison& comparison)
+{
+    Agreement predicted{0, 0, false}, fitted{0, 0, true};
+    const auto add = [&](const ErrorFigures& figures, bool calibrated) {
+        if (figures.rms_nothing.value_or(0) > 0) {
+            auto& sum = calibrated ? fitted : predicted;
+            sum.value += std::pow(figures.rms / *figures.rms_nothing, 2);
+            ++sum.sets;
+        }
+    };
+    for (const auto& group : comparison.groups) {
+        add(group.figures, group.calibrated);
+    }
+    for (const auto& curve : comparison.curves) {
+        add(curve.figures, curve.calibrated);
+    }
+    auto result = predicted.sets > 0 ? predicted : fitted;
+    if (result.sets == 0) {
+        return std::nullopt;
+    }
+    result.value = 1 - std::sqrt(result.value / static_cast<double>(result.sets));
+    return result;
+}
+
 }  // namespace deadpoint::study

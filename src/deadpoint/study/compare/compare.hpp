@@ -105,6 +105,23 @@ struct Comparison {
     std::vector<std::string> warnings;
 };
 
+/// How well a result agrees with its reference, in one figure.
+struct Agreement {
+    /// 1 - sqrt(mean of (rms / rms_nothing)^2): 1 if all is as measured, 0 if it is as far off as predicting that
+    /// nothing changes, below 0 if it is farther off.
+    double value = 0;
+    std::size_t sets = 0;     ///< groups and curves that count
+    bool calibrated = false;  ///< whether the case was fitted to all of them
+};
+
+/// Over all groups and curves for which "nothing changes" is an answer: rises, temperatures and the dimension chain.
+///
+/// Each counts once, however many values it has, so that a recorded curve does not outweigh ten thermometers; errors
+/// are related to the measured change, so that kelvins and micrometres count alike. Fitted values count only where
+/// there are no others.
+/// @return nothing if no set counts
+std::optional<Agreement> agreement(const Comparison& comparison);
+
 /// Contents of this result to which a reference file can refer.
 casefile::ResultContents contents(const RunRecord& run);
 
