@@ -18,4 +18,5 @@ void add_calibrate(CLI::App& app, int& exit_code);
 void add_optimise(CLI::App& app, int& exit_code);
 void add_probe(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
+void add_schema(CLI::App& app, int& exit_code);
 void add_view(CLI::App& app, int& exit_code);

@@ -20,9 +20,9 @@ namespace {
 
 constexpr int other_error = 1;
 
-const std::vector<std::string> subcommands{"init",      "check",   "mesh",  "loads",       "heat",
-                                           "run",       "reduce",  "sweep", "sensitivity", "optimise",
-                                           "calibrate", "compare", "probe", "report",      "view"};
+const std::vector<std::string> subcommands{"init",   "check",  "mesh",        "loads",    "heat",      "run",
+                                           "reduce", "sweep",  "sensitivity", "optimise", "calibrate", "compare",
+                                           "probe",  "report", "schema",      "view"};
 
 /// Says that a word is no subcommand, and which one it may have meant.
 int refuse_subcommand(const std::string& word)
@@ -31,7 +31,7 @@ int refuse_subcommand(const std::string& word)
     print_err("error: there is no subcommand '{}'\n  help: {}\n", word,
               meant.empty()
                   ? "give one of init, check, mesh, loads, heat, run, reduce, sweep, sensitivity, optimise, calibrate, "
-                    "compare, probe, report and view"
+                    "compare, probe, report, schema and view"
                   : fmt::format("did you mean '{}'?", meant));
     return static_cast<int>(deadpoint::ErrorKind::input);
 }
@@ -56,6 +56,7 @@ int run(int argc, char** argv)
     add_optimise(app, exit_code);
     add_probe(app, exit_code);
     add_report(app, exit_code);
+    add_schema(app, exit_code);
     add_view(app, exit_code);
     add_examples(app);
     if (argc == 3 && std::string_view(argv[1]) == "--write-manual") {  // used when the program is packaged

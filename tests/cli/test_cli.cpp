@@ -301,7 +301,7 @@ TEST_CASE("tables without comment lines are read as those with them")
     CHECK(of_comma.code == 0);
     CHECK(of_comma.out.substr(0, of_comma.out.find("comparison is in")) ==
           of_usual.out.substr(0, of_usual.out.find("comparison is in")));
-    CHECK(deadpoint("report -q " + comma + " -o " + (folder / "page.html")).code == 0);
+    CHECK(deadpoint("report " + comma + " -o " + (folder / "page.html")).code == 0);
     const auto wrong = deadpoint("run " + two_blocks + " --csv german -o " + (folder / "x"));
     CHECK(wrong.code == 2);
     CHECK(has(wrong.err, "--csv"));

@@ -121,9 +121,9 @@ CsvTable parse_csv(const std::string& text, const std::string& file)
         }
         auto cells = split(line, table.semicolons ? ';' : ',');
         if (table.columns.empty()) {
-            if (cells.size() == 1 && line.find(';') != std::string::npos) {
+            if (auto others = split(line, ';'); others.size() > cells.size()) {
                 table.semicolons = true;
-                cells = split(line, ';');
+                cells = std::move(others);
             }
             std::ranges::transform(cells, std::back_inserter(table.columns), heading);
             continue;

@@ -9,9 +9,9 @@
 namespace deadpoint {
 
 /// A CSV file as text: the first line that is neither empty nor a comment ("# ...") names the columns, with the unit in
-/// brackets behind the name ("top [degC]"). Cells are divided by commas, or by semicolons in a table whose heading is,
-/// and may be quoted as RFC 4180 says. Between semicolons, numbers may have decimal commas; a line break inside a cell
-/// is not read.
+/// brackets behind the name ("top [degC]"). Cells are divided by commas, or by semicolons if that gives the heading
+/// more cells, and may be quoted as RFC 4180 says. Between semicolons, numbers may have decimal commas; a line break
+/// inside a cell is not read.
 struct CsvTable {
     struct Column {
         std::string name;

@@ -8,6 +8,8 @@
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/error.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <doctest/doctest.h>
 #include <filesystem>
@@ -133,6 +135,52 @@ TEST_CASE("shipped values")
     CHECK(at(70) == doctest::Approx(11.19).epsilon(5e-4));
 }
 
+TEST_CASE("shipped materials lie within what solids of presses have")
+{
+    const auto& materials = shipped_library().materials;
+    CHECK(materials.size() >= 30);
+    for (const auto& [name, m] : materials) {
+        CAPTURE(name);
+        CHECK((m.density > 2500 && m.density < 9000));
+        CHECK((m.conductivity > 10 && m.conductivity < 400));
+        CHECK((m.specific_heat > 350 && m.specific_heat < 1000));
+        CHECK((m.expansion > 9e-6 && m.expansion < 25e-6));
+        CHECK((m.youngs_modulus > 60e9 && m.youngs_modulus < 220e9));
+        CHECK((m.poissons_ratio > 0.2 && m.poissons_ratio < 0.36));
+        // Heat by volume of metals near room temperature, after Dulong and Petit: 3 R by atom, 2.4 to 4.2 MJ/m3/K.
+        CHECK((m.density * m.specific_heat > 2.4e6 && m.density * m.specific_heat < 4.4e6));
+    }
+}
+
+TEST_CASE("shipped oils hold ISO 3448, get thinner with temperature, and have the viscosity index they state")
+{
+    const std::vector<int> classes{2,   3,   5,   7,   10,  15,  22,   32,   46,   68,
+                                   100, 150, 220, 320, 460, 680, 1000, 1500, 2200, 3200};
+    const auto& oils = shipped_library().lubricants;
+    CHECK(oils.size() >= 20);
+    const auto viscosity = [](const Table& table, double celsius) {
+        const auto found =
+            std::ranges::find_if(table.x, [&](double x) { return std::abs(x - celsius - 273.15) < 1e-9; });
+        REQUIRE(found != table.x.end());
+        return table.y[static_cast<std::size_t>(found - table.x.begin())] * 1e6;
+    };
+    for (const auto& [name, oil] : oils) {
+        CAPTURE(name);
+        const int stated = std::stoi(name.substr(name.rfind('-') + 1));
+        CHECK(std::ranges::find(classes, stated) != classes.end());
+        CHECK(viscosity(oil.viscosity, 40) ==
+              doctest::Approx(stated).epsilon(0.1));  // the class is its mid-point, 10 %
+        CHECK(std::ranges::adjacent_find(oil.viscosity.y, std::less_equal<>()) == oil.viscosity.y.end());
+        CHECK((oil.density > 820 && oil.density < 930));
+    }
+    // ASTM D2270 for Y = 7.82 mm2/s at 100 degC: H = 0.05794 Y^2 + 10.5156 Y - 28.240 = 57.54, N = lg(H / U) / lg Y.
+    const auto& pao = oils.at("PAO-VG-46").viscosity;
+    const double y = viscosity(pao, 100), u = viscosity(pao, 40);
+    const double h = 0.05794 * y * y + 10.5156 * y - 28.24;
+    const double n = std::log10(h / u) / std::log10(y);
+    CHECK((std::pow(10, n) - 1) / 0.00715 + 100 == doctest::Approx(140).epsilon(0.005));
+}
+
 TEST_CASE("a resolved case reads back as the same case")
 {
     const Scratch scratch;
@@ -177,6 +225,15 @@ TEST_CASE("overrides")
     CHECK(c.output.field_times == std::vector{3600.0});
 
     CHECK(has(error_of(path, {"operation.7.speed=400 rpm"}), "'7' is not one of the 2 items"));
+    CHECK(has(error_of(path, {"operation.2.speed=400 rpm"}),
+              "to add one, give all of its keys: operation.2={duration=\"1 h\", speed=\"300 rpm\", force=\"0 N\"}"));
+    const auto longer =
+        read_case(path, {"operation.2={duration=\"1 h\", speed=\"300 rpm\", force=\"0 N\"}", "operation.2.force=5 N"})
+            .value;
+    REQUIRE(longer.operation.size() == 3);
+    CHECK(longer.operation[2].duration == 3600);
+    CHECK(longer.operation[2].force == 5);
+    CHECK(has(error_of(path, {"operation.3={duration=\"1 h\", speed=\"300 rpm\", force=\"0 N\"}"}), "'3' is not one"));
     CHECK(has(error_of(path, {"numerics.size"}), "an override is written path=value"));
     CHECK(has(error_of(path, {"numerics.size.x=1"}), "inside a single value"));
     CHECK(has(error_of(path, {"numerics.sise=1 mm"}), "did you mean 'size'?"));

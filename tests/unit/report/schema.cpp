@@ -17,6 +17,7 @@
 #include "deadpoint/report/folder/point_table.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/folder/result_table.hpp"
+#include "deadpoint/report/folder/table_style.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 #include "everything.hpp"
 #include "schema_coverage.hpp"
@@ -151,6 +152,11 @@ TEST_CASE("what is written is what the schema says, all of it and nothing else")
         }
         CHECK(unknown == std::vector<std::string>{});
     }
+    const ScratchFolder plain;
+    report::write_csv(plain.path / "history.csv", std::vector<std::string>{"a head"}, {});
+    report::style_tables(plain.path, CsvStyle::plain);
+    const auto heads = nlohmann::ordered_json::parse(content(plain.path / "tables.json"));
+    CHECK(coverage.document("tables.json", heads) == std::vector<std::string>{});
     CHECK(coverage.unwritten() == std::vector<std::string>{});
 }
 

@@ -356,7 +356,8 @@ constexpr std::string_view preface = R"(
   `\` at the end of a line joins it with the next line.
 - A `temperature_formula` has one result, in kelvin and above 0 K, and assigns nothing. Below 150 K the program warns.
 - On the command line, `--set path=value` replaces a value or adds one: `--set "operation.0.speed=400 rpm"`. Items of
-  lists are counted from 0.
+  lists are counted from 0. The item after the last one is added with all of its keys:
+  `--set 'operation.1={duration="1 h", speed="300 rpm", force="0 N"}'`.
 )";
 
 }  // namespace

@@ -244,7 +244,7 @@ public:
         value_ = whole_.value_or(Place{file_, 1, static_cast<int>(equals) + 2, 1 << 16});
         Node* node = &root;
         for (std::size_t i = 0; i < steps.size(); ++i) {
-            node = descend(*node, steps[i]);
+            node = descend(*node, steps, i);
             if (node == nullptr) {
                 return;
             }
@@ -256,21 +256,36 @@ public:
     }
 
 private:
-    Node* descend(Node& node, const std::string& step)
+    /// An item of a list; the one after the last is added if the path ends there.
+    Node* item(Node& list, const std::vector<std::string>& steps, std::size_t at)
     {
+        const auto& step = steps[at];
+        const auto count = list.children.size();
+        std::size_t index = 0;
+        const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
+        const bool is_index = error == std::errc() && end == step.data() + step.size();
+        if (is_index && index == count && at + 1 == steps.size()) {
+            list.children.emplace_back();
+            return &list.children.back();
+        }
+        if (!is_index || index >= count) {
+            const std::string path =
+                fmt::format("{}", fmt::join(steps.begin(), steps.begin() + static_cast<long>(at), "."));
+            report(fmt::format("'{}' is not one of the {} items of this list", step, count), items_help(list, path));
+            return nullptr;
+        }
+        return &list.children[index];
+    }
+
+    Node* descend(Node& node, const std::vector<std::string>& steps, std::size_t at)
+    {
+        const auto& step = steps[at];
         if (step.empty()) {
             report("an empty name in the path", "write it like operation.0.speed");
             return nullptr;
         }
         if (node.kind == Node::Kind::array) {
-            std::size_t index = 0;
-            const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
-            if (error != std::errc() || end != step.data() + step.size() || index >= node.children.size()) {
-                report(fmt::format("'{}' is not one of the {} items of this list", step, node.children.size()),
-                       items_help(node));
-                return nullptr;
-            }
-            return &node.children[index];
+            return item(node, steps, at);
         }
         if (node.kind != Node::Kind::table) {
             report(fmt::format("'{}' lies inside a single value", step), "shorten the path");
@@ -288,18 +303,17 @@ private:
     }
 
     /// Which items a list has, and how it gets another.
-    static std::string items_help(const Node& list)
+    static std::string items_help(const Node& list, const std::string& path)
     {
         const auto count = list.children.size();
         const std::string known = count == 0 ? "the list is empty"
                                              : fmt::format("items are counted from 0, so 0{} can be changed",
                                                            count > 1 ? fmt::format(" to {}", count - 1) : "");
-        if (count > 0 && list.children.front().kind == Node::Kind::table && !list.key.empty()) {
-            return fmt::format("{}; to add one, write another [[{}]] in the case file, or in a file of your own that "
-                               "includes it",
-                               known, list.key);
+        if (count > 0 && list.children.front().kind != Node::Kind::table) {
+            return fmt::format("{}; to add one, set {}.{}", known, path, count);
         }
-        return fmt::format("{}; to add one, give the whole list: {}=[..., ...]", known, list.key);
+        return fmt::format("{}; to add one, give all of its keys: {}.{}={}", known, path, count,
+                           path == "operation" ? "{duration=\"1 h\", speed=\"300 rpm\", force=\"0 N\"}" : "{...}");
     }
 
     void report(std::string message, std::string help)

@@ -5,7 +5,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
-#include "deadpoint/report/folder/table_style.hpp"
+#include "deadpoint/report/folder/table_heads.hpp"
 
 #include <fmt/format.h>
 #include <functional>

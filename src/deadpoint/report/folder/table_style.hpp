@@ -3,22 +3,15 @@
 #include "deadpoint/io/csv_style.hpp"
 
 #include <filesystem>
-#include <string>
 
 /// Tables of a result folder in the style that its user asked for.
 ///
 /// Comment lines that leave a table go to tables.json beside it, so that the readers of this program lose nothing.
 namespace deadpoint::report {
 
-inline constexpr const char* table_heads_name = "tables.json";
-
 /// Changes the style of all tables of a folder and lists them again. Does nothing for CsvStyle::comments.
 /// points.csv of a study stays as it is: a continued study appends to it.
 /// @throws IoError if a file cannot be read or written
 void style_tables(const std::filesystem::path& folder, CsvStyle style);
-
-/// A table as the program writes it, from its text in a folder and the text of tables.json there.
-/// @throws InputError if tables.json is not as style_tables() writes it
-std::string usual_table(const std::string& name, const std::string& text, const std::string& heads);
 
 }  // namespace deadpoint::report
