@@ -14,7 +14,8 @@ struct TetrahedronSize {
     double size = 0;        ///< of cells [m]
     double smallest = 0;    ///< on curved faces [m]
     int circle_cells = 24;  ///< around a full circle, where `smallest` allows
-    /// Small cells stay at curved faces; else those of edges continue into faces and solids, with up to ten times as many.
+    /// Small cells stay at curved faces; else those of edges continue into faces and solids, with up to ten times as
+    /// many.
     bool fine_at_curves_only = false;
 };
 
