@@ -147,7 +147,7 @@ TEST_CASE("a stepped shaft with a throw is one conforming mesh of hexahedra")
     CHECK(machine.parts[0].kind == CellKind::hexahedron);
     CHECK(machine.parts[0].volume < exact);
     CHECK(machine.parts[0].volume > exact * polygon_share(24));
-    CHECK(machine.parts[0].min_quality > machine::least_quality);  // circles that cross at 10 degrees
+    CHECK(machine.parts[0].min_quality > machine::poor_quality);  // circles that cross at 10 degrees
     CHECK(machine.parts[0].mean_quality > 0.7);
     CHECK(closure_error(machine) < 1e-13);
     CHECK(worst_radius_error(machine) < 1e-6);  // nodes where two circles cross lie on both to the kernel's tolerance
@@ -263,6 +263,23 @@ TEST_CASE("parts without a common axis, or on request, become tetrahedra")
     CHECK(faces_area(half, true) == Approx(0.04).epsilon(1e-9));
     // no interior face counts as exterior: bottom and top, two ends in z, one side left
     CHECK(half.parts[0].exterior_area == Approx(2 * 0.2 * 0.4 + 2 * 0.2 * 0.1 + 0.4 * 0.1).epsilon(1e-9));
+}
+
+TEST_CASE("quality tells flat from thin cells")
+{
+    Cell cell;
+    cell.kind = CellKind::tetrahedron;
+    cell.nodes = {0, 1, 2, 3};
+    const auto of = [&](const std::vector<Vec3>& nodes) { return machine::quality(cell, nodes); };
+    CHECK(of({{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}) == Approx(1).epsilon(1e-12));  // regular
+    // A corner of right angles has det = |a||b||c|, and sqrt(2) of that counts as 1, however thin the cell.
+    CHECK(of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) == Approx(1).epsilon(1e-12));
+    CHECK(of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-3}}) == Approx(1).epsilon(1e-12));
+    // A square with two corners lifted by h: each corner has det 2 h and edges sqrt(2), twice sqrt(1 + h^2).
+    const double h = 1e-3;
+    CHECK(of({{0, 0, 0}, {1, 0, h}, {1, 1, 0}, {0, 1, h}}) ==
+          Approx(std::sqrt(2.0) * 2 * h / (std::sqrt(2.0) * (1 + h * h))).epsilon(1e-9));
+    CHECK(of({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}) < 0);  // inside out
 }
 
 TEST_CASE("a way that gives bad cells is not the last one that is tried")

@@ -84,7 +84,7 @@ HexahedronAttempt try_hexahedra(const std::string& name, const std::vector<Prism
 {
     HexahedronAttempt best;
     best.reason = "its shapes have no axis in common";
-    double best_quality = least_quality;
+    double best_quality = poor_quality;
     for (const Axis axis : common_axes(prisms)) {
         const LayeredPart layered = layered_along(prisms, axis, half);
         try {
@@ -110,16 +110,33 @@ HexahedronAttempt try_hexahedra(const std::string& name, const std::vector<Prism
     return best;
 }
 
-void check_quality(const PartDescription& part, const PartMesh& mesh)
+/// What helps against bad cells, by what the part is made from.
+std::string against_bad_cells(const PartDescription& part)
+{
+    if (std::holds_alternative<MeshSource>(part.source)) {
+        return "mesh it again";
+    }
+    if (std::holds_alternative<StepSource>(part.source)) {
+        return "choose another `size` or `smallest_cell`, or leave more out by `omit`";
+    }
+    return "choose another cell size for this part, set tetrahedra = true, or correct outlines that nearly touch there";
+}
+
+/// One rule for all parts. @throws InputError
+void check_quality(const PartDescription& part, const PartMesh& mesh, Observer& observer)
 {
     const Worst worst = worst_cell(mesh);
-    if (worst.quality >= least_quality) {
-        return;
+    if (worst.quality < least_quality) {
+        throw InputError(fmt::format("part '{}' has inverted or flat cells: the worst, at {}, has quality {:.2g}, but "
+                                     "{} is needed; {}",
+                                     part.name, place(worst.where), worst.quality, least_quality,
+                                     against_bad_cells(part)));
     }
-    throw InputError(fmt::format("part '{}' has bad cells: the worst, at {}, has quality {:.3f}, but {} is needed; "
-                                 "choose another cell size for this "
-                                 "part, set tetrahedra = true, or correct outlines that nearly touch there",
-                                 part.name, place(worst.where), worst.quality, least_quality));
+    if (worst.quality < poor_quality) {
+        observer.warn(fmt::format("part '{}': its worst cell, at {}, has quality {:.3f}, which is poor below {}; {} if "
+                                  "temperatures there matter",
+                                  part.name, place(worst.where), worst.quality, poor_quality, against_bad_cells(part)));
+    }
 }
 
 /// Meshes the shapes in a frame of their own. @param towards  see frame_of()
@@ -138,9 +155,7 @@ PartMesh mesh_shapes(const PartDescription& part, const std::vector<Prism>& pris
         }
         observer.info(fmt::format("part '{}' gets tetrahedra: {}", part.name, attempt.reason));
     }
-    PartMesh mesh = to_machine(frame, mesh_tetrahedra(part.name, seen, size, half, observer));
-    check_quality(part, mesh);
-    return mesh;
+    return to_machine(frame, mesh_tetrahedra(part.name, seen, size, half, observer));
 }
 
 bool beyond_symmetry(const std::vector<Prism>& prisms)
@@ -215,9 +230,7 @@ PartMesh mesh_part(const MachineDescription& description, const PartDescription&
     const double size = in_frame((part.size > 0 ? part.size : description.size) * description.size_scale);
     const bool half = description.half_model;
     if (const auto* step = std::get_if<StepSource>(&part.source)) {
-        PartMesh mesh = mesh_step(part, *step, size, half, waiting);
-        check_quality(part, mesh);
-        return mesh;
+        return mesh_step(part, *step, size, half, waiting);
     }
     if (half && beyond_symmetry(prisms)) {
         return {};
@@ -229,17 +242,6 @@ PartMesh mesh_part(const MachineDescription& description, const PartDescription&
         throw InputError(fmt::format("part '{}' has no material left after its cuts; correct its shapes", part.name));
     }
     return mesh;
-}
-
-void check_imported(const MeshPart& part, Observer& observer)
-{
-    if (!(part.min_quality > 1e-6)) {
-        throw InputError(fmt::format("part '{}': its mesh holds inverted or flat cells; mesh it again", part.name));
-    }
-    if (part.min_quality < least_quality) {
-        observer.warn(
-            fmt::format("part '{}': the worst cell of its mesh has quality {:.3f}", part.name, part.min_quality));
-    }
 }
 
 void make_round(Machine& machine, const PartDescription& part, Observer& observer)
@@ -261,11 +263,9 @@ bool add_part(Assembly& assembly, const PartDescription& part, PartMesh mesh, Ob
         assembly.machine.dropped_parts.push_back(part.name);
         return false;
     }
+    check_quality(part, mesh, observer);
     append(assembly, part, std::move(mesh));
     make_round(assembly.machine, part, observer);
-    if (std::holds_alternative<MeshSource>(part.source)) {
-        check_imported(assembly.machine.parts.back(), observer);
-    }
     return true;
 }
 

@@ -10,7 +10,9 @@ inline constexpr double least_coverage = 0.98;
 inline constexpr double least_guided = 0.5;
 /// Largest distance between two surfaces that counts as contact if an interface states none [m].
 inline constexpr double contact_tolerance = 1e-5;
-/// Least scaled Jacobian (hexahedra) or scaled inradius ratio (tetrahedra) of a mesh made here.
-inline constexpr double least_quality = 0.05;
+/// Quality of a cell (part_mesh.hpp) below which it counts as inverted or flat, whatever its part comes from.
+inline constexpr double least_quality = 1e-3;
+/// Quality below which its part is warned about, and hexahedra give way to tetrahedra.
+inline constexpr double poor_quality = 0.05;
 
 }  // namespace deadpoint::machine

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace deadpoint::machine {
 
@@ -16,6 +17,8 @@ constexpr std::array<std::array<int, 3>, 4> tetrahedron_faces{{{0, 2, 1}, {0, 1,
 /// Neighbours of each corner, in right-handed order.
 constexpr std::array<std::array<int, 3>, 8> hexahedron_corners{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+/// The other nodes, seen from each of the four, in an order that gives a cell its positive volume.
+constexpr std::array<std::array<int, 3>, 4> tetrahedron_corners{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 const double gauss = 0.5 / std::sqrt(3.0);
 
 double triple(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(a, cross(b, c)); }
@@ -95,20 +98,20 @@ double hexahedron_quality(const Cell& cell, const std::vector<Vec3>& nodes)
 
 double tetrahedron_quality(const Cell& cell, const std::vector<Vec3>& nodes)
 {
-    const Vec3& x = nodes[cell.nodes[0]];
-    const Vec3 a = nodes[cell.nodes[1]] - x;
-    const Vec3 b = nodes[cell.nodes[2]] - x;
-    const Vec3 c = nodes[cell.nodes[3]] - x;
-    const double six_volumes = triple(a, b, c);
-    const double surface =
-        0.5 * (norm(cross(a, b)) + norm(cross(b, c)) + norm(cross(c, a)) + norm(cross(b - a, c - a)));
-    if (six_volumes <= 0 || surface <= 0) {
-        return std::min(0.0, six_volumes);
+    double best = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+        const Vec3& x = nodes[cell.nodes[corner]];
+        const Vec3 a = nodes[cell.nodes[tetrahedron_corners[corner][0]]] - x;
+        const Vec3 b = nodes[cell.nodes[tetrahedron_corners[corner][1]]] - x;
+        const Vec3 c = nodes[cell.nodes[tetrahedron_corners[corner][2]]] - x;
+        const double lengths = norm(a) * norm(b) * norm(c);
+        const double volumes = triple(a, b, c);
+        if (volumes <= 0 || lengths <= 0) {
+            return std::min(0.0, volumes);
+        }
+        best = std::max(best, volumes / lengths);
     }
-    const double inradius = six_volumes / 2 / surface;
-    const Vec3 numerator = dot(a, a) * cross(b, c) + dot(b, b) * cross(c, a) + dot(c, c) * cross(a, b);
-    const double circumradius = norm(numerator) / (2 * six_volumes);
-    return 3 * inradius / circumradius;
+    return std::min(1.0, std::numbers::sqrt2 * best);
 }
 
 }  // namespace

@@ -54,8 +54,10 @@ Vec3 centre(const Cell& cell, const std::vector<Vec3>& nodes);
 /// Whether a point lies behind every face of a cell, of which warped faces count as the plane through their middle.
 bool inside(const Cell& cell, const std::vector<Vec3>& nodes, const Vec3& point);
 
-/// Smallest scaled Jacobian over the corners of a hexahedron, or three times inradius over circumradius of a
-/// tetrahedron; 1 is best, 0 or less is degenerate.
+/// How far a cell is from one that spoils gradients: the smallest scaled Jacobian det(a, b, c) / (|a| |b| |c|) over the
+/// corners of a hexahedron, with a, b, c its edges there; sqrt(2) times the largest one of a tetrahedron, at most 1, so
+/// that a regular one has 1. Thin cells are as good as thick ones, as they are for the error of interpolation, which
+/// grows with the largest angle only (Krizek, SIAM J. Numer. Anal. 29, 1992). 0 or less is degenerate.
 double quality(const Cell& cell, const std::vector<Vec3>& nodes);
 /// The cell of least quality of a mesh.
 struct Worst {
