@@ -36,7 +36,7 @@ std::vector<File> run_files()
                  manifest_keys()),
         document("tables.json", "every command with --csv",
                  "comment lines of the tables, which leave them with --csv plain and --csv comma",
-                 {{"style", "", "plain or comma"}, {"heads/{file}/[]", "", "comment lines of a table"}}),
+                 {{"style", "", "plain or comma"}, {"heads/{file}", "", "comment lines of a table"}}),
         other("case.toml", "run", "the case as the program read it: includes merged, defaults filled in"),
         document("summary.json", "run", "the figures of a run", summary_keys()),
         table("history.csv", "run", "temperatures, heat and the dimension chain over time", history::all),
