@@ -69,8 +69,12 @@ void say_what_was_found(const deadpoint::study::Draft& draft)
         }
         return sum;
     };
-    print_out("{} solids in {} bodies, {} contacts: {} of them in {} joints\n", draft.model.solids.size(),
-              draft.bodies.size(), draft.contacts.size(), in_joints(), draft.joints.size());
+    const auto some = [](std::size_t count, const char* one, const char* more) {
+        return fmt::format("{} {}", count, count == 1 ? one : more);
+    };
+    print_out("{} in {}, {}: {} of them in {}\n", some(draft.model.solids.size(), "solid", "solids"),
+              some(draft.bodies.size(), "body", "bodies"), some(draft.contacts.size(), "contact", "contacts"),
+              in_joints(), some(draft.joints.size(), "joint", "joints"));
     for (const auto& body : draft.bodies) {
         std::string names;
         for (const std::size_t i : body.solids) {

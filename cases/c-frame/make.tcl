@@ -24,7 +24,7 @@ block throat_rib -25 25 -950 -250 -250 -200
 plus frame back head throat_rib
 minus frame hollow
 # Bores of the bearing walls, M16 holes in the table, an oil hole, lifting holes.
-rod bore z 0 0 75 -400 400
+rod bore z 0 0 82.5 -400 400
 minus frame bore
 foreach {x z} {-250 -300 250 -300 -250 300 250 300} { rod hole y $x $z 7 -1100 -950; minus frame hole }
 foreach {x y} {-260 270 260 270} { rod hole z $x $y 6 250 350; minus frame hole }
@@ -43,11 +43,13 @@ foreach edge [directory frame_*] {
 }
 if {[llength $rounded] > 0} { eval blend frame frame $rounded }
 
-# Bushes of bronze in the front and the back bearing wall.
-foreach {name from to} {bush_front 290 350 bush_back -250 -190} {
-    rod $name z 0 0 75 $from $to
-    rod inner z 0 0 50 -400 400
-    minus $name inner
+# Two roller bearings that were bought in: their rings only, 100 x 165 x 52 mm, as the maker's drawing has them.
+foreach {name middle} {bearing_front 320 bearing_back -220} {
+    foreach {ring outer inner} {outer_ring 82.5 72 inner_ring 60 50} {
+        rod ${name}_$ring z 0 0 $outer [expr {$middle - 26}] [expr {$middle + 26}]
+        rod hollow z 0 0 $inner -400 400
+        minus ${name}_$ring hollow
+    }
 }
 # The eccentric shaft: journals of 100 mm, an eccentric of 180 mm thrown 30 mm down.
 rod crankshaft z 0 0 50 -420 380
@@ -55,7 +57,7 @@ rod eccentric z 0 -30 90 -60 60
 rod web_front z 0 -20 75 60 284
 rod web_back z 0 -20 75 -184 -60
 plus crankshaft eccentric web_front web_back
-# A deep groove ball bearing that was bought in: rings only, at the back end; it carries the flywheel's overhang.
+# The flywheel at the back end.
 rod flywheel z 0 0 250 -415 -355
 rod inner z 0 0 50 -500 500
 minus flywheel inner
@@ -91,7 +93,7 @@ rod motor z 0 420 90 -230 -30
 block motor_base -60 60 330 400 -200 -50
 plus motor motor_base
 
-set solids {frame bush_front bush_back crankshaft flywheel connecting_rod slide wrist_pin gib_left gib_right bracket_left
+set solids {frame bearing_front_outer_ring bearing_front_inner_ring bearing_back_outer_ring bearing_back_inner_ring crankshaft flywheel connecting_rod slide wrist_pin gib_left gib_right bracket_left
             bracket_right bolster motor_foot motor}
 NewDocument Press BinXCAF
 foreach name $solids {

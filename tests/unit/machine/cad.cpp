@@ -87,17 +87,18 @@ TEST_CASE("the solids of an assembly come with names, volumes and places")
 {
     const CadModel model = read(press);
     CHECK(model.unit == "millimetre");
-    REQUIRE(model.solids.size() == 15);
+    REQUIRE(model.solids.size() == 17);
     const auto solid = [&](const std::string& name) {
         const auto found = std::ranges::find(model.solids, name, &CadSolid::name);
         REQUIRE(found != model.solids.end());
         return *found;
     };
     CHECK(solid("bolster").volume == Approx(0.5 * 0.06 * 0.4).epsilon(1e-9));
-    CHECK(solid("bush_front").volume == Approx(pi * (0.075 * 0.075 - 0.05 * 0.05) * 0.06).epsilon(1e-9));
+    CHECK(solid("bearing_front_outer_ring").volume ==
+          Approx(pi * (0.0825 * 0.0825 - 0.072 * 0.072) * 0.052).epsilon(1e-9));
     CHECK(solid("gib_left").bounds.min[0] == Approx(-0.22).epsilon(1e-9));
     CHECK(solid("wrist_pin").bounds.max[2] == Approx(0.12).epsilon(1e-9));  // this one has a placement of its own
-    CHECK(solid("bush_front").faces.size() == 4);
+    CHECK(solid("bearing_front_outer_ring").faces.size() == 4);
 }
 
 TEST_CASE("every contact of the drawn press is found, and no other")
@@ -110,10 +111,10 @@ TEST_CASE("every contact of the drawn press is found, and no other")
     };
     // What make.tcl draws: cylinders 2 pi r l, planes by their edges.
     const double length_of_rod = 0.1;
-    const std::vector<Truth> truth{{"frame", "bush_front", 2 * pi * 0.075 * 0.06},
-                                   {"frame", "bush_back", 2 * pi * 0.075 * 0.06},
-                                   {"bush_front", "crankshaft", 2 * pi * 0.05 * 0.06},
-                                   {"bush_back", "crankshaft", 2 * pi * 0.05 * 0.06},
+    const std::vector<Truth> truth{{"frame", "bearing_front_outer_ring", 2 * pi * 0.0825 * 0.052},
+                                   {"frame", "bearing_back_outer_ring", 2 * pi * 0.0825 * 0.052},
+                                   {"bearing_front_inner_ring", "crankshaft", 2 * pi * 0.05 * 0.052},
+                                   {"bearing_back_inner_ring", "crankshaft", 2 * pi * 0.05 * 0.052},
                                    {"flywheel", "crankshaft", 2 * pi * 0.05 * 0.06},
                                    {"connecting_rod", "crankshaft", 2 * pi * 0.09 * length_of_rod},
                                    {"connecting_rod", "wrist_pin", 2 * pi * 0.035 * length_of_rod},
@@ -141,6 +142,14 @@ TEST_CASE("every contact of the drawn press is found, and no other")
         CHECK(std::ranges::find_if(found, fits)->area == Approx(expected.area).epsilon(0.005));
     }
     CHECK(found.size() == truth.size());
+    // Across the gap of the rollers, 24 mm on the diameter, the rings of each bearing face each other.
+    const auto across = find_contacts(model, {.plane = -1, .into = 0, .cylinder = 0.21});
+    const auto rings = [&](const CadContact& contact) {
+        return model.solids[contact.a].name == "bearing_front_outer_ring" &&
+               model.solids[contact.b].name == "bearing_front_inner_ring" &&
+               std::abs(contact.area - 2 * pi * 0.06 * 0.052) < 1e-6;
+    };
+    CHECK(std::ranges::count_if(across, rings) == 1);
 }
 
 TEST_CASE("a part names its solid")
@@ -183,7 +192,7 @@ TEST_CASE("small holes are left out before meshing, large ones stay")
     const Machine without = build_machine(description, log);
     REQUIRE(log.infos.size() == 1);
     CHECK(log.infos[0].starts_with(
-        "part 'slide': 4 holes and roundings up to 20 mm are left out"));  // M12, a third of 60 mm
+        "part 'slide': holes and roundings up to 20 mm are left out: 4 of 4"));  // M12, a third of 60 mm
     source.rules.omit = 0;
     description.parts[0].source = source;
     const Machine with = build(description);

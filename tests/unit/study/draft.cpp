@@ -76,6 +76,9 @@ TEST_CASE("words in names of solids say what they are")
     CHECK(role_of("motor_shaft") == Role::frame);
     CHECK(role_of("part_17") == Role::unknown);
     CHECK(material_of("bush_front", Role::frame) == "bronze");
+    CHECK(is_ring("bearing_front_inner_ring"));
+    CHECK(is_ring("Lager-Innenring"));
+    CHECK_FALSE(is_ring("spring_plate"));
     CHECK(material_of("wrist_pin", Role::slide) == "steel");
     CHECK(material_of("slide", Role::slide) == "iron");
 }
@@ -85,12 +88,12 @@ TEST_CASE("the solids of a press fall into its bodies")
     const Draft draft = draft_of(drawing());
     CHECK(draft.bodies.size() == 4);
     CHECK(draft.bodies.front().role == Role::frame);
-    // The bushes hold to their housing by more area than to the journal, the pin to the slide's eyes more than to the
-    // rod.
-    CHECK(solids_of(draft, "frame") == std::vector<std::string>{"bolster", "bracket_left", "bracket_right", "bush_back",
-                                                                "bush_front", "frame", "gib_left", "gib_right", "motor",
-                                                                "motor_foot"});
-    CHECK(solids_of(draft, "crank") == std::vector<std::string>{"crankshaft", "flywheel"});
+    // A ring belongs to what it touches, a pin to the slide, whose eyes it touches over more area than the rod.
+    CHECK(solids_of(draft, "frame") == std::vector<std::string>{"bearing_back_outer_ring", "bearing_front_outer_ring",
+                                                                "bolster", "bracket_left", "bracket_right", "frame",
+                                                                "gib_left", "gib_right", "motor", "motor_foot"});
+    CHECK(solids_of(draft, "crank") ==
+          std::vector<std::string>{"bearing_back_inner_ring", "bearing_front_inner_ring", "crankshaft", "flywheel"});
     CHECK(solids_of(draft, "rod") == std::vector<std::string>{"connecting_rod"});
     CHECK(solids_of(draft, "slide") == std::vector<std::string>{"slide", "wrist_pin"});
 }
@@ -99,7 +102,13 @@ TEST_CASE("joints are where the bodies of a press meet")
 {
     const Draft draft = draft_of(drawing());
     REQUIRE(draft.joints.size() == 4);
-    CHECK(joint(draft, "crank_frame").contacts.size() == 2);  // both bushes
+    CHECK(joint(draft, "crank_frame").contacts.size() == 2);  // both bearings
+    CHECK(joint(draft, "crank_frame").rolling);
+    CHECK_FALSE(joint(draft, "rod_crank").rolling);
+    const auto& bearing = draft.contacts[joint(draft, "crank_frame").contacts.front()];
+    CHECK(bearing.diameter == Approx(0.12));
+    CHECK(bearing.clearance == Approx(0.024));
+    CHECK(bearing.area == Approx(std::numbers::pi * 0.12 * 0.052).epsilon(1e-6));
     CHECK(joint(draft, "slide_frame").slide);
     CHECK(joint(draft, "slide_frame").contacts.size() == 2);
     const auto& pin = draft.contacts[joint(draft, "rod_crank").contacts.front()];
@@ -127,9 +136,13 @@ TEST_CASE("the first case of a drawing is a case")
     std::filesystem::copy_file(press, folder.path / "press.step");
     const auto file = folder.file("case.toml", draft_text(draft_of(drawing()), "press.step"));
     const auto input = casefile::read_case(file.string()).value;
-    CHECK(input.parts.size() == 15);
+    CHECK(input.parts.size() == 17);
     CHECK(input.bodies.at("frame").ground);
-    CHECK(input.parts.at("bush_back").material == "bronze");
+    CHECK(input.parts.at("bearing_back_inner_ring").material == "steel");
+    CHECK(input.parts.at("bearing_back_inner_ring").body == "crank");
+    CHECK(input.joints.at("crank_frame").elements.size() == 2);
+    const auto& bearing = std::get<casefile::PalmgrenFriction>(input.friction.at("crank_frame").law);
+    CHECK(bearing.mean_diameter == Approx(0.1325));  // of 100 and 165 mm
     REQUIRE(input.joints.size() == 4);
     CHECK(input.joints.at("crank_frame").driver);
     CHECK(input.joints.at("rod_slide").centre[1] == Approx(-0.4));

@@ -156,7 +156,8 @@ std::optional<CadContact> contact_of(const CadCylinder& bore, double bore_area, 
 {
     const double clearance = 2 * (bore.radius - shaft.radius);
     const double most = reach.cylinder * 2 * shaft.radius;
-    if (!bore.bore || shaft.bore || clearance > most || clearance < -reach.into || !one_axis(bore, shaft, 0.5 * most)) {
+    if (!bore.bore || shaft.bore || clearance > most || clearance < -reach.into ||
+        !one_axis(bore, shaft, std::min(0.5 * most, reach.axes))) {
         return std::nullopt;
     }
     const CadCylinder seen = seen_from(bore, shaft);

@@ -23,6 +23,7 @@ struct CadReach {
     double plane = 0.5e-3;      ///< of planes [m]
     double into = 0.05e-3;      ///< how far they may be drawn into each other [m]
     double cylinder = 0.01;     ///< difference of diameters over the diameter
+    double axes = 1e-3;         ///< distance of the axes of two cylinders, at most half of that difference [m]
     double least_area = 25e-6;  ///< smaller contacts are none [m2]
 };
 

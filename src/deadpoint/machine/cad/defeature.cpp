@@ -241,14 +241,14 @@ std::vector<std::string> defeature(StepSolid& solid, double diameter)
     }
     std::vector<std::string> notes;
     if (done > 0) {
-        notes.push_back(
-            fmt::format("{} holes and roundings up to {:.3g} mm are left out, which changes its volume by {:+.3f} %",
-                        done, diameter, 100 * (volume_of(solid.shape) / before - 1)));
+        notes.push_back(fmt::format(
+            "holes and roundings up to {:.3g} mm are left out: {} of {}, which changes its volume by {:+.3f} %",
+            diameter, done, groups.size(), 100 * (volume_of(solid.shape) / before - 1)));
     }
     if (done < groups.size()) {
-        notes.push_back(
-            fmt::format("{} holes and roundings up to {:.3g} mm stay: the faces around them do not close without them",
-                        groups.size() - done, diameter));
+        notes.push_back(fmt::format(
+            "holes and roundings up to {:.3g} mm stay: {}, around which the faces do not close without them", diameter,
+            groups.size() - done));
     }
     return notes;
 }

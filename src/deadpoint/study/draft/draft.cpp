@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -314,7 +315,7 @@ void make_joints(Draft& draft)
             known->contacts.push_back(i);
             continue;
         }
-        DraftJoint joint{"", *slide, draft.body_of[contact.a], draft.body_of[contact.b], {i}};
+        DraftJoint joint{"", *slide, false, draft.body_of[contact.a], draft.body_of[contact.b], {i}};
         // The body that moves first, the ground second.
         if (joint.body_a == 0) {
             std::swap(joint.body_a, joint.body_b);
@@ -328,6 +329,38 @@ void make_joints(Draft& draft)
     }
 }
 
+/// Adds the pairs of rings that carry each other through balls or rollers.
+void add_rolling(Draft& draft)
+{
+    CadModel rings;
+    std::vector<std::size_t> index;
+    for (std::size_t i = 0; i < draft.model.solids.size(); ++i) {
+        if (is_ring(draft.model.solids[i].name)) {
+            rings.solids.push_back(draft.model.solids[i]);
+            index.push_back(i);
+        }
+    }
+    const machine::CadReach across_rollers{.plane = -1, .into = 0, .cylinder = 0.5};
+    std::map<std::pair<std::size_t, std::size_t>, CadContact> found;
+    for (CadContact contact : machine::find_contacts(rings, across_rollers)) {
+        contact.a = index[contact.a];
+        contact.b = index[contact.b];
+        auto& widest = found[{contact.a, contact.b}];
+        const bool touches = std::ranges::any_of(draft.contacts, [&](const CadContact& other) {
+            return std::minmax(contact.a, contact.b) == std::minmax(other.a, other.b);
+        });
+        if (!touches && draft.body_of[contact.a] != draft.body_of[contact.b] && contact.area > widest.area) {
+            widest = contact;
+        }
+    }
+    for (const auto& [pair, contact] : found) {
+        if (contact.area > 0) {
+            draft.rolling.insert(draft.contacts.size());
+            draft.contacts.push_back(contact);
+        }
+    }
+}
+
 }  // namespace
 
 Draft draft_of(CadModel model)
@@ -336,9 +369,13 @@ Draft draft_of(CadModel model)
     draft.model = std::move(model);
     draft.contacts = machine::find_contacts(draft.model);
     make_bodies(draft, Roles(draft.model, draft.contacts));
+    add_rolling(draft);
     draft.axes = axes_of(draft);
     turn(draft);
     make_joints(draft);
+    for (DraftJoint& joint : draft.joints) {
+        joint.rolling = std::ranges::all_of(joint.contacts, [&](std::size_t c) { return draft.rolling.contains(c); });
+    }
     return draft;
 }
 

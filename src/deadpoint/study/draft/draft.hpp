@@ -4,6 +4,7 @@
 #include "deadpoint/machine/cad/cad_model.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ enum class Role { unknown, frame, crank, rod, slide };
 
 /// What a name says: "eccentric_shaft" is a crank, "gib_left" belongs to the frame; English and German words.
 Role role_of(const std::string& name);
+/// Whether a name is that of a ring of a rolling bearing: "bearing_front_inner", "outer_race", "Lager-Innenring".
+bool is_ring(const std::string& name);
 /// Key of the material that a name suggests: "iron", "steel", "bronze".
 std::string material_of(const std::string& name, Role role);
 
@@ -30,6 +33,7 @@ struct DraftBody {
 struct DraftJoint {
     std::string name;
     bool slide = false;
+    bool rolling = false;  ///< all of its contacts are rolling bearings
     std::size_t body_a = 0;
     std::size_t body_b = 0;
     std::vector<std::size_t> contacts;
@@ -45,6 +49,7 @@ struct DraftAxes {
 struct Draft {
     machine::CadModel model;                    ///< turned to the machine's axes
     std::vector<machine::CadContact> contacts;  ///< of that model
+    std::set<std::size_t> rolling;              ///< those of two rings, between which balls or rollers are not drawn
     std::vector<DraftBody> bodies;              ///< the ground first
     std::vector<std::size_t> body_of;           ///< of each solid
     std::vector<DraftJoint> joints;
@@ -56,7 +61,8 @@ struct Draft {
 /// A solid whose name says nothing joins the neighbour with the largest contact: a bush its housing, a pressed-in pin
 /// its eyes. All solids of the frame are one body. Others are one body if they have the same role and touch. Cylinders
 /// along the crankshaft that join two bodies are revolute joints, one for each axis; planes between slide and frame
-/// along the direction of travel are slides. Everything else is a contact without a joint.
+/// along the direction of travel are slides. Two rings of a rolling bearing, by their names, carry each other although
+/// they are drawn apart by up to half of their diameter. Everything else is a contact without a joint.
 Draft draft_of(machine::CadModel model);
 
 /// The case as text with comments: parts, bodies, joints, surfaces, films, operation and chain, and every contact that

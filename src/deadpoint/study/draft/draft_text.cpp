@@ -249,8 +249,78 @@ private:
         section("what connects the bodies, and what rubs");
         line("# TO DO: coefficients of friction, clearances and films are customary values, not yours.");
         for (const DraftJoint& joint : draft_.joints) {
-            joint.slide ? guide(joint) : bearing(joint);
+            if (joint.slide) {
+                guide(joint);
+            } else if (joint.rolling) {
+                rolling_bearing(joint);
+            } else {
+                bearing(joint);
+            }
         }
+    }
+
+    bool turns(const DraftJoint& joint) const
+    {
+        return draft_.bodies[joint.body_a].role == Role::crank || draft_.bodies[joint.body_b].role == Role::crank;
+    }
+
+    void head_of(const DraftJoint& joint)
+    {
+        const CadContact& first = draft_.contacts[joint.contacts.front()];
+        line("[joints.{}]\nkind = \"revolute\"\nbodies = [\"{}\", \"{}\"]\ncentre = [{}, {}]{}{}\nfriction = \"{}\"",
+             joint.name, body(joint.body_a), body(joint.body_b), mm(first.point[0]), mm(first.point[1]),
+             turns(joint) ? "\nturns_fully = true" : "", &joint == crank_joint() ? "\ndriver = true" : "", joint.name);
+    }
+
+    /// Smallest and largest diameter of two rings about their axis.
+    std::array<double, 2> bore_and_outside(const CadContact& contact) const
+    {
+        std::array<double, 2> found{contact.diameter, contact.diameter + contact.clearance};
+        for (const std::size_t side : {contact.a, contact.b}) {
+            for (const CadFace& face : solid(side).faces) {
+                if (const auto* cylinder = std::get_if<machine::CadCylinder>(&face.form);
+                    cylinder != nullptr && norm(cross(cylinder->axis, contact.direction)) < 1e-3) {
+                    found = {std::min(found[0], 2 * cylinder->radius), std::max(found[1], 2 * cylinder->radius)};
+                }
+            }
+        }
+        return found;
+    }
+
+    void rolling_bearing(const DraftJoint& joint)
+    {
+        const CadContact& first = draft_.contacts[joint.contacts.front()];
+        const auto [bore, outside] = bore_and_outside(first);
+        const double mean = 0.5 * (bore + outside);
+        // Rollers of the height of the gap, side by side with a fifth of it between them; a third of them carries load.
+        const double roller = 0.5 * first.clearance;
+        const double pitch = first.diameter + roller;
+        const double width = first.range[1] - first.range[0];
+        constexpr double rating = 60e6;  // [N/m2] of width times mean diameter, of catalogues of roller bearings
+        line("[friction.{}]\nlaw = \"palmgren\"\nlubricant = \"oil\"\nbearing = \"cylindrical_roller\"   # TO DO: its "
+             "type\nmean_diameter = {}\nstatic_rating = \"{:.0f} kN\"   # TO DO: C0 of its catalogue; guessed from its "
+             "size\n",
+             joint.name, mm(mean), 1e-3 * rating * width * mean);
+        head_of(joint);
+        line("elements = [");
+        for (const std::size_t c : joint.contacts) {
+            const CadContact& contact = draft_.contacts[c];
+            line("    {{ name = \"{}\", type = \"rolling\", position = {}, width = {}, diameter = {} }},",
+                 solid(contact.a).name, mm(middle_of(contact)[2]), mm(contact.range[1] - contact.range[0]),
+                 mm(contact.diameter));
+        }
+        line("]\n# TO DO: rollers and their contacts are guessed from the gap between the rings.\ninterfaces = [");
+        for (const std::size_t c : joint.contacts) {
+            interface(joint, draft_.contacts[c],
+                      fmt::format("law = \"rolling_elements\", loaded_elements = {:.0f}, element_diameter = {}, "
+                                  "pitch_diameter = {}, inner_spot = [{}, \"0.1 mm\"], outer_spot = [{}, \"0.1 mm\"], "
+                                  "thickness = \"1 um\", fluid_conductivity = \"0.14 W/m/K\"",
+                                  std::max(1.0, std::numbers::pi * pitch / (1.2 * roller) / 3), mm(roller), mm(pitch),
+                                  mm(0.4 * width), mm(0.4 * width)),
+                      &joint == crank_joint());
+        }
+        line("]\n");
+        cylinders_of(joint);
     }
 
     void bearing(const DraftJoint& joint)
@@ -267,19 +337,14 @@ private:
              joint.name, mm(first.diameter), mm(length), mm(radial),
              first.clearance > drawn_exactly ? "half of the clearance in the drawing"
                                              : "radial; drawn without, a thousandth of the diameter here");
-        const bool driver = &joint == crank_joint();
-        const bool turns = driver || draft_.bodies[joint.body_a].role == Role::crank ||
-                           draft_.bodies[joint.body_b].role == Role::crank;
-        line("[joints.{}]\nkind = \"revolute\"\nbodies = [\"{}\", \"{}\"]\ncentre = [{}, {}]{}{}\nclearance = "
-             "{}\nfriction = \"{}\"\ninterfaces = [",
-             joint.name, body(joint.body_a), body(joint.body_b), mm(first.point[0]), mm(first.point[1]),
-             turns ? "\nturns_fully = true" : "", driver ? "\ndriver = true" : "", mm(2 * radial), joint.name);
+        head_of(joint);
+        line("clearance = {}\ninterfaces = [", mm(2 * radial));
         for (const std::size_t c : joint.contacts) {
             interface(joint, draft_.contacts[c],
                       fmt::format(
                           "law = \"oil_film\", fluid_conductivity = \"0.14 W/m/K\", clearance = {}, eccentricity = 0.6",
                           mm(radial)),
-                      driver);
+                      &joint == crank_joint());
         }
         line("]\n");
         cylinders_of(joint);

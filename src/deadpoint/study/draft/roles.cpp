@@ -37,6 +37,9 @@ constexpr std::array words{
 constexpr std::array<std::string_view, 8> bronzes{"bush",   "bushing", "bronze",     "liner",
                                                   "buchse", "sleeve",  "gleitlager", "brass"};
 
+constexpr std::array<std::string_view, 7> rings{"ring",      "race",       "bearing",  "lager",
+                                                "innenring", "aussenring", "w_lzlager"};
+
 std::string lower(std::string text)
 {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -67,6 +70,12 @@ Role role_of(const std::string& name)
         }
     }
     return best == nullptr ? Role::unknown : best->role;
+}
+
+bool is_ring(const std::string& name)
+{
+    const std::string small = lower(name);
+    return std::ranges::any_of(rings, [&](auto word) { return holds(small, word); });
 }
 
 std::string material_of(const std::string& name, Role role)
