@@ -110,6 +110,42 @@ std::optional<Finding> bare_parts(const Case& input, const Machine& machine)
                     "name these parts in a surface with a film, or in one with insulated = true");
 }
 
+/// How far the facets of side a are off its cylinder [m]; 0 for planes.
+double off_cylinder(const Contact& contact)
+{
+    const auto* cylinder = std::get_if<CylinderGeometry>(&contact.geometry);
+    if (cylinder == nullptr)
+        return 0;
+    double worst = 0;
+    for (const auto& point : contact.points_as_drawn()) {
+        const Vec3 arm = point.position_a - cylinder->point;
+        worst = std::max(worst, std::abs(norm(arm - dot(arm, cylinder->axis) * cylinder->axis) - cylinder->radius));
+    }
+    return worst;
+}
+
+// Contact areas are those of the cylinders, and points meet by their angle; what lies between facets is not there.
+std::optional<Finding> faceted_contacts(const Machine& machine)
+{
+    constexpr double most = 0.05;  // of the radius: ten cells around
+    std::vector<std::string> texts;
+    for (const auto* contacts : {&machine.interfaces, &machine.bonds})
+        for (const Contact& contact : *contacts)
+            if (const double off = off_cylinder(contact); off > 0) {
+                const double radius = std::get<CylinderGeometry>(contact.geometry).radius;
+                if (off > most * radius)
+                    texts.push_back(fmt::format("{} (facets {:.3g} mm off its cylinder of {:.4g} mm)", contact.name,
+                                                1e3 * off, 2e3 * radius));
+            }
+    if (texts.empty())
+        return std::nullopt;
+    return question("numerics.size",
+                    fmt::format("so few cells lie around these contacts that bores are too wide or pins too thin: {}. "
+                                "Areas in contact are corrected, volumes and ways of the heat are not",
+                                list(texts)),
+                    "lower the `size` of these parts, or `smallest_cell` of parts from a STEP file, or --size");
+}
+
 /// Whether body a turns all around body b in the turn.
 bool turns(const LoadsResult& loads, const LinkageJoint& joint)
 {
@@ -264,7 +300,8 @@ bool has_condition(const casefile::Surface& surface)
 std::vector<Finding> question_machine(const Case& input, const Machine& machine, double size_scale)
 {
     std::vector<Finding> found;
-    for (auto finding : {coarse_parts(input, machine, size_scale), bare_parts(input, machine)})
+    for (auto finding :
+         {coarse_parts(input, machine, size_scale), bare_parts(input, machine), faceted_contacts(machine)})
         if (finding)
             found.push_back(std::move(*finding));
     return found;
