@@ -32,7 +32,8 @@ struct DecimatedSurface {
     std::vector<CellCorner> vertices;
     std::vector<Vec3> positions;  ///< of the vertices [m]
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<LightPart> parts;  ///< as Machine::parts
+    std::vector<std::uint32_t> faces;  ///< of the machine, that each triangle is a piece of or stands for
+    std::vector<LightPart> parts;      ///< as Machine::parts
     double grid = 0;  ///< edge of the boxes within which nodes of the largest part were merged [m]; 0: none
 };
 

@@ -11,6 +11,7 @@
 #include "deadpoint/machine/assembly/overlaps.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/assembly/select.hpp"
+#include "deadpoint/machine/assembly/sketch.hpp"
 #include "deadpoint/machine/cad/survey.hpp"
 #include "deadpoint/machine/geometry/polygon.hpp"
 #include "deadpoint/machine/geometry/seams.hpp"
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <functional>
 #include <numbers>
 #include <set>
 
@@ -256,27 +258,76 @@ void make_round(Machine& machine, const PartDescription& part, Observer& observe
     }
 }
 
-/// @return false where nothing of the part is in the modelled half
-bool add_part(Assembly& assembly, const PartDescription& part, PartMesh mesh, Observer& observer)
+void add_part(Assembly& assembly, const PartDescription& part, PartMesh mesh, Observer& observer)
 {
     if (mesh.cells.empty()) {
         assembly.machine.dropped_parts.push_back(part.name);
-        return false;
+        return;
     }
     check_quality(part, mesh, observer);
     append(assembly, part, std::move(mesh));
     make_round(assembly.machine, part, observer);
-    return true;
 }
 
-std::vector<std::vector<Prism>> drawn_parts(const MachineDescription& description, Observer& observer)
+/// What was found so far, without throwing it.
+std::vector<Diagnostic> found_in(const Mistakes& mistakes)
 {
-    std::vector<std::vector<Prism>> drawn;
-    Mistakes mistakes(bad_geometry);
-    for (const PartDescription& part : description.parts) {
-        mistakes.attempt(path_of(part), [&] { drawn.push_back(joined_prisms(description, part, observer)); });
+    try {
+        mistakes.raise();
+    } catch (const CaseError& error) {
+        return error.diagnostics();
+    } catch (const CaseDomainError& error) {
+        return error.diagnostics();
     }
-    mistakes.raise();
+    return {};
+}
+
+/// The stages of a build share its mistakes. A build raises them at the end of each stage; a sketch goes on without the
+/// parts at fault.
+class Stages {
+public:
+    enum class At { raise, go_on };
+    explicit Stages(At at) : at_(at) {}
+
+    Mistakes mistakes{bad_geometry};
+
+    void end() const
+    {
+        if (at_ == At::raise) {
+            mistakes.raise();
+        }
+    }
+    /// As Mistakes::attempt(). To a sketch, a file that cannot be read is a mistake too.
+    void attempt(const std::string& path, const std::function<void()>& action)
+    {
+        try {
+            mistakes.attempt(path, action);
+        } catch (const IoError& error) {
+            if (at_ == At::raise) {
+                throw;
+            }
+            mistakes.add(path, error);
+        }
+    }
+    [[nodiscard]] bool is_sound(const PartDescription& part) const
+    {
+        const auto found = found_in(mistakes);
+        return std::ranges::none_of(found, [&](const Diagnostic& d) { return d.path == path_of(part); });
+    }
+
+private:
+    At at_;
+};
+
+/// By the index of the part; empty where the shapes are at fault.
+std::vector<std::vector<Prism>> drawn_parts(const MachineDescription& description, Stages& stages, Observer& observer)
+{
+    std::vector<std::vector<Prism>> drawn(description.parts.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const PartDescription& part = description.parts[i];
+        stages.attempt(path_of(part), [&] { drawn[i] = joined_prisms(description, part, observer); });
+    }
+    stages.end();
     return drawn;
 }
 
@@ -291,56 +342,59 @@ BoxShape bounds_of_all(const std::vector<std::vector<Prism>>& drawn)
 
 /// Meshes of files, which are quick to read, and a look at all drawings: what is wrong there is said before anything is
 /// meshed.
-std::vector<PartMesh> read_mesh_files(const MachineDescription& description, Observer& observer)
+std::vector<PartMesh> read_mesh_files(const MachineDescription& description, Stages& stages, Observer& observer)
 {
     std::vector<PartMesh> meshes(description.parts.size());
-    Mistakes mistakes(bad_geometry);
     for (std::size_t i = 0; i < description.parts.size(); ++i) {
         const PartDescription& part = description.parts[i];
         if (const auto* file = std::get_if<MeshSource>(&part.source)) {
-            mistakes.attempt(path_of(part), [&] { meshes[i] = read_mesh(part, *file, description.half_model, {}); });
+            stages.attempt(path_of(part), [&] { meshes[i] = read_mesh(part, *file, description.half_model, {}); });
             if (description.size_scale != 1) {
                 observer.warn(
                     fmt::format("part '{}' keeps the cells of its mesh file: --size does not change them", part.name));
             }
         }
     }
-    survey_drawings(description, mistakes, observer);
-    mistakes.raise();
+    stages.attempt("parts", [&] { survey_drawings(description, stages.mistakes, observer); });
+    stages.end();
     return meshes;
 }
 
-std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description, Assembly& assembly,
+/// The shapes of the parts of the assembly.
+std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description, Assembly& assembly, Stages& stages,
                                            Observer& observer)
 {
     const GmshSession session;
-    std::vector<std::vector<Prism>> drawn = drawn_parts(description, observer);
-    std::vector<PartMesh> files = read_mesh_files(description, observer);
+    std::vector<std::vector<Prism>> drawn = drawn_parts(description, stages, observer);
+    std::vector<PartMesh> files = read_mesh_files(description, stages, observer);
     const BoxShape bounds = bounds_of_all(drawn);
     std::vector<std::vector<Prism>> shapes;
-    Mistakes mistakes(bad_geometry);
     for (std::size_t i = 0; i < description.parts.size(); ++i) {
         const PartDescription& part = description.parts[i];
+        if (!stages.is_sound(part)) {
+            continue;
+        }
         const double done = static_cast<double>(i) / static_cast<double>(description.parts.size());
         observer.progress(done, part.name);
         const Waiting waiting = [&](double seconds) {
             observer.progress(done, fmt::format("{}, for {:.0f} s", part.name, seconds));
         };
-        mistakes.attempt(path_of(part), [&] {
+        stages.attempt(path_of(part), [&] {
             PartMesh mesh = std::holds_alternative<MeshSource>(part.source)
                                 ? std::move(files[i])
                                 : mesh_part(description, part, drawn[i], bounds, observer, waiting);
             for (const auto& note : mesh.notes) {
                 observer.info(fmt::format("part '{}': {}", part.name, note));
             }
-            if (add_part(assembly, part, std::move(mesh), observer)) {
-                shapes.push_back(std::move(drawn[i]));
-            }
+            add_part(assembly, part, std::move(mesh), observer);
         });
+        if (assembly.machine.parts.size() > shapes.size()) {
+            shapes.push_back(std::move(drawn[i]));
+        }
     }
-    mistakes.raise();
+    stages.end();
     observer.progress(1, "parts meshed");
-    if (assembly.machine.parts.empty()) {
+    if (assembly.machine.parts.empty() && found_in(stages.mistakes).empty()) {
         throw mistake("machine.half_model",
                       "every part lies at x > 0, but a half model keeps x <= 0; mirror the machine or build it whole");
     }
@@ -430,26 +484,90 @@ void warn_about(const Machine& machine, Observer& observer)
     }
 }
 
+Assembly begun(const MachineDescription& description)
+{
+    Assembly assembly;
+    assembly.second_order = std::ranges::any_of(description.parts, &PartDescription::second_order);
+    assembly.machine.half_model = description.half_model;
+    return assembly;
+}
+
+void build(const MachineDescription& description, Assembly& assembly, Stages& stages, Observer& observer)
+{
+    check(description);
+    observer.stage("mesh");
+    const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, stages, observer);
+    stages.attempt("parts", [&] { inspect(assembly, description.seam_tolerance, observer); });
+    stages.end();
+    connect(description, assembly, stages.mistakes);
+    select_surfaces(description, assembly, stages.mistakes);
+    stages.end();
+    assembly.machine.overlaps = find_overlaps(assembly, shapes);
+    find_floating(assembly.machine);
+    measure(assembly.machine);
+}
+
+InterfaceFaces selected(const Assembly& assembly, const InterfaceDescription& description)
+{
+    InterfaceFaces faces;
+    faces.name = description.name;
+    const std::array<const SurfaceSelector*, 2> selectors{&description.a, &description.b};
+    for (std::size_t side = 0; side < 2; ++side) {
+        Mistakes said_before;
+        said_before.attempt(description.name, [&] {
+            faces.sides[side] = selected_faces(assembly, *selectors[side], description.name);
+        });
+    }
+    return faces;
+}
+
+std::vector<InterfaceFaces> faces_of_all(const MachineDescription& description, const Assembly& assembly)
+{
+    const auto& joined = assembly.machine.interfaces;
+    std::vector<InterfaceFaces> result;
+    for (const auto& interface : description.interfaces) {
+        const auto contact = std::ranges::find(joined, interface.name, &Contact::name);
+        result.push_back(contact != joined.end() ? faces_of(*contact) : selected(assembly, interface));
+    }
+    return result;
+}
+
 }  // namespace
 
 Machine build_machine(const MachineDescription& description, Observer& observer)
 {
-    check(description);
-    observer.stage("mesh");
-    Assembly assembly;
-    assembly.second_order = std::ranges::any_of(description.parts, &PartDescription::second_order);
-    assembly.machine.half_model = description.half_model;
-    const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, observer);
-    inspect(assembly, description.seam_tolerance, observer);
-    Mistakes mistakes(bad_geometry);
-    connect(description, assembly, mistakes);
-    select_surfaces(description, assembly, mistakes);
-    mistakes.raise();
-    assembly.machine.overlaps = find_overlaps(assembly, shapes);
-    find_floating(assembly.machine);
-    measure(assembly.machine);
+    Assembly assembly = begun(description);
+    Stages stages(Stages::At::raise);
+    build(description, assembly, stages, observer);
     warn_about(assembly.machine, observer);
     return std::move(assembly.machine);
+}
+
+InterfaceFaces faces_of(const Contact& contact)
+{
+    InterfaceFaces faces;
+    faces.name = contact.name;
+    faces.joined = true;
+    std::set<std::uint32_t> a, b;
+    for (const ContactPoint& point : contact.points_as_drawn()) {
+        a.insert(point.face_a);
+        b.insert(point.face_b);
+    }
+    faces.sides[0].assign(a.begin(), a.end());
+    faces.sides[1].assign(b.begin(), b.end());
+    return faces;
+}
+
+Sketch sketch_machine(const MachineDescription& description, Observer& observer)
+{
+    Assembly assembly = begun(description);
+    Stages stages(Stages::At::go_on);
+    stages.attempt("parts", [&] { build(description, assembly, stages, observer); });
+    Sketch sketch;
+    sketch.missing = found_in(stages.mistakes);
+    sketch.interfaces = faces_of_all(description, assembly);
+    sketch.machine = std::move(assembly.machine);
+    return sketch;
 }
 
 }  // namespace deadpoint::machine

@@ -295,6 +295,7 @@ DecimatedSurface decimated_surface(const Machine& machine, std::size_t most_tria
             for (const auto f : list) {
                 part.full_area += norm(area_vector(machine, machine.faces[f]));
                 clusters.for_triangles(machine.faces[f], [&](const Triangle& t) { collector.add(t, part); });
+                surface.faces.resize(surface.triangles.size(), f);
             }
         };
         take(faces[p]);

@@ -80,15 +80,18 @@ SurfaceSelector side_of(const casefile::Case& input, const casefile::Joint& join
     throw InputError(fmt::format("'{}' is neither a surface nor a part", side));
 }
 
-InterfaceDescription interface_of(const casefile::Case& input, const std::string& joint,
-                                  const casefile::Interface& interface, const Travel& travel, Mistakes& mistakes)
+/// @return nothing where a side is at fault
+std::optional<InterfaceDescription> interface_of(const casefile::Case& input, const std::string& joint,
+                                                 const casefile::Interface& interface, const Travel& travel,
+                                                 Mistakes& mistakes)
 {
     const std::string path = fmt::format("joints.{}.interfaces.{}", joint, interface.name);
     InterfaceDescription result{joint + "." + interface.name,    {},     {},
                                 interface.drawn_gap.value_or(0), travel, interface.partial};
-    mistakes.attempt(path + ".a", [&] { result.a = side_of(input, input.joints.at(joint), interface, interface.a); });
-    mistakes.attempt(path + ".b", [&] { result.b = side_of(input, input.joints.at(joint), interface, interface.b); });
-    return result;
+    const auto& of = input.joints.at(joint);
+    const bool a = mistakes.attempt(path + ".a", [&] { result.a = side_of(input, of, interface, interface.a); });
+    const bool b = mistakes.attempt(path + ".b", [&] { result.b = side_of(input, of, interface, interface.b); });
+    return a && b ? std::optional(result) : std::nullopt;
 }
 
 void set_plane(SurfaceSelector& selector, const casefile::Surface& surface, const std::string& name)
@@ -142,6 +145,14 @@ SurfaceSelector selector_of(const casefile::Surface& surface, const std::string&
 
 MachineDescription describe_machine(const casefile::Case& input, double size_scale)
 {
+    Mistakes mistakes;
+    auto result = describe_machine(input, size_scale, mistakes);
+    mistakes.raise();
+    return result;
+}
+
+MachineDescription describe_machine(const casefile::Case& input, double size_scale, Mistakes& mistakes)
+{
     if (!(size_scale > 0))
         throw InputError(fmt::format("the scale of the cell sizes must be positive, not {}", size_scale));
     MachineDescription result;
@@ -150,7 +161,6 @@ MachineDescription describe_machine(const casefile::Case& input, double size_sca
     result.seam_tolerance = input.numerics.seam_tolerance;
     result.half_model = input.machine.half_model;
     result.unbonded = input.machine.unbonded;
-    Mistakes mistakes;
     for (const auto& [name, part] : input.parts)
         mistakes.attempt("parts." + name,
                          [&, &name = name, &part = part] { result.parts.push_back(part_of(input, name, part)); });
@@ -162,8 +172,8 @@ MachineDescription describe_machine(const casefile::Case& input, double size_sca
     mistakes.attempt("joints", [&] { travels = describe_travel(input); });
     for (const auto& [name, joint] : input.joints)
         for (const casefile::Interface& interface : joint.interfaces)
-            result.interfaces.push_back(interface_of(input, name, interface, travels[name], mistakes));
-    mistakes.raise();
+            if (auto described = interface_of(input, name, interface, travels[name], mistakes))
+                result.interfaces.push_back(*std::move(described));
     return result;
 }
 

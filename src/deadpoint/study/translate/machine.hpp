@@ -3,6 +3,7 @@
 #include <string>
 
 namespace deadpoint {
+class Mistakes;
 struct MachineDescription;
 struct SurfaceSelector;
 }  // namespace deadpoint
@@ -24,6 +25,10 @@ namespace deadpoint::study {
 /// @throws InputError if a name leads nowhere, a selector lacks what its kind needs, or the scale is not positive,
 ///         or the linkage of a case with travelling slides is at fault
 MachineDescription describe_machine(const casefile::Case& input, double size_scale = 1);
+
+/// The same, without the parts, surfaces and interfaces at fault, and without travel where that is.
+/// @param mistakes  gets what is wrong with them
+MachineDescription describe_machine(const casefile::Case& input, double size_scale, Mistakes& mistakes);
 
 /// The selector of a surface of the case.
 /// @param name  for messages

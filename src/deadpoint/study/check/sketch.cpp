@@ -1,0 +1,71 @@
+#include "deadpoint/study/check/sketch.hpp"
+
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/study/translate/machine.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace deadpoint::study {
+namespace {
+
+std::vector<Diagnostic> found_in(const Mistakes& mistakes)
+{
+    try {
+        mistakes.raise();
+    } catch (const CaseError& error) {
+        return error.diagnostics();
+    } catch (const CaseDomainError& error) {
+        return error.diagnostics();
+    }
+    return {};
+}
+
+std::vector<SoughtFace> sought_faces(const MachineDescription& description, const machine::Sketch& sketch)
+{
+    std::vector<SoughtFace> sought;
+    for (const auto& surface : description.surfaces)
+        if (std::ranges::find(sketch.machine.surfaces, surface.name, &MeshSurface::name) ==
+            sketch.machine.surfaces.end())
+            sought.push_back({"surfaces." + surface.name, surface.selector});
+    for (std::size_t i = 0; i < description.interfaces.size(); ++i) {
+        const auto& interface = description.interfaces[i];
+        const auto path = interface_path(interface.name);
+        if (sketch.interfaces[i].sides[0].empty())
+            sought.push_back({path + ".a", interface.a});
+        if (sketch.interfaces[i].sides[1].empty())
+            sought.push_back({path + ".b", interface.b});
+    }
+    return sought;
+}
+
+}  // namespace
+
+CaseSketch sketch_case(const casefile::Case& input, double size_scale, Observer& observer)
+{
+    CaseSketch result;
+    if (input.parts.empty())
+        return result;
+    Mistakes mistakes;
+    const auto description = describe_machine(input, size_scale, mistakes);
+    auto sketch = machine::sketch_machine(description, observer);
+    result.sought = sought_faces(description, sketch);
+    result.interfaces = std::move(sketch.interfaces);
+    result.missing = found_in(mistakes);
+    std::ranges::move(sketch.missing, std::back_inserter(result.missing));
+    result.machine = std::make_shared<const Machine>(std::move(sketch.machine));
+    return result;
+}
+
+CaseSketch sketch_of(const Machine& machine)
+{
+    CaseSketch result;
+    for (const auto& contact : machine.interfaces)
+        result.interfaces.push_back(machine::faces_of(contact));
+    result.machine = {std::shared_ptr<void>(), &machine};
+    return result;
+}
+
+}  // namespace deadpoint::study
