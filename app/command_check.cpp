@@ -1,18 +1,38 @@
 #include "commands.hpp"
+#include "deadpoint/casefile/files/case_source.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/syntax/diagnostics.hpp"
+#include "deadpoint/casefile/syntax/document.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
+#include "deadpoint/report/page/check_page.hpp"
+#include "deadpoint/report/page/named_things.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
+#include "deadpoint/study/check/sketch.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "options/case_options.hpp"
 #include "output.hpp"
+#include "results/open_page.hpp"
 
+#include <filesystem>
+#include <fmt/format.h>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 using namespace deadpoint;
+namespace fs = std::filesystem;
 
 namespace {
+
+struct CheckOptions {
+    CaseOptions input;
+    bool view = false;
+    std::string file;
+    bool force = false;
+};
 
 void summarise(const CaseOptions& options, const Console& console)
 {
@@ -40,10 +60,20 @@ private:
     Console& console_;
 };
 
-void check(const CaseOptions& options)
+/// Progress without warnings: what a picture needs is built again, and was warned about.
+class Progress : public Observer {
+public:
+    explicit Progress(Console& console) : console_(console) {}
+    void stage(std::string_view name) override { console_.stage(name); }
+    void progress(double fraction, std::string_view detail) override { console_.progress(fraction, detail); }
+    [[nodiscard]] bool cancelled() const override { return console_.cancelled(); }
+
+private:
+    Console& console_;
+};
+
+void check_press(const CaseOptions& options, study::Press& press, Console& console)
 {
-    Console console(options.console);
-    study::Press press(read_case(options, console).value, options.size_scale);
     const auto& description = press.input();
     Warnings warnings(console);
     if (description.parts.empty()) {
@@ -60,15 +90,100 @@ void check(const CaseOptions& options)
     summarise(options, console);
 }
 
+void check(const CaseOptions& options)
+{
+    Console console(options.console);
+    study::Press press(read_case(options, console).value, options.size_scale);
+    check_press(options, press, console);
+}
+
+// ---------------------------------------------------------------- with a picture
+
+/// The page next to the case is renewed; a file that the user names is not overwritten unasked.
+fs::path page_file(const CheckOptions& options)
+{
+    if (options.file.empty()) {
+        return fs::path(options.input.path).replace_extension(".check.html");
+    }
+    if (fs::exists(options.file) && !options.force) {
+        throw IoError(
+            fmt::format("'{}' exists\n  help: choose another name, or add --force to replace it", options.file));
+    }
+    return options.file;
+}
+
+/// A case as far as it can be read.
+casefile::Case read_partly(const CaseOptions& options)
+{
+    casefile::Case result;
+    casefile::Diagnostics found;
+    casefile::read_case(options.path, options.overrides, result, found, options.files);
+    return result;
+}
+
+/// The picture of a case that has mistakes: all that can be built of it.
+study::CaseSketch sketch(const CaseOptions& options, const casefile::Case& input, Console& console)
+{
+    Progress progress(console);
+    auto result = study::sketch_case(input, options.size_scale, progress);
+    console.finish();
+    return result;
+}
+
+void write_picture(const fs::path& page, const casefile::Case& input, const study::CaseSketch& sketch,
+                   std::vector<Diagnostic> found, const Console& console)
+{
+    for (const auto& warning : console.warnings()) {
+        found.push_back(report::taken_apart(warning));
+    }
+    report::write_check_page(page, input, sketch, found, IfThere::replace);
+    open_page(page);
+}
+
+/// As check(), with the page in any case; then the errors.
+void check_with_picture(const CheckOptions& all)
+{
+    const auto& options = all.input;
+    const auto page = page_file(all);
+    Console console(options.console);
+    std::vector<Diagnostic> found;
+    std::unique_ptr<study::Press> press;
+    try {
+        press = std::make_unique<study::Press>(read_case(options, console).value, options.size_scale);
+        check_press(options, *press, console);
+    } catch (const Error& error) {
+        console.finish();
+        const auto* diagnosed = dynamic_cast<const Diagnosed*>(&error);
+        if (diagnosed == nullptr) {
+            throw;
+        }
+        const auto input = press ? press->input() : read_partly(options);
+        if (input.parts.empty() && input.joints.empty()) {
+            throw;  // not even the sections could be read
+        }
+        write_picture(page, input, sketch(options, input, console), diagnosed->diagnostics(), console);
+        throw;
+    }
+    const auto drawn = press->input().parts.empty() ? study::CaseSketch() : study::sketch_of(press->machine(console));
+    write_picture(page, press->input(), drawn, {}, console);
+}
+
 }  // namespace
 
 void add_check(CLI::App& app, int& exit_code)
 {
     auto* command = app.add_subcommand("check", "check a case without solving it, and print the plan");
-    const auto options = std::make_shared<CaseOptions>();
-    add_case_options(*command, *options);
+    const auto options = std::make_shared<CheckOptions>();
+    add_case_options(*command, options->input);
+    auto* view = command->add_flag("--view", options->view,
+                                   "draw the machine on a page and open it, also where the case has mistakes");
+    command
+        ->add_option("-o,--output", options->file, "the page of --view; default: next to the case, as CASE.check.html")
+        ->type_name("FILE")
+        ->needs(view);
+    command->add_flag("--force", options->force, "replace the file of -o if it exists")->needs(view);
     command->callback([options, &exit_code] {
-        check(*options);
+        options->view ? check_with_picture(*options) : check(options->input);
         exit_code = 0;
     });
 }

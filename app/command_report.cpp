@@ -6,24 +6,19 @@
 #include "deadpoint/report/page/sweep_page.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
+#include "results/open_page.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <spawn.h>
 #include <string>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
 using namespace deadpoint;
 namespace fs = std::filesystem;
-
-extern char** environ;
 
 namespace {
 
@@ -48,36 +43,6 @@ fs::path page_file(const ReportOptions& options)
             fmt::format("'{}' exists\n  help: choose another name, or add --force to replace it", options.file));
     }
     return options.file;
-}
-
-/// What a started program may write.
-enum class Says { everything, no_errors, nothing };
-
-/// Runs a program of the path; false if there is none or it fails.
-bool run_program(std::vector<std::string> command, Says says)
-{
-    std::vector<char*> arguments;
-    for (auto& argument : command) {
-        arguments.push_back(argument.data());
-    }
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    if (says == Says::nothing) {
-        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    }
-    if (says != Says::everything) {
-        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    }
-    pid_t child = 0;
-    const int error = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) {
-        return false;
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 /// Pictures of the machine at the end of the run, drawn by a browser without a window from the page itself.
@@ -194,21 +159,7 @@ void open_report(const fs::path& folder)
     if (!is_current(page, folder)) {
         write_page_of({folder}, page, IfThere::replace);
     }
-    const auto shown = fs::absolute(page).lexically_normal().string();
-    const char* browser = std::getenv("BROWSER");
-    const auto opens = [&](const char* opener) {
-        // A browser that the user names may say what is wrong with it. The others list what they lack.
-        return run_program({opener, shown}, opener == browser ? Says::everything : Says::no_errors);
-    };
-    std::vector<const char*> openers{"xdg-open", "open", "wslview"};
-    if (browser != nullptr && *browser != '\0') {
-        openers.insert(openers.begin(), browser);
-    }
-    if (std::ranges::any_of(openers, opens)) {
-        print_out("opened {}\n", shown);
-    } else {
-        print_out("found no browser to open; the page is {}\n", shown);
-    }
+    open_page(page);
 }
 
 }  // namespace

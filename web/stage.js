@@ -1,8 +1,5 @@
 // The controls around the three-dimensional view.
 
-const presets = [["First view", undefined], ["From the front", [0, 0, 1]], ["From the side", [1, 0, 0]],
-    ["From above", [0, 1, 0.001]]];
-
 const poses = { front: [0, 0, 1], side: [1, 0, 0] };
 
 /** Section with the view of a run, or null where the folder has none. */
@@ -30,9 +27,10 @@ function viewSection(run) {
     return { section, start: () => ui.start(), pose: (name) => ui.pose(name), dispose: () => ui.dispose() };
 }
 
-class Stage {
+class Stage extends ShapeStage {
     constructor(run, scene, elements) {
-        Object.assign(this, elements, { run, scene, playing: false, labels: [], picked: null });
+        super(scene, elements);
+        Object.assign(this, { run, playing: false, picked: null });
         this.section.append(...this.timeControls(), this.lookControls(), this.pickOutput(), this.partControls(), this.help());
         this.listen();
     }
@@ -41,12 +39,9 @@ class Stage {
     start() {
         const { scene } = this;
         scene.state.magnification = scene.magnification;
-        scene.afterRender = () => this.placeLabels();
         scene.update({ quantity: scene.quantities[0] });
-        this.observer = new ResizeObserver(() => scene.resize());
-        this.observer.observe(this.canvas);
-        scene.resize();
-        scene.home();
+        super.start();
+        this.makeLabels();
         this.refresh();
         this.takeStill();
     }
@@ -70,15 +65,11 @@ class Stage {
         if (scene.fields.displacement) items.push(this.magnifier());
         items.push(this.slicer());
         if (scene.half) items.push(this.box("Mirrored half", true, (on) => scene.update({ mirrored: on })));
-        if (scene.probes.length) items.push(this.box("Probes", scene.probes.length <= 6 && innerWidth > narrow,
+        this.showProbes = scene.probes.length > 0 && scene.probes.length <= 6 && innerWidth > narrow;
+        if (scene.probes.length) items.push(this.box("Probes", this.showProbes,
             (on) => { this.showProbes = on; this.makeLabels(); }));
         if (this.run.motion) items.push(this.crank());
-        const views = presets.map(([name, direction]) => make("button", { type: "button", click: () => {
-            scene.home(direction); scene.render(); } }, name));
-        const zoom = [["+", 1 / 1.25, "closer"], ["−", 1.25, "further away"]].map(([text, factor, label]) =>
-            make("button", { type: "button", "aria-label": label, click: () => scene.zoom(factor) }, text));
-        const save = make("button", { type: "button", click: () => this.save() }, "Save as picture");
-        return make("div", {}, make("div", { class: "controls" }, items), make("div", { class: "controls" }, views, zoom, save));
+        return make("div", {}, make("div", { class: "controls" }, items), this.viewControls());
     }
 
     magnifier() {
@@ -91,32 +82,6 @@ class Stage {
                 scene.update({ magnification });
             } });
         return make("label", {}, "Deformation", slider, text);
-    }
-
-    slicer() {
-        const { scene } = this;
-        const axis = make("select", { "data-control": "slice", "aria-label": "cut open across", change: () => apply() },
-            [["", "not cut"], ["x", "across x"], ["y", "across y"], ["z", "across z"]].map(([value, name]) =>
-                make("option", { value }, name)));
-        const slider = make("input", { type: "range", min: 0, max: 200, value: 100, "aria-label": "place of the cut",
-            input: () => apply(), class: "hidden" });
-        const text = make("output");
-        const flip = make("button", { type: "button", class: "hidden", click: () => { scene.state.flip = !scene.state.flip;
-            apply(); } }, "Other side");
-        const apply = () => {
-            const i = "xyz".indexOf(axis.value);
-            for (const element of [slider, flip]) element.classList.toggle("hidden", i < 0 || !axis.value);
-            const cut = axis.value ? scene.low[i] + (scene.high[i] - scene.low[i]) * slider.value / 200 : 0;
-            text.value = axis.value ? `${fixed(1000 * cut, 0)} mm` : "";
-            scene.update({ axis: axis.value, cut });
-        };
-        return make("label", {}, "Cut", axis, slider, text, flip);
-    }
-
-    box(name, on, change) {
-        const input = make("input", { type: "checkbox", checked: on, "data-control": name, change: () => change(input.checked) });
-        if (on) queueMicrotask(() => name === "Probes" && change(true));
-        return make("label", {}, input, name);
     }
 
     crank() {
@@ -136,30 +101,6 @@ class Stage {
         return make("div", { class: "screen" }, this.pickedText, this.pickedChart);
     }
 
-    partControls() {
-        const bodies = new Map();
-        for (const part of this.scene.parts) bodies.set(part.body, [...(bodies.get(part.body) ?? []), part]);
-        const boxes = [];
-        const toggle = (part, on, box) => { part.visible = on; box.checked = on; };
-        const items = [...bodies].flatMap(([body, parts]) => {
-            const children = parts.map((part) => {
-                const box = make("input", { type: "checkbox", checked: true, "data-part": part.name, change: () => {
-                    part.visible = box.checked; this.scene.update(); } });
-                boxes.push([part, box]);
-                return make("li", { class: "part" }, make("label", {}, box, " ", words(part.name)));
-            });
-            const mine = boxes.slice(-parts.length);
-            const whole = make("input", { type: "checkbox", checked: true, "data-body": body, change: () => {
-                for (const [part, box] of mine) toggle(part, whole.checked, box);
-                this.scene.update();
-            } });
-            return [make("li", { class: "body" }, make("label", {}, whole, " ", words(body))),
-                ...(parts.length > 1 || parts[0].name !== body ? children : [])];
-        });
-        return make("details", { class: "screen" }, make("summary", {}, `Show or hide parts (${boxes.length})`),
-            make("ul", { class: "partlist" }, items));
-    }
-
     help() {
         const keys = [["← → ↑ ↓", "turn"], ["+ −", "zoom"], ["Space", "play or pause"], [", .", "step in time"],
             ["P", "temperature at the middle of the view"], ["Home", "first view"]];
@@ -176,59 +117,11 @@ class Stage {
                 + "in fields.pvd, for ParaView."));
     }
 
-    listen() {
-        const { canvas, scene } = this;
-        let down = null;
-        canvas.addEventListener("pointerdown", (event) => { down = [event.clientX, event.clientY]; });
-        canvas.addEventListener("pointerup", (event) => {
-            if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) {
-                const box = canvas.getBoundingClientRect();
-                this.ask((event.clientX - box.left) / box.width * 2 - 1, 1 - (event.clientY - box.top) / box.height * 2);
-            }
-            down = null;
-        });
-        canvas.addEventListener("focus", () => { scene.controls.enableZoom = true; });
-        canvas.addEventListener("blur", () => { scene.controls.enableZoom = false; });
-        canvas.addEventListener("touchstart", () => { scene.controls.enableZoom = true; }, { passive: true });
-        const step = 0.12;
-        const actions = {
-            ArrowLeft: () => scene.turn(-step, 0), ArrowRight: () => scene.turn(step, 0), ArrowUp: () => scene.turn(0, step),
-            ArrowDown: () => scene.turn(0, -step), "+": () => scene.zoom(1 / 1.15), "=": () => scene.zoom(1 / 1.15),
-            "-": () => scene.zoom(1.15), Home: () => { scene.home(); scene.render(); }, " ": () => this.toggle(),
-            ",": () => this.step(-1), ".": () => this.step(1), p: () => this.ask(0, 0), P: () => this.ask(0, 0),
-        };
-        canvas.addEventListener("keydown", (event) => {
-            const action = !event.ctrlKey && !event.metaKey && !event.altKey && actions[event.key];
-            if (!action) return;
-            event.preventDefault();
-            action();
-        });
-        this.beforePrint = () => this.takeStill();
-        addEventListener("beforeprint", this.beforePrint);
+    moreKeys() {
+        return { " ": () => this.toggle(), ",": () => this.step(-1), ".": () => this.step(1) };
     }
 
-    takeStill() {
-        this.scene.render();
-        this.still.src = this.canvas.toDataURL("image/png");
-    }
-
-    /** The view with its scale as a PNG file. */
-    async save() {
-        this.scene.render();
-        const copy = make("canvas", { width: this.canvas.width, height: this.canvas.height });
-        const context = copy.getContext("2d");
-        context.drawImage(this.canvas, 0, 0);
-        const drawing = this.scale.firstChild.cloneNode(true);
-        drawing.setAttribute("style", "font: 12.5px Helvetica, Arial, sans-serif");
-        const image = new Image();
-        image.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(new XMLSerializer().serializeToString(drawing));
-        await image.decode();
-        const ratio = this.canvas.width / this.canvas.clientWidth;
-        context.drawImage(image, 12 * ratio, copy.height - (image.height + 10) * ratio, image.width * ratio,
-            image.height * ratio);
-        const name = `${this.run.facts.case?.name ?? "machine"} ${this.clock.textContent}.png`;
-        make("a", { href: copy.toDataURL("image/png"), download: name.replace(/[^\w.-]+/g, "-") }).click();
-    }
+    pictureName() { return `${this.run.facts.case?.name ?? "machine"} ${this.clock.textContent}.png`; }
 
     /** Shows only the machine, over the whole window, for the pictures of `deadpoint report --pictures`. */
     pose(name) {
@@ -368,27 +261,8 @@ class Stage {
         }
     }
 
-    placeLabels() {
-        const { scene } = this;
-        for (const { element, mark } of this.labels) {
-            const place = scene.project(scene.placeOf(mark));
-            element.classList.toggle("hidden", !place || place[0] > scene.canvas.clientWidth - 20);
-            if (place) [element.style.left, element.style.top] = place.map((x) => `${x}px`);
-        }
-        clearTimeout(this.covering);
-        this.covering = setTimeout(() => this.coverLabels(), 120);
-    }
-
-    /** Dims the labels of hidden places. */
-    coverLabels() {
-        for (const { element, mark } of this.labels)
-            element.classList.toggle("behind", this.scene.covered(this.scene.placeOf(mark)));
-    }
-
     dispose() {
         this.stop();
-        this.observer?.disconnect();
-        removeEventListener("beforeprint", this.beforePrint);
-        this.scene.dispose();
+        super.dispose();
     }
 }

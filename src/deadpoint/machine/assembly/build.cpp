@@ -514,9 +514,8 @@ InterfaceFaces selected(const Assembly& assembly, const InterfaceDescription& de
     const std::array<const SurfaceSelector*, 2> selectors{&description.a, &description.b};
     for (std::size_t side = 0; side < 2; ++side) {
         Mistakes said_before;
-        said_before.attempt(description.name, [&] {
-            faces.sides[side] = selected_faces(assembly, *selectors[side], description.name);
-        });
+        said_before.attempt(description.name,
+                            [&] { faces.sides[side] = selected_faces(assembly, *selectors[side], description.name); });
     }
     return faces;
 }

@@ -30,17 +30,6 @@ std::vector<double> flat(const std::vector<Vec3>& vectors)
 }
 const std::vector<double>& flat(const std::vector<double>& values) { return values; }
 
-std::string packed(const std::vector<std::uint16_t>& numbers)
-{
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(2 * numbers.size());
-    for (const auto n : numbers) {
-        bytes.push_back(static_cast<std::uint8_t>(n & 0xff));
-        bytes.push_back(static_cast<std::uint8_t>(n >> 8));
-    }
-    return base64(bytes);
-}
-
 Json array_json(std::span<const double> values)
 {
     const auto q = quantise(values);
@@ -115,6 +104,17 @@ Quantised quantise(std::span<const double> values)
     return result;
 }
 
+std::string packed(std::span<const std::uint16_t> numbers)
+{
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(2 * numbers.size());
+    for (const auto n : numbers) {
+        bytes.push_back(static_cast<std::uint8_t>(n & 0xff));
+        bytes.push_back(static_cast<std::uint8_t>(n >> 8));
+    }
+    return base64(bytes);
+}
+
 std::string base64(std::span<const std::uint8_t> bytes)
 {
     constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -131,25 +131,30 @@ std::string base64(std::span<const std::uint8_t> bytes)
     return text;
 }
 
+Json surface_json(const Machine& machine, const DecimatedSurface& surface)
+{
+    return {{"half_model", machine.half_model},
+            {"merged_within_m", surface.grid},
+            {"vertices", surface.vertices.size()},
+            {"positions_m", array_json(flat(surface.positions))},
+            {"parts", parts_json(machine, surface)}};
+}
+
 Json view_json(const casefile::Case& input, const Machine& machine, const study::ViewData& view)
 {
     const auto& surface = view.surface;
     Json json;
     json["version"] = version;
     json["case"] = {{"name", input.machine.name}, {"hash", casefile::case_hash(input)}};
-    json["half_model"] = machine.half_model;
-    json["merged_within_m"] = surface.grid;
     json["initial_temperature_K"] = view.reference;
     json["largest_rise_K"] = view.largest_rise;
     json["error_of_modes_K"] = view.error;
     json["time_s"] = view.time;
     json["coefficients"] = view.coefficients;
-    json["vertices"] = surface.vertices.size();
-    json["positions_m"] = array_json(flat(surface.positions));
     json["temperature_K"] = modal_json(view.temperature);
     if (!view.displacement.base.empty())
         json["displacement_m"] = modal_json(view.displacement);
-    json["parts"] = parts_json(machine, surface);
+    json.update(surface_json(machine, surface));
     json["probes"] = Json::array();
     for (const auto& [name, probe] : input.probes)
         json["probes"].push_back(

@@ -13,8 +13,9 @@ struct ViewData;
 }  // namespace deadpoint::study
 
 namespace deadpoint {
+struct DecimatedSurface;
 struct Machine;
-}
+}  // namespace deadpoint
 namespace deadpoint::casefile {
 struct Case;
 }
@@ -33,6 +34,12 @@ Quantised quantise(std::span<const double> values);
 
 /// Base64 (RFC 4648) of the bytes.
 std::string base64(std::span<const std::uint8_t> bytes);
+
+/// 16-bit numbers, little-endian, in base64.
+std::string packed(std::span<const std::uint16_t> numbers);
+
+/// The keys of a surface and its parts, as in view.json: half_model, merged_within_m, vertices, positions_m, parts.
+nlohmann::ordered_json surface_json(const Machine& machine, const DecimatedSurface& surface);
 
 /// Surface, parts, probes, and temperature [K] and displacement [m] as modes over time. Numbers in `data` are unsigned
 /// 16-bit integers, little-endian, in base64; a vector's components follow each other.

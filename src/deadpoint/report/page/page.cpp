@@ -128,9 +128,9 @@ void write_report(const fs::path& file, std::span<const ReportSource> sources, I
     for (std::size_t i = 0; i < sources.size(); ++i)
         tables += tables_of(data["runs"][i], sources[i].folder);
     const auto title = title_of(data["runs"]);
-    const std::array scripts{page_data_script(),  page_charts_script(),   page_view_script(),
-                             page_stage_script(), page_linkage_script(),  page_flow_script(),
-                             page_gaps_script(),  page_sections_script(), page_main_script()};
+    const std::array scripts{page_data_script(),     page_charts_script(),  page_shape_script(), page_view_script(),
+                             page_stage_script(),    page_linkage_script(), page_flow_script(),  page_gaps_script(),
+                             page_sections_script(), page_main_script()};
     write_page(file, {title, std::move(data), std::move(tables)}, scripts, if_there);
 }
 

@@ -10,6 +10,7 @@ std::string_view page_libraries();
 std::string_view page_licences();
 std::string_view page_data_script();
 std::string_view page_charts_script();
+std::string_view page_shape_script();
 std::string_view page_view_script();
 std::string_view page_stage_script();
 std::string_view page_linkage_script();
@@ -21,5 +22,6 @@ std::string_view page_sweep_script();
 std::string_view page_sensitivity_script();
 std::string_view page_calibration_script();
 std::string_view page_optimise_script();
+std::string_view page_check_script();
 
 }  // namespace deadpoint::report

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "deadpoint/diagnostic.hpp"
+#include "deadpoint/io/write_file.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::study {
+struct CaseSketch;
+}
+
+/// One self-contained HTML page: the machine of a case in three dimensions before it is solved.
+namespace deadpoint::report {
+
+/// Writes the page; complete or absent.
+/// @param found  mistakes and warnings of the check
+/// @throws IoError if it cannot be written
+void write_check_page(const std::filesystem::path& file, const casefile::Case& input, const study::CaseSketch& sketch,
+                      const std::vector<Diagnostic>& found, IfThere if_there);
+
+}  // namespace deadpoint::report
