@@ -3,7 +3,9 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/syntax/diagnostics.hpp"
 #include "deadpoint/casefile/syntax/document.hpp"
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
 #include "deadpoint/report/page/check_page.hpp"
 #include "deadpoint/report/page/named_things.hpp"
@@ -72,7 +74,8 @@ private:
     Console& console_;
 };
 
-void check_press(const CaseOptions& options, study::Press& press, Console& console)
+/// @param meshed  becomes the machine as soon as it is there
+void check_press(const CaseOptions& options, study::Press& press, const Machine*& meshed, Console& console)
 {
     const auto& description = press.input();
     Warnings warnings(console);
@@ -82,6 +85,7 @@ void check_press(const CaseOptions& options, study::Press& press, Console& conso
         return summarise(options, console);
     }
     const auto& machine = mesh_parts(press, console);
+    meshed = &machine;
     show(options, report::plan_text(description, machine));
     for (const auto& warning : report::plan_warnings(description, machine)) {
         console.warn(warning);
@@ -94,7 +98,8 @@ void check(const CaseOptions& options)
 {
     Console console(options.console);
     study::Press press(read_case(options, console).value, options.size_scale);
-    check_press(options, press, console);
+    const Machine* meshed = nullptr;
+    check_press(options, press, meshed, console);
 }
 
 // ---------------------------------------------------------------- with a picture
@@ -121,18 +126,35 @@ casefile::Case read_partly(const CaseOptions& options)
     return result;
 }
 
-/// The picture of a case that has mistakes: all that can be built of it.
-study::CaseSketch sketch(const CaseOptions& options, const casefile::Case& input, Console& console)
+/// What an error says of the case.
+std::vector<Diagnostic> diagnostics_of(const Error& error)
 {
+    if (const auto* diagnosed = dynamic_cast<const Diagnosed*>(&error)) {
+        return diagnosed->diagnostics();
+    }
+    const auto said = split_help(error.what());
+    return {{{}, {}, DiagnosticSeverity::error, {}, said.message, said.help}};
+}
+
+/// All that can be drawn of a case, which is meshed already or has mistakes.
+study::CaseSketch sketch(const CaseOptions& options, const casefile::Case& input, const Machine* meshed,
+                         Console& console)
+{
+    if (meshed != nullptr) {
+        return study::sketch_of(*meshed);
+    }
     Progress progress(console);
     auto result = study::sketch_case(input, options.size_scale, progress);
     console.finish();
     return result;
 }
 
-void write_picture(const fs::path& page, const casefile::Case& input, const study::CaseSketch& sketch,
-                   std::vector<Diagnostic> found, const Console& console)
+/// Writes and opens the page.
+/// @param found  besides the warnings of the console
+void draw(const CheckOptions& options, const casefile::Case& input, const study::CaseSketch& sketch,
+          std::vector<Diagnostic> found, const Console& console)
 {
+    const auto page = page_file(options);
     for (const auto& warning : console.warnings()) {
         found.push_back(report::taken_apart(warning));
     }
@@ -141,31 +163,29 @@ void write_picture(const fs::path& page, const casefile::Case& input, const stud
 }
 
 /// As check(), with the page in any case; then the errors.
-void check_with_picture(const CheckOptions& all)
+void check_and_draw(const CheckOptions& all)
 {
     const auto& options = all.input;
-    const auto page = page_file(all);
+    page_file(all);  // refused before anything is meshed
     Console console(options.console);
-    std::vector<Diagnostic> found;
     std::unique_ptr<study::Press> press;
+    const Machine* meshed = nullptr;
     try {
         press = std::make_unique<study::Press>(read_case(options, console).value, options.size_scale);
-        check_press(options, *press, console);
+        check_press(options, *press, meshed, console);
+    } catch (const IoError&) {
+        throw;
     } catch (const Error& error) {
         console.finish();
-        const auto* diagnosed = dynamic_cast<const Diagnosed*>(&error);
-        if (diagnosed == nullptr) {
-            throw;
-        }
         const auto input = press ? press->input() : read_partly(options);
         if (input.parts.empty() && input.joints.empty()) {
-            throw;  // not even the sections could be read
+            console.note("no page is written: nothing of the case can be read");
+            throw;
         }
-        write_picture(page, input, sketch(options, input, console), diagnosed->diagnostics(), console);
+        draw(all, input, sketch(options, input, meshed, console), diagnostics_of(error), console);
         throw;
     }
-    const auto drawn = press->input().parts.empty() ? study::CaseSketch() : study::sketch_of(press->machine(console));
-    write_picture(page, press->input(), drawn, {}, console);
+    draw(all, press->input(), sketch(options, press->input(), meshed, console), {}, console);
 }
 
 }  // namespace
@@ -183,7 +203,7 @@ void add_check(CLI::App& app, int& exit_code)
         ->needs(view);
     command->add_flag("--force", options->force, "replace the file of -o if it exists")->needs(view);
     command->callback([options, &exit_code] {
-        options->view ? check_with_picture(*options) : check(options->input);
+        options->view ? check_and_draw(*options) : check(options->input);
         exit_code = 0;
     });
 }

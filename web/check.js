@@ -3,7 +3,7 @@
 
 const sketch = data.sketch;
 const severityColours = { error: "#d7191c", warning: "#e0a800" };
-const conditions = { film: ["#56b4e9", "film (air, oil)"], fixed: ["#7b4ea3", "fixed temperature"], heat: ["#c8641e", "heat source"],
+const conditions = { film: ["#56b4e9", "film of its own (air, oil)"], fixed: ["#7b4ea3", "fixed temperature"], heat: ["#c8641e", "heat source"],
     insulated: ["#8a8f94", "insulated"], chain: ["#3b6fb6", "face of the dimension chain"] };
 const interfaceColour = "#009e73";
 const bodyColours = ["#cfd6dc", "#dccdb0", "#bcd4c0", "#d6c1d4", "#c3cae6", "#e3c8b8", "#cddcb4", "#b5d6da", "#e0bfc4", "#d9d5a8"];
@@ -139,8 +139,9 @@ class SketchScene extends MachineShape {
         const wrong = worst(severityOfPart(part), ...marks.map(severityOfMark));
         if (wrong) return [severityColours[wrong], true];
         if (this.state.interfaces && marks.some((mark) => mark.kind === "interface")) return [interfaceColour, false];
-        const condition = marks.filter((mark) => mark.condition in conditions)
-            .sort((a, b) => (a.kind === "heated") - (b.kind === "heated") || Boolean(a.exposed) - Boolean(b.exposed))[0];
+        // Air at whatever is exposed is the rule and keeps the colour of the body.
+        const condition = marks.filter((mark) => mark.condition in conditions && !(mark.exposed && mark.condition === "film"))
+            .sort((a, b) => (a.kind === "heated") - (b.kind === "heated"))[0];
         if (this.state.conditions && condition) return [conditions[condition.condition][0], false];
         return [bodyColour(part.body), false];
     }
@@ -209,7 +210,7 @@ class SketchScene extends MachineShape {
         const pairs = [["E_SW", "table", "slide"], ["E_WG", "ground", "table"], ["E_CS", "slide", "crank"], ["E_BG", "ground", "crank"]];
         const places = sketch.chain, step = 0.045 * this.size, z = (this.low[2] + this.high[2]) / 2;
         return pairs.filter(([, from, to]) => places[from] && places[to]).map(([name, from, to]) => {
-            const x = this.low[0] - step * (name === "E_BG" ? 2.2 : 1);
+            const x = this.low[0] - step * (name === "E_BG" ? 3 : 1.6);
             const [low, high] = [places[from], places[to]];
             this.line(this.layers.chain, [[x, low[1], z], [x, high[1], z]], conditions.chain[0], 0.0022);
             for (const end of [low, high])
@@ -244,7 +245,9 @@ class SketchScene extends MachineShape {
         const path = kind === "interface" ? `joints.${name.replace(".", ".interfaces.")}` : `surfaces.${name}`;
         const sought = sketch.sought.filter((entry) => entry.path === path || entry.path.startsWith(`${path}.`)).map((entry) => entry.box);
         const marked = sketch.marks.filter((mark) => mark.kind === kind && mark.name === name).map((mark) => mark.box);
-        if (kind === "part") return this.boxes.get(name) ?? null;
+        // A part that could not be built is where its faces were sought.
+        if (kind === "part") return this.boxes.get(name)
+            ?? joined(sketch.sought.filter((entry) => entry.parts.includes(name)).map((entry) => entry.box));
         if (kind === "body") return joined(this.parts.filter((part) => part.body === name).map((part) => this.boxes.get(part.name)));
         if (kind === "probe") return pointBox(sketch.probes.find((probe) => probe.name === name).at_m);
         const joint = this.jointLines.get(kind === "joint" ? name : name.split(".")[0]);
@@ -355,11 +358,25 @@ class SketchStage extends ShapeStage {
         if (on.names && on.probes) for (const probe of sketch.probes) label(probe.at_m, words(probe.name));
         if (on.chain) for (const { name, at, length } of scene.dimensions) label(at, `${name} ${shown(1000 * length, 4)} mm`, "plain");
         for (const overlap of sketch.overlaps) label(overlap.at_m, `overlap ${shown(1000 * overlap.depth_m)} mm`);
-        for (const finding of data.findings) {
-            const box = finding.things.map((thing) => scene.boxOfThing(thing)).find(Boolean);
-            if (box) label(middleOf(box), finding.message, `wrong ${finding.severity} ${finding === this.focused ? "focused" : ""}`);
+        for (const [at, findings] of this.findingsByPlace()) {
+            const first = findings.includes(this.focused) ? this.focused : findings[0];
+            const more = findings.length > 1 ? ` (and ${findings.length - 1} more here)` : "";
+            label(at, first.message + more, `wrong ${first.severity} ${first === this.focused ? "focused" : ""}`);
         }
         this.placeLabels();
+    }
+
+    /** Findings by the middle of what they are about; errors first. */
+    findingsByPlace() {
+        const places = new Map();
+        for (const severity of ["error", "warning"])
+            for (const finding of data.findings.filter((entry) => entry.severity === severity)) {
+                const box = finding.things.map((thing) => this.scene.boxOfThing(thing)).find(Boolean);
+                if (!box) continue;
+                const at = middleOf(box), key = at.map((x) => x.toFixed(3)).join();
+                places.set(key, [at, [...(places.get(key)?.[1] ?? []), finding]]);
+            }
+        return places.values();
     }
 
     coverLabels() {
@@ -385,7 +402,7 @@ class SketchStage extends ShapeStage {
 const swatch = (colour) => make("span", { class: "swatch", style: `background:${colour}` });
 
 function legend() {
-    const used = new Set(sketch.marks.map((mark) => mark.condition));
+    const used = new Set(sketch.marks.filter((mark) => !(mark.exposed && mark.condition === "film")).map((mark) => mark.condition));
     const entries = [...(sketch.marks.some((mark) => mark.kind === "interface") ? [[interfaceColour, "face of a joint"]] : []),
         ...Object.entries(conditions).filter(([key]) => used.has(key)).map(([, entry]) => entry),
         ...["error", "warning"].filter((severity) => data.findings.some((finding) => finding.severity === severity))

@@ -1117,6 +1117,40 @@ TEST_CASE("view makes the page where it is missing and hands it to the browser")
     CHECK(nowhere.err.empty());
 }
 
+TEST_CASE("check --view draws a case that passes and one that does not")
+{
+    const Folder folder;
+    const auto page = folder / "case.check.html";
+    fs::copy_file(two_blocks, folder / "case.toml");
+    setenv("BROWSER", "true", 1);
+    const auto good = deadpoint("check --view " + (folder / "case.toml"));
+    CHECK(good.code == 0);
+    CHECK(has(good.out, "opened "));
+    CHECK(has(content(page), "\"severity\":\"warning\""));  // the stated mass is 2.5 % off
+    CHECK_FALSE(has(content(page), "\"severity\":\"error\""));
+    CHECK(fs::file_size(page) < 3e6);
+    // Both blocks are drawn although the probe is off its part; the page next to the case is renewed.
+    const auto wrong =
+        deadpoint("check --view --set \"probes.top.position=[\\\"90 mm\\\", \\\"300 mm\\\", \\\"0 mm\\\"]\" " +
+                  (folder / "case.toml"));
+    CHECK(wrong.code == 2);
+    CHECK(has(wrong.err, "probes.top"));
+    CHECK(has(content(page), "{\"kind\":\"probe\",\"name\":\"top\"}"));
+    CHECK(has(content(page), "{\"name\":\"upper\",\"body\":\"frame\""));
+    // Of a case that cannot even be read as TOML there is no picture.
+    fs::remove(page);
+    std::ofstream(folder / "broken.toml") << "format = = 1\n";
+    CHECK(deadpoint("check --view " + (folder / "broken.toml")).code == 2);
+    CHECK_FALSE(fs::exists(folder / "broken.check.html"));
+    // A file that the user names is not replaced unasked.
+    std::ofstream(folder / "mine.html") << "mine";
+    CHECK(deadpoint("check -q --view -o " + (folder / "mine.html") + " " + (folder / "case.toml")).code == 5);
+    CHECK(content(folder / "mine.html") == "mine");
+    CHECK(deadpoint("check -q --view --force -o " + (folder / "mine.html") + " " + (folder / "case.toml")).code == 0);
+    unsetenv("BROWSER");
+    CHECK(deadpoint("check -o x.html " + (folder / "case.toml")).code != 0);  // only with --view
+}
+
 TEST_CASE("--accuracy refuses what is no accuracy of something in the case")
 {
     const Folder folder;

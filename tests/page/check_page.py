@@ -447,6 +447,68 @@ def check_sensitivity(page, folder, width):
     near(len(cells(page, "#parameters tbody tr")), len(ends), 0, f"sensitivity, {width} px: rows of the table")
 
 
+SKETCH = """(() => { const scene = checked.scene;
+    const colours = {};
+    for (const part of scene.parts) part.runs.forEach((run, i) => { const colour = "#" + part.skin[i].color.getHexString();
+        (colours[part.name] ??= {})[colour] = ((colours[part.name] ?? {})[colour] ?? 0) + run.count; });
+    return { colours, joints: [...scene.jointLines].map(([name, ends]) => [name, ends]), dimensions: scene.dimensions,
+        labels: [...document.querySelectorAll(".label.wrong")].map((label) => label.textContent) }; })()"""
+
+
+def sketched(deadpoint, source, folder, name, *overrides):
+    """The page of `check --view` of the small press with some values changed."""
+    file = f"{folder}/{name}.html"
+    sets = [word for value in overrides for word in ("--set", value)]
+    done = subprocess.run([deadpoint, "check", "-q", "--view", "-o", file, "--size", "2", *sets,
+                           source + "/cases/slider-crank/case.toml"], capture_output=True, text=True,
+                          stdin=subprocess.DEVNULL, env={**os.environ, "BROWSER": "true"})
+    check(done.returncode == (2 if overrides else 0), f"check --view {name} ends with {done.returncode}: {done.stderr}")
+    return file
+
+
+def check_sketch(page, deadpoint, source, folder, pictures):
+    """The picture before solving: of a sound case, and of one with a mistake in a joint, a probe and a part."""
+    red = "#d7191c"
+    for width, height in ((360, 740), (1280, 900)):
+        page.size(width, height, phone=width < 500)
+        page.open(sketched(deadpoint, source, folder, f"sound-{width}"))
+        page.settle()
+        near(page.run("document.documentElement.scrollWidth"), width, 0, f"sketch, {width} px: width of the page")
+    sound = page.run(SKETCH)
+    check(page.run(PIXELS)["shown"] > 0.05, "the sketch is blank")
+    check(not sound["labels"] and red not in str(sound["colours"]), "a sound case stands red")
+    near(len(sound["colours"]), 13, 0, "parts of the sketch")
+    check("#009e73" in sound["colours"]["connecting_rod"], "the faces of joints are not coloured")
+    lengths = {entry["name"]: entry["length"] for entry in sound["dimensions"]}
+    near(lengths["E_BG"], 1.52, 1e-4, "the height of the crankshaft above ground")  # case.toml: feet at y = -1520 mm
+    near(lengths["E_WG"] + lengths["E_SW"] + lengths["E_CS"], lengths["E_BG"], 1e-4, "the sum of the chain")
+    ends = dict(sound["joints"])["wrist_pin"]
+    near(ends[0][1], -0.38, 1e-6, "the height of the wrist pin")
+    check(ends[0][2] < -0.05 and ends[1][2] > 0.05, f"the axis of the wrist pin does not pass the rod: {ends}")
+    for control, value in (("spread", 10), ("See through", True), ("Faces of joints", False), ("slice", "z")):
+        before = page.run(PIXELS)["sum"]
+        set_control(page, control, value)
+        page.settle()
+        check(page.run(PIXELS)["sum"] != before, f"the sketch does not change by '{control}'")
+    page.open(sketched(deadpoint, source, folder, "joint", "joints.crank_pin.interfaces.0.diameter=140 mm"))
+    wrong = page.run(SKETCH)
+    check(len(wrong["labels"]) == 1 and "140 mm" in wrong["labels"][0], f"labels of the wrong joint: {wrong['labels']}")
+    near(page.run("document.querySelectorAll('.findings li.error').length"), 2, 0, "findings of the wrong joint")
+    near(page.run("sketch.sought.length"), 2, 0, "faces sought in vain")
+    before = page.run("checked.scene.camera.position.toArray()")
+    page.run("document.querySelector('.findings button').click()")
+    page.settle()
+    near(page.run("checked.scene.controls.target.y"), -0.03, 1e-4, "the height of what is looked at")
+    check(page.run("checked.scene.camera.position.toArray()") != before, "a click on a finding looks nowhere")
+    if pictures:
+        page.picture(pictures + "/sketch-joint.png")
+    page.open(sketched(deadpoint, source, folder, "part", 'parts.slide.shapes.0.x=["10 mm", "0 mm"]',
+                       "surfaces.table_face.position=-1 m"))
+    wrong = page.run(SKETCH)
+    check("slide" not in wrong["colours"] and len(wrong["colours"]) == 12, "the other parts are not drawn")
+    check("slide" in page.run("document.querySelector('#findings').innerText"), "the wrong part is not named")
+
+
 def check_without_scripts(page, path, words):
     page.call("Emulation.setScriptExecutionDisabled", value=True)
     page.call("Page.navigate", url="file://" + os.path.abspath(path))
@@ -520,6 +582,7 @@ def main():
             check_study_table(page, folder + "/study")
             for width in (360, 1280):
                 check_sensitivity(page, folder + "/matters", width)
+            check_sketch(page, deadpoint, source, folder, pictures)
             check_without_scripts(page, report, ["E_SW at the end", "front left", "pivot_h", "Rises of the probes", "hash",
                                                  "Cite as", "switched off"])
             check_without_scripts(page, folder + "/study/report.html", ["Best windows", "speed=90_rpm", "-", "Cite as",

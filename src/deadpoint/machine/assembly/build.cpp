@@ -312,7 +312,8 @@ public:
     [[nodiscard]] bool is_sound(const PartDescription& part) const
     {
         const auto found = found_in(mistakes);
-        return std::ranges::none_of(found, [&](const Diagnostic& d) { return d.path == path_of(part); });
+        const auto path = path_of(part) + ".";
+        return std::ranges::none_of(found, [&](const Diagnostic& d) { return (d.path + ".").starts_with(path); });
     }
 
 private:
