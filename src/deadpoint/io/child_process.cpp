@@ -154,7 +154,7 @@ public:
             pollfd wanted{from_, POLLIN, 0};
             const int ready = left > 0 ? poll(&wanted, 1, static_cast<int>(std::min<long long>(left, 1000))) : 0;
             if (ready == 0 && left <= 0) {
-                throw InputError(
+                throw TimeLimitError(
                     fmt::format("{} took longer than {:.3g} s and was stopped\n  help: simplify the file, or "
                                 "mesh it with another program and give the mesh",
                                 what_, limits_.seconds));

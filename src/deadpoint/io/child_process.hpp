@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/error.hpp"
+
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -14,6 +16,11 @@ struct ChildLimits {
     std::string name = {};   ///< what it opens the file as: "part.step"
 };
 
+/// A child process took longer than its limit.
+struct TimeLimitError : InputError {
+    using InputError::InputError;
+};
+
 /// Runs `work` in a child process and returns its bytes. Code of others may there crash, hang, fill
 /// the memory or run commands of a file without harm to this process and this machine, since the
 /// child is confined (confine.hpp). The child has a copy of this process's memory, and no other
@@ -22,7 +29,7 @@ struct ChildLimits {
 /// @param what     begins the error messages: "part 'frame': reading 'frame.step'"
 /// @param waiting  called about once a second with the seconds since the start, in this process
 /// @throws InputError if the child was ended by a signal, made a forbidden call, ran out of memory
-/// or time, or failed with a foreign error; a deadpoint error of `work` is thrown again unchanged
+/// or time (TimeLimitError), or failed with a foreign error; a deadpoint error of `work` is thrown again unchanged
 /// @throws IoError if no child can be started or confined
 std::string run_in_child(const std::string& what, const ChildLimits& limits, const std::function<std::string()>& work,
                          const std::function<void(double)>& waiting = {});

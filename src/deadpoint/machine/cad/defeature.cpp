@@ -25,6 +25,9 @@
 namespace deadpoint::machine {
 namespace {
 
+/// Of a chain of holes and roundings that is tried: the kernel takes minutes for longer ones, and mostly fails.
+constexpr int most_faces = 24;
+
 double volume_of(const TopoDS_Shape& shape)
 {
     GProp_GProps properties;
@@ -227,16 +230,18 @@ std::vector<std::string> defeature(StepSolid& solid, double diameter)
     }
     TopTools_ListOfShape everything;
     for (TopTools_ListOfShape group : groups) {
-        everything.Append(group);
+        if (group.Extent() <= most_faces) {
+            everything.Append(group);
+        }
     }
     std::size_t done = 0;
-    if (without(solid, everything)) {
-        done = groups.size();
+    if (!everything.IsEmpty() && without(solid, everything)) {
+        done = groups.size() - features(solid.shape, diameter).size();
     } else {
         // One by one; after the first, faces next to it are new ones, so groups are looked for again.
         std::size_t skip = 0;
         for (auto left = groups; skip < left.size(); left = features(solid.shape, diameter)) {
-            without(solid, left[skip]) ? ++done : ++skip;
+            left[skip].Extent() <= most_faces&& without(solid, left[skip]) ? ++done : ++skip;
         }
     }
     std::vector<std::string> notes;

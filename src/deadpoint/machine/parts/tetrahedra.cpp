@@ -19,8 +19,8 @@ namespace {
 
 namespace occ = gmsh::model::occ;
 
-/// Quality from which no other attempt is made.
-constexpr double fair_quality = 0.1;
+/// Quality from which no other attempt is made: nothing is said about such cells.
+constexpr double fair_quality = 0.05;
 /// Attempts after which a form that always gives about the same quality is taken to allow no better.
 constexpr std::size_t enough_attempts = 3;
 constexpr double about_the_same = 1.25;
