@@ -208,7 +208,7 @@ struct MeshPart {
     double exterior_area = 0;  ///< [m2], without the symmetry plane
     double exposed_area = 0;   ///< [m2], without symmetry plane, contacts and bonds
     std::uint32_t pieces = 1;  ///< pieces without a common face of two cells
-    double min_quality = 0;    ///< smallest scaled Jacobian (hexahedra) or scaled inradius ratio (tetrahedra), 0..1
+    double min_quality = 0;    ///< of its worst cell, 0..1 (machine/parts/part_mesh)
     double mean_quality = 0;
     VolumeMoments moments{};
 };

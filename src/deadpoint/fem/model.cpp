@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace deadpoint::fem {
@@ -492,15 +493,20 @@ public:
         : space_(space), machine_(machine), shown_(shown), local_(machine.nodes.size(), -1),
           more_(shown.point_data.size())
     {
+        std::vector<std::uint32_t> owned;
         for (std::uint32_t c = 0; c < machine.cells.size(); ++c)
             if (space.cell(c)->is_locally_owned())
-                add_cell(c);
+                owned.push_back(c);
+        add_nodes(owned);
+        for (const auto c : owned)
+            add_cell(c);
     }
 
     [[nodiscard]] const VtuGrid& grid() const { return grid_; }
     [[nodiscard]] std::vector<VtuArray> arrays()
     {
         std::vector<VtuArray> arrays{{"temperature [degC]", VtuArray::Place::point, 1, celsius_},
+                                     {node_array_name, VtuArray::Place::point, 1, node_},
                                      {"part", VtuArray::Place::cell, 1, part_},
                                      {"body", VtuArray::Place::cell, 1, body_}};
         if (!shown_.displacement.empty())
@@ -512,20 +518,34 @@ public:
     }
 
 private:
+    [[nodiscard]] static unsigned corners(const Cell& cell) { return cell.kind == CellKind::hexahedron ? 8 : 4; }
+
+    /// In the order of the machine, so that a node has one number in all files.
+    void add_nodes(const std::vector<std::uint32_t>& cells)
+    {
+        struct Seen {
+            std::size_t unknown = 0;
+            std::uint32_t part = 0;
+        };
+        std::map<std::uint32_t, Seen> seen;
+        for (const auto c : cells) {
+            const auto& cell = machine_.cells[c];
+            for (unsigned i = 0; i < corners(cell); ++i)
+                seen.try_emplace(cell.nodes[i], Seen{space_.vertex_unknown(c, i), cell.part});
+        }
+        for (const auto& [node, at] : seen) {
+            local_[node] = static_cast<std::int64_t>(grid_.points.size());
+            add_node(node, at.unknown, at.part);
+        }
+    }
+
     void add_cell(std::uint32_t c)
     {
         const auto& cell = machine_.cells[c];
-        const unsigned count = cell.kind == CellKind::hexahedron ? 8 : 4;
         std::vector<std::uint32_t> nodes;
-        for (unsigned i = 0; i < count; ++i) {
-            auto& local = local_[cell.nodes[i]];
-            if (local < 0) {
-                local = static_cast<std::int64_t>(grid_.points.size());
-                add_node(cell.nodes[i], space_.vertex_unknown(c, i), cell.part);
-            }
-            nodes.push_back(static_cast<std::uint32_t>(local));
-        }
-        grid_.add_cell(count == 8 ? VtuCell::hexahedron : VtuCell::tetrahedron, nodes);
+        for (unsigned i = 0; i < corners(cell); ++i)
+            nodes.push_back(static_cast<std::uint32_t>(local_[cell.nodes[i]]));
+        grid_.add_cell(nodes.size() == 8 ? VtuCell::hexahedron : VtuCell::tetrahedron, nodes);
         part_.push_back(static_cast<std::int32_t>(cell.part));
         body_.push_back(shown_.body_of_part[cell.part]);
     }
@@ -533,6 +553,7 @@ private:
     void add_node(std::uint32_t node, std::size_t unknown, std::uint32_t part)
     {
         grid_.points.push_back(machine_.nodes[node]);
+        node_.push_back(static_cast<std::int32_t>(node) + 1);
         celsius_.push_back(static_cast<float>(shown_.temperature[unknown] - zero_celsius));
         for (std::size_t k = 0; k < more_.size(); ++k) {
             const int count = shown_.point_data[k].components;
@@ -554,7 +575,7 @@ private:
     VtuGrid grid_;
     std::vector<std::int64_t> local_;  ///< per node: number in the file, or -1
     std::vector<float> celsius_, millimetre_;
-    std::vector<std::int32_t> part_, body_;
+    std::vector<std::int32_t> node_, part_, body_;
     std::vector<std::vector<float>> more_;
 };
 

@@ -33,6 +33,9 @@ struct VtuGrid {
     }
 };
 
+/// Array of the numbers of nodes, from 1, the same in all files of a mesh and in decks of other programs.
+inline constexpr const char* node_array_name = "node";
+
 using VtuValues = std::variant<std::vector<float>, std::vector<double>, std::vector<std::int32_t>>;
 
 /// Values at points or in cells; those of a vector follow each other (x, y, z, x, y, z, ...).

@@ -3,9 +3,9 @@
 #include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/write_file.hpp"
+#include "deadpoint/report/files/calculix_deck.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 #include <ostream>
@@ -13,13 +13,6 @@
 
 namespace deadpoint::report {
 namespace {
-
-std::string set_name(const std::string& prefix, std::string name)
-{
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return prefix + name;
-}
 
 // Number of an element's face by its nodes: CalculiX 2.20 manual, sections "C3D8" and "C3D4".
 int face_number(const Cell& cell, const Face& face)
@@ -67,7 +60,8 @@ void write_parts(std::ostream& out, const Machine& machine)
 {
     for (const auto& part : machine.parts) {
         const bool hexahedra = part.kind == CellKind::hexahedron;
-        fmt::print(out, "*ELEMENT, TYPE={}, ELSET={}\n", hexahedra ? "C3D8" : "C3D4", set_name("PART_", part.name));
+        fmt::print(out, "*ELEMENT, TYPE={}, ELSET={}\n", hexahedra ? "C3D8" : "C3D4",
+                   calculix_name("PART_", part.name));
         for (std::uint32_t c = part.first_cell; c < part.first_cell + part.cell_count; ++c) {
             fmt::print(out, "{}", c + 1);
             for (std::size_t i = 0; i < (hexahedra ? 8U : 4U); ++i)
@@ -84,12 +78,12 @@ void write_surfaces(std::ostream& out, const Machine& machine)
         for (const auto& entry : surface.faces)
             if (entry.central)
                 faces.insert(entry.face);
-        write_surface(out, machine, set_name("SURFACE_", surface.name), faces);
+        write_surface(out, machine, calculix_name("SURFACE_", surface.name), faces);
     }
     for (const auto& contact : machine.interfaces)
-        write_contact(out, machine, set_name("INTERFACE_", contact.name), contact);
+        write_contact(out, machine, calculix_name("INTERFACE_", contact.name), contact);
     for (const auto& contact : machine.bonds)
-        write_contact(out, machine, set_name("BOND_", contact.name), contact);
+        write_contact(out, machine, calculix_name("BOND_", contact.name), contact);
     std::set<std::uint32_t> symmetry;
     for (std::uint32_t f = 0; f < machine.faces.size(); ++f)
         if (machine.faces[f].symmetry)

@@ -16,7 +16,7 @@ namespace deadpoint::report {
 ///    bonded pair BOND_name_A and _B; a face that belongs to it in part is listed as a whole;
 ///  - the faces on the symmetry plane as SYMMETRY.
 /// Names have other characters than letters and digits replaced by '_'. Nodes and elements are numbered from 1, in
-/// the order of the machine. Materials, conditions and steps are left to the user.
+/// the order of the machine, as in mesh.vtu. Materials, ties and temperatures: write_calculix_deck().
 ///
 /// @param comments  version and the like, put at the top
 /// @throws IoError if the file cannot be written

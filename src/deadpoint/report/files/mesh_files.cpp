@@ -19,6 +19,8 @@ VtuArray cell_array(const std::string& name, Numbers values)
     return {name, VtuArray::Place::cell, 1, std::move(values)};
 }
 
+VtuArray node_array(Numbers numbers) { return {node_array_name, VtuArray::Place::point, 1, std::move(numbers)}; }
+
 void write_cells(const std::filesystem::path& path, const Machine& machine, const VtuNotes& notes)
 {
     VtuGrid grid;
@@ -33,7 +35,9 @@ void write_cells(const std::filesystem::path& path, const Machine& machine, cons
         parts.push_back(static_cast<std::int32_t>(cell.part));
         body_numbers.push_back(bodies.at(cell.part));
     }
-    const std::vector<VtuArray> arrays{cell_array("part", std::move(parts)),
+    Numbers nodes(machine.nodes.size());
+    std::iota(nodes.begin(), nodes.end(), 1);
+    const std::vector<VtuArray> arrays{node_array(std::move(nodes)), cell_array("part", std::move(parts)),
                                        cell_array("body", std::move(body_numbers))};
     write_vtu(path, grid, arrays, notes);
 }
@@ -67,20 +71,27 @@ Numbers interface_of_face(const Machine& machine)
     return result;
 }
 
-/// Keeps only the points that cells use, renumbered.
-void drop_unused_points(VtuGrid& grid)
+/// Keeps only the points that cells use, in their order. @return their former numbers, from 1
+Numbers drop_unused_points(VtuGrid& grid)
 {
-    constexpr auto unused = ~std::uint32_t{0};
-    std::vector<std::uint32_t> number(grid.points.size(), unused);
+    std::vector<std::uint32_t> number(grid.points.size(), 0);
+    for (const auto node : grid.connectivity) {
+        number[node] = 1;
+    }
     std::vector<Vec3> points;
-    for (auto& node : grid.connectivity) {
-        if (number[node] == unused) {
-            number[node] = static_cast<std::uint32_t>(points.size());
-            points.push_back(grid.points[node]);
+    Numbers former;
+    for (std::size_t i = 0; i < number.size(); ++i) {
+        if (number[i] != 0) {
+            number[i] = static_cast<std::uint32_t>(points.size());
+            points.push_back(grid.points[i]);
+            former.push_back(static_cast<std::int32_t>(i) + 1);
         }
+    }
+    for (auto& node : grid.connectivity) {
         node = number[node];
     }
     grid.points = std::move(points);
+    return former;
 }
 
 void write_faces(const std::filesystem::path& path, const Machine& machine, const VtuNotes& notes)
@@ -98,10 +109,11 @@ void write_faces(const std::filesystem::path& path, const Machine& machine, cons
         body_numbers.push_back(bodies.at(face.part));
         symmetry.push_back(face.symmetry ? 1 : 0);
     }
-    drop_unused_points(grid);
+    auto nodes = drop_unused_points(grid);
     std::vector<float> exposed(machine.faces.size(), 0.0F);
     std::ranges::transform(machine.exposed_fraction, exposed.begin(), [](double f) { return static_cast<float>(f); });
-    const std::vector<VtuArray> arrays{cell_array("part", std::move(parts)),
+    const std::vector<VtuArray> arrays{node_array(std::move(nodes)),
+                                       cell_array("part", std::move(parts)),
                                        cell_array("body", std::move(body_numbers)),
                                        cell_array("surface", surface_of_face(machine)),
                                        cell_array("interface", interface_of_face(machine)),

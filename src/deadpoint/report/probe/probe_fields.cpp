@@ -7,6 +7,7 @@
 #include "deadpoint/io/read_vtu.hpp"
 #include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/probe/field_files.hpp"
 #include "deadpoint/study/fields/field_place.hpp"
 
 #include <algorithm>
@@ -79,40 +80,6 @@ std::int32_t part_number(const casefile::Case& input, const ProbePlace& place)
                                               : fmt::format("did you mean '{}'?", near)));
 }
 
-std::string text_of(const ResultFiles& results, const std::string& name)
-{
-    auto text = results.read(name);
-    if (!text) {
-        throw InputError(
-            fmt::format("'{}' is missing\n  help: compute the case again", (results.folder() / name).string()));
-    }
-    return *std::move(text);
-}
-
-/// The field of one time: a file, or one of each rank.
-std::vector<VtuContents> pieces_of(const ResultFiles& results, const std::string& name)
-{
-    const auto text = text_of(results, name);
-    if (!name.ends_with(".pvtu")) {
-        return {parse_vtu(text, name)};
-    }
-    std::vector<VtuContents> pieces;
-    for (const auto& piece : parse_pvtu(text, name)) {
-        pieces.push_back(parse_vtu(text_of(results, piece), piece));
-    }
-    return pieces;
-}
-
-const std::vector<std::int32_t>& parts_of(const VtuContents& piece)
-{
-    const auto* array = piece.find("part");
-    const auto* values = array ? std::get_if<std::vector<std::int32_t>>(&array->values) : nullptr;
-    if (values == nullptr) {
-        throw InputError("a field file has no numbers of parts\n  help: compute the case again");
-    }
-    return *values;
-}
-
 /// A place in one of the pieces.
 struct PlaceInPieces {
     std::size_t piece = 0;
@@ -183,19 +150,6 @@ void add_time(const std::vector<VtuContents>& pieces, const PlaceInPieces& at, P
     }
 }
 
-std::vector<PvdEntry> times_of(const ResultFiles& results)
-{
-    const auto list = results.read("fields.pvd");
-    auto entries = list ? parse_pvd(*list, "fields.pvd") : std::vector<PvdEntry>{};
-    if (entries.empty()) {
-        throw InputError(
-            fmt::format("'{}' holds no fields\n  help: run the case with output.fields = true, or a reduced press that "
-                        "'deadpoint reduce --fields' built; output.field_times adds times to the end",
-                        results.folder().string()));
-    }
-    return entries;
-}
-
 }  // namespace
 
 std::vector<ProbePlace> probe_places(const std::vector<std::string>& texts)
@@ -223,8 +177,8 @@ ProbedFields probe_fields(const ResultFiles& results, const casefile::Case& inpu
         fields.places.push_back({place, 0, {}, {}});
     }
     std::vector<PlaceInPieces> found;
-    for (const auto& [time, file] : times_of(results)) {
-        const auto pieces = pieces_of(results, file);
+    for (const auto& [time, file] : field_times(results)) {
+        const auto pieces = field_pieces(results, file);
         for (std::size_t k = found.size(); k < places.size(); ++k) {  // all fields of a run have one mesh
             found.push_back(find(pieces, parts[k], places[k].position));
             require_inside(places[k], found[k].place);
