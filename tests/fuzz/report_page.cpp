@@ -19,6 +19,7 @@ std::string_view page_libraries() { return {}; }
 std::string_view page_licences() { return {}; }
 std::string_view page_data_script() { return {}; }
 std::string_view page_charts_script() { return {}; }
+std::string_view page_shape_script() { return {}; }
 std::string_view page_view_script() { return {}; }
 std::string_view page_stage_script() { return {}; }
 std::string_view page_linkage_script() { return {}; }

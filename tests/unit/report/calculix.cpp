@@ -1,5 +1,7 @@
 #include "../../scratch_folder.hpp"
+#include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/report/files/calculix_deck.hpp"
 #include "deadpoint/report/files/calculix_mesh.hpp"
 
 #include <doctest/doctest.h>
@@ -69,4 +71,53 @@ TEST_CASE("the mesh for CalculiX names parts, surfaces and sides of contacts, wi
               "*SURFACE, NAME=INTERFACE_pin_bush_B, TYPE=ELEMENT\n2, S1\n"));
     CHECK(text.ends_with("*SURFACE, NAME=SYMMETRY, TYPE=ELEMENT\n1, S6\n"));
     CHECK_FALSE(has("nothing"));
+}
+
+TEST_CASE("the deck for CalculiX holds materials, ties, supports without force and temperatures")
+{
+    auto machine = brick_and_tetrahedron();
+    machine.parts[0].body = "bed";
+    machine.parts[1].body = "tool";
+    machine.cells[1].part = 1;
+    Contact bond;
+    bond.name = "brick-1|tip";
+    bond.points = {{3, 6, {}, {}, {}, 0.25}};
+    bond.area_a = 1;
+    bond.area_b = 0.5;
+    machine.bonds = {bond};
+    machine.surfaces[0] = {"feet", {}, 0};
+    machine.surfaces[0].faces.push_back({2, 1});  // y = 0
+    casefile::Case input;
+    input.machine.initial_temperature = 293.15;
+    input.materials["iron"].youngs_modulus = 110e9;
+    input.materials["iron"].poissons_ratio = 0.26;
+    input.materials["iron"].expansion = 1.17e-5;
+    input.parts["brick-1"].material = input.parts["tip"].material = "iron";
+    input.bodies["bed"].ground = true;
+    input.bodies["tool"];
+    input.chain.emplace();
+    input.chain->ground_surface = "feet";
+    std::vector<double> temperatures(machine.nodes.size(), 20);
+    temperatures[11] = 31.5;
+    const ScratchFolder folder;
+    report::write_calculix_deck(folder.path / "deformation.inp", machine, input, temperatures, "mesh.inp", {});
+    const auto text = content(folder.path / "deformation.inp");
+    const auto has = [&](const std::string& piece) { return text.find(piece) != std::string::npos; };
+    CHECK(has(
+        "*INCLUDE, INPUT=mesh.inp\n*MATERIAL, NAME=M_iron\n*ELASTIC\n1.1e+11, 0.26\n*EXPANSION, ZERO=20\n1.17e-05\n"));
+    CHECK(has("*SOLID SECTION, ELSET=PART_brick_1, MATERIAL=M_iron\n"));
+    CHECK(has("BOND_brick_1_tip_B, BOND_brick_1_tip_A\n"));  // the triangle has the smaller face
+    CHECK(has("\n12, 31.5\n"));
+    // The face x = 0 is the plane of symmetry: nodes 1, 4, 5 and 8. The feet keep their height, one of them its z.
+    const auto from = text.find("*BOUNDARY\n") + 10;
+    const auto supports = text.substr(from, text.find('*', from) - from);
+    for (const char* held : {"1, 1, 1\n", "4, 1, 1\n", "5, 1, 1\n", "8, 1, 1\n", "1, 2, 2\n", "2, 2, 2\n", "5, 2, 2\n"})
+        CHECK_MESSAGE(supports.find(held) != std::string::npos, held);
+    CHECK(supports.find("\n3, 2, 2") == std::string::npos);  // it stands above the feet
+    // The tool is held six times, at three nodes.
+    int of_tool = 0;
+    for (const char* node : {"9, ", "10, ", "11, ", "12, "})
+        for (const char* axis : {"1, 1\n", "2, 2\n", "3, 3\n"})
+            of_tool += supports.find(std::string("\n") + node + axis) != std::string::npos ? 1 : 0;
+    CHECK(of_tool == 6);
 }

@@ -96,7 +96,7 @@ private:
     {
         Nodes result;
         std::ranges::set_difference(nodes, tied_, std::inserter(result, result.end()));
-        return result.empty() ? nodes : result;
+        return result.size() < 3 ? nodes : result;
     }
     [[nodiscard]] Nodes feet_of(const std::string& surface) const
     {
@@ -106,7 +106,7 @@ private:
                 for (const auto& entry : one.faces)
                     if (entry.central)
                         nodes.merge(nodes_of(machine_, entry.face));
-        return free(nodes);
+        return nodes;
     }
 
     /// On a plane of feet: they cannot lift, and two of them keep their place in it.
@@ -120,11 +120,12 @@ private:
             }
         const Vec3 edges = high - low;
         const auto up = static_cast<std::size_t>(std::ranges::min_element(edges) - edges.begin());
-        for (const auto node : feet)
+        const Nodes kept = free(feet);
+        for (const auto node : kept)
             hold(node, up);
         const bool half = cut(feet);
-        const auto first = *feet.begin();
-        const auto second = farthest(feet, [&](auto node) { return norm(at(node) - at(first)); });
+        const auto first = *kept.begin();
+        const auto second = farthest(kept, [&](auto node) { return norm(at(node) - at(first)); });
         const auto along = largest(at(second) - at(first));
         for (std::size_t i = 0; i < 3; ++i)
             if (i != up && !(half && i == 0))
