@@ -1194,3 +1194,32 @@ TEST_CASE("--accuracy refines, says what it took, and leaves the sizes")
     CHECK(limited.code == 0);
     CHECK(has(limited.out, "not reached: "));
 }
+
+TEST_CASE("init --step writes a case from an assembly that passes its check, or nothing")
+{
+    const Folder folder;
+    const std::string drawing = DEADPOINT_SOURCE_DIR "/cases/c-frame/press.step";
+    const auto result = deadpoint("init --step " + drawing + " " + (folder / "press"));
+    CHECK(result.code == 0);
+    CHECK(has(result.out, "17 solids in 4 bodies, 19 contacts: 6 of them in 4 joints"));
+    CHECK(has(result.out, "slide: slide, wrist_pin"));
+    CHECK(content(folder / "press/press.step") == content(drawing));
+    const auto file = folder / "press/case.toml";
+    const auto text = content(file);
+    const auto checked = deadpoint("check " + file + " --size 3");
+    CHECK(checked.code == 0);
+    CHECK(has(checked.out, "rod_crank.connecting_rod_crankshaft"));
+    const auto again = deadpoint("init --step " + drawing + " " + (folder / "press"));
+    CHECK(again.code == 5);
+    CHECK(has(again.err, "name another folder"));
+    CHECK(content(file) == text);
+
+    const auto none = deadpoint("init --step " + (folder / "none.step") + " " + (folder / "a"));
+    CHECK(none.code == 5);
+    CHECK(has(none.err, "there is no file"));
+    const auto other = deadpoint("init --step " DEADPOINT_SOURCE_DIR "/README.md " + (folder / "b"));
+    CHECK(other.code == 2);
+    CHECK(has(other.err, "is not a STEP file"));
+    CHECK_FALSE(std::filesystem::exists(folder / "a"));
+    CHECK_FALSE(std::filesystem::exists(folder / "b"));
+}
