@@ -1,8 +1,8 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/report/files/calculix_deck.hpp"
-#include "deadpoint/report/files/calculix_mesh.hpp"
+#include "deadpoint/report/mesh/calculix_deck.hpp"
+#include "deadpoint/report/mesh/calculix_mesh.hpp"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/case_films.hpp"
-#include "deadpoint/report/files/mesh_files.hpp"
+#include "deadpoint/report/mesh/mesh_files.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
 
 #include <doctest/doctest.h>

@@ -3,7 +3,7 @@
 #include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/core/units.hpp"
-#include "deadpoint/report/files/mesh_files.hpp"
+#include "deadpoint/report/mesh/mesh_files.hpp"
 #include "deadpoint/report/text/table.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/translate/heat.hpp"

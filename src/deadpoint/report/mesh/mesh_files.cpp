@@ -1,4 +1,4 @@
-#include "deadpoint/report/files/mesh_files.hpp"
+#include "deadpoint/report/mesh/mesh_files.hpp"
 
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/vtu.hpp"

@@ -1,4 +1,4 @@
-#include "deadpoint/report/files/calculix_deck.hpp"
+#include "deadpoint/report/mesh/calculix_deck.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/plain_text.hpp"

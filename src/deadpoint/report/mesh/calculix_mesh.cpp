@@ -1,9 +1,9 @@
-#include "deadpoint/report/files/calculix_mesh.hpp"
+#include "deadpoint/report/mesh/calculix_mesh.hpp"
 
 #include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/write_file.hpp"
-#include "deadpoint/report/files/calculix_deck.hpp"
+#include "deadpoint/report/mesh/calculix_deck.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
