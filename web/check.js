@@ -209,13 +209,18 @@ class SketchScene extends MachineShape {
     drawChain() {
         const pairs = [["E_SW", "table", "slide"], ["E_WG", "ground", "table"], ["E_CS", "slide", "crank"], ["E_BG", "ground", "crank"]];
         const places = sketch.chain, step = 0.045 * this.size, z = (this.low[2] + this.high[2]) / 2;
+        const { stroke } = places, right = stroke && [stroke[1], -stroke[0]];
+        const outside = stroke && Math.min(...[0, 1, 2, 3].map((corner) => [this.low, this.high][corner & 1][0] * right[0]
+            + [this.low, this.high][corner >> 1][1] * right[1]));
         return pairs.filter(([, from, to]) => places[from] && places[to]).map(([name, from, to]) => {
-            const x = this.low[0] - step * (name === "E_BG" ? 3 : 1.6);
-            const [low, high] = [places[from], places[to]];
-            this.line(this.layers.chain, [[x, low[1], z], [x, high[1], z]], conditions.chain[0], 0.0022);
-            for (const end of [low, high])
-                this.line(this.layers.chain, [[x - 0.3 * step, end[1], z], [end[0], end[1], z]], conditions.chain[0], 0.0007);
-            return { name, at: [x, (low[1] + high[1]) / 2, z], length: Math.abs(high[1] - low[1]) };
+            const [low, high] = [places[from], places[to]], aside = outside - step * (name === "E_BG" ? 3 : 1.6);
+            const put = (a, s) => [a * right[0] + s * stroke[0], a * right[1] + s * stroke[1], z];
+            const [bottom, top] = [low, high].map((place) => place[0] * stroke[0] + place[1] * stroke[1]);
+            this.line(this.layers.chain, [put(aside, bottom), put(aside, top)], conditions.chain[0], 0.0022);
+            for (const [end, s] of [[low, bottom], [high, top]])
+                this.line(this.layers.chain, [put(aside - 0.3 * step, s), put(end[0] * right[0] + end[1] * right[1], s)],
+                    conditions.chain[0], 0.0007);
+            return { name, at: put(aside, (bottom + top) / 2), length: Math.abs(top - bottom) };
         });
     }
 

@@ -19,18 +19,19 @@ function parallelSection(run) {
     const parallel = run.summary?.gaps?.parallelism;
     if (!parallel || !run.gaps) return null;
     const half = run.summary.model?.half_model;
-    const corners = gapLines(run, "corner_gap").filter((line) => !half || line.name.endsWith("left"))
-        .map((line) => (half ? { ...line, name: line.name.replace(" left", ", both sides") } : line));
+    const sideways = half && parallel.left_to_right.largest_um_per_m === 0;
+    const corners = gapLines(run, "corner_gap").filter((line) => !sideways || line.name.endsWith("left"))
+        .map((line) => (sideways ? { ...line, name: line.name.replace(" left", ", both sides") } : line));
     const gap = column(run.history, "dimension", gapName);
-    const slopes = [["slope_left_to_right", "left to right"], ["slope_front_to_back", "front to back"]].slice(half ? 1 : 0)
+    const slopes = [["slope_left_to_right", "left to right"], ["slope_front_to_back", "front to back"]].slice(sideways ? 1 : 0)
         .map(([kind, name]) => ({ name, x: gapHours(run), y: column(run.gaps, kind) }));
     const [across, along] = [parallel.left_to_right, parallel.front_to_back];
     const steepest = Math.abs(across.largest_um_per_m) > Math.abs(along.largest_um_per_m)
         ? ["to the right", "to the left", across] : ["at the back", "in front", along];
     return make("section", { id: "parallelism" }, make("h2", {}, "Slide parallelism"),
         make("p", {}, "Changes of the gap at the four corners of the slide since the start, at bottom dead point and unloaded. "
-            + "Front is z < 0, left is x < 0. "
-            + (half ? "Half of the press is computed, so left and right are mirror images and there is no slope between them. " : "")
+            + (parallel.directions ? `As the operator sees it: ${parallel.directions}. ` : "")
+            + (sideways ? "Half of the press is computed, so left and right are mirror images and there is no slope between them. " : "")
             + `The slope is steepest after ${duration(steepest[2].time_of_largest_s)}: the gap is wider `
             + `${steepest[2].largest_um_per_m > 0 ? steepest[0] : steepest[1]} by `
             + `${fixed(Math.abs(steepest[2].largest_um_per_m), 1)} µm per metre.`),

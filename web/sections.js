@@ -326,7 +326,7 @@ function aboutSection(run) {
     ["time steps", `${summary.solution.steps}`], ["computing time", duration(time)]);
     return make("section", { id: "about" }, make("h2", {}, "Units, citation, and how to repeat this"),
         make("p", {}, "Lengths in mm, changes in µm, temperatures in °C and their differences in K, heat in W, forces in kN. "
-            + "x points right, y up, z along the crankshaft."),
+            + "x and y lie across the crankshaft, z along it."),
         table(["", ""], rows),
         make("p", {}, `Cite as: deadpoint ${source.version}, thermal drift of mechanical presses at bottom dead point; case `
             + `“${source.case?.name}”, hash ${source.case?.hash}. The file CITATION.cff of the program has the full entry.`),

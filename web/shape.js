@@ -34,11 +34,13 @@ class MachineShape {
         this.canvas = canvas;
         this.positions = restored(shape.positions_m);
         this.half = shape.half_model;
+        this.directions = shape.directions ?? { front: [0, 0, 1], left: [-1, 0, 0], up: [0, 1, 0] };
         this.renderer = new L.WebGLRenderer({ canvas, antialias: true, alpha: false, preserveDrawingBuffer: true });
         this.renderer.setClearColor(0xffffff);
         this.renderer.localClippingEnabled = true;
         this.scene = new L.Scene();
         this.camera = new L.PerspectiveCamera(28, 1, 0.01, 200);
+        this.camera.up.set(...this.directions.up);
         this.scene.add(this.camera, new L.HemisphereLight(0xffffff, 0xd8d8d8, 2.3));
         const lamp = new L.DirectionalLight(0xffffff, 1.0);
         lamp.position.set(-0.4, 0.6, 1);
@@ -108,11 +110,18 @@ class MachineShape {
             mirrored: [outside.length, sharp.length] } };
     }
 
-    home(direction = [0.75, 0.42, 1.25]) {
+    /** A direction by its shares to the front, to the right and upwards, as who stands in front has them. */
+    towards([front, right, up]) {
+        const { directions } = this;
+        return [0, 1, 2].map((i) => front * directions.front[i] - right * directions.left[i] + up * directions.up[i]);
+    }
+
+    /** Looks at the whole machine. @param from  where the camera is: shares to the front, to the right and upwards */
+    home(from = [1.25, 0.75, 0.42]) {
         const middle = this.low.map((value, i) => (value + this.high[i]) / 2);
         const L = Libraries;
-        const back = new L.Vector3(...direction).normalize();
-        const right = new L.Vector3(0, 1, 0).cross(back).normalize();
+        const back = new L.Vector3(...this.towards(from)).normalize();
+        const right = new L.Vector3(...this.directions.up).cross(back).normalize();
         const up = back.clone().cross(right);
         // As near as possible with all eight corners of the machine's box in view.
         const slope = 0.92 * Math.tan(this.camera.fov * Math.PI / 360);
@@ -130,11 +139,16 @@ class MachineShape {
     }
 
     turn(horizontal, vertical) {
+        const L = Libraries;
         const offset = this.camera.position.clone().sub(this.controls.target);
-        const place = new Libraries.Spherical().setFromVector3(offset);
+        // In coordinates to the right, upwards and to the front; spherical ones have their pole upwards.
+        const { front, left, up } = this.directions;
+        const own = new L.Matrix4().set(-left[0], up[0], front[0], 0, -left[1], up[1], front[1], 0, -left[2], up[2], front[2], 0,
+            0, 0, 0, 1);
+        const place = new L.Spherical().setFromVector3(offset.applyMatrix4(own.clone().invert()));
         place.theta -= horizontal;
         place.phi = Math.min(Math.PI - 0.01, Math.max(0.01, place.phi - vertical));
-        this.camera.position.copy(this.controls.target).add(offset.setFromSpherical(place));
+        this.camera.position.copy(this.controls.target).add(offset.setFromSpherical(place).applyMatrix4(own));
         this.controls.update();
     }
 
@@ -253,8 +267,9 @@ class MachineShape {
     }
 }
 
-const presets = [["First view", undefined], ["From the front", [0, 0, 1]], ["From the side", [1, 0, 0]],
-    ["From above", [0, 1, 0.001]]];
+// Where the camera is: shares to the front, to the right and upwards.
+const presets = [["First view", undefined], ["From the front", [1, 0, 0]], ["From the left", [0, -1, 0]], ["From the right", [0, 1, 0]],
+    ["From the back", [-1, 0, 0]], ["From above", [0.001, 0, 1]]];
 
 /** The controls around a machine in three dimensions. */
 class ShapeStage {

@@ -1,6 +1,6 @@
 // The controls around the three-dimensional view.
 
-const poses = { front: [0, 0, 1], side: [1, 0, 0] };
+const poses = { front: [1, 0, 0], side: [0, 1, 0] };
 
 /** Section with the view of a run, or null where the folder has none. */
 function viewSection(run) {

@@ -37,7 +37,7 @@ class Fields {
 }
 
 /** The quantities that can be shown in colours: name, unit, values at vertices from the fields. */
-function quantities(fields) {
+function quantities(fields, up) {
     const list = [{ id: "rise", name: "temperature rise", unit: "K",
         values: (time) => fields.at(fields.temperature, time).map((value) => value - fields.initial) },
     { id: "temperature", name: "temperature", unit: "°C",
@@ -48,7 +48,7 @@ function quantities(fields) {
             return Float32Array.from({ length: u.length / 3 }, (_, i) => 1e6 * of(u[3 * i], u[3 * i + 1], u[3 * i + 2]));
         };
         list.push({ id: "moved", name: "displacement", unit: "µm", values: (time) => component(time, Math.hypot) },
-            { id: "up", name: "displacement upwards", unit: "µm", values: (time) => component(time, (x, y) => y) });
+            { id: "up", name: "displacement upwards", unit: "µm", values: (time) => component(time, (...u) => u[0] * up[0] + u[1] * up[1] + u[2] * up[2]) });
     }
     return list;
 }
@@ -71,7 +71,7 @@ class MachineScene extends MachineShape {
     constructor(canvas, view, motion) {
         super(canvas, view);
         this.fields = new Fields(view);
-        this.quantities = quantities(this.fields);
+        this.quantities = quantities(this.fields, this.directions.up);
         this.motion = motion;
         this.texture = new Libraries.DataTexture(new Uint8Array(4), 1, 1);
         this.materials.front.map = this.texture;

@@ -149,8 +149,8 @@ TEST_CASE("one expansion for all: clearances stay, the corners of the half press
             ++clearances;
         }
     CHECK(clearances == 18);  // twelve pins, four bearings with their rings, guides 4 and 10; guide 12 has one face
-    CHECK(values.at("gap front left") == Approx(1.1e-4 * 0.3).scale(0).epsilon(1e-5));
-    CHECK(values.at("gap back left") == Approx(1.1e-4 * 0.3).scale(0).epsilon(1e-5));
+    CHECK(values.at("gap front right") == Approx(1.1e-4 * 0.3).scale(0).epsilon(1e-5));
+    CHECK(values.at("gap back right") == Approx(1.1e-4 * 0.3).scale(0).epsilon(1e-5));
 }
 
 TEST_CASE("a slide warmer at the back tilts about its pin by alpha g times the distance to its face")
@@ -172,12 +172,13 @@ TEST_CASE("a slide warmer at the back tilts about its pin by alpha g times the d
             (along_z.at(std::string("gap back ") + side) - along_z.at(std::string("gap front ") + side)) / 0.2;
         CHECK(slope == Approx(alpha * gradient * (-0.7 + 0.34)).scale(0).epsilon(1e-4));
     }
+    // The operator stands at z < 0 (front = "-z") and has x > 0 on the left.
     // T = g x: the guide's faces, at x = +-0.15 with their middle at y = -0.575, keep their direction instead.
     const auto along_x =
         press.values(press.model.interpolate_field([&](const Vec3& x) { return start + gradient * x[0]; }));
     for (const char* side : {"front", "back"}) {
         const double slope =
-            (along_x.at(std::string("gap ") + side + " right") - along_x.at(std::string("gap ") + side + " left")) /
+            (along_x.at(std::string("gap ") + side + " left") - along_x.at(std::string("gap ") + side + " right")) /
             0.3;
         CHECK(slope == Approx(alpha * gradient * (-0.7 + 0.575)).scale(0).epsilon(1e-4));
     }

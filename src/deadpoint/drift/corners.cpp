@@ -166,7 +166,7 @@ std::vector<double> lift_by_tilt(const Machine& machine, const Linkage& linkage,
 
 std::vector<Corner> corner_gaps(const Machine& machine, const Linkage& linkage,
                                 const BottomDeadPointSensitivity& sensitivity, const ChainDescription& chain,
-                                const std::vector<Functional>& dimensions, const SlideTurn& turn)
+                                const std::vector<Functional>& dimensions, const SlideTurn& turn, const Vec3& front)
 {
     Functional travel;
     add(travel, 1, dimensions[slide_height]);
@@ -183,11 +183,13 @@ std::vector<Corner> corner_gaps(const Machine& machine, const Linkage& linkage,
     const Across across{right_of(linkage)};
     const auto places = nodes_of(machine, chain.slide_surface);
     std::vector<Corner> corners;
-    for (const auto& [depth, to_z] : {std::pair{"front", -1.0}, std::pair{"back", 1.0}})
-        for (const auto& [side, to_x] : {std::pair{"left", -1.0}, std::pair{"right", 1.0}}) {
-            if (machine.half_model && to_x > 0)
+    const Vec2 to_front = across.of(front), to_left = across.of(cross(front, stroke));
+    for (const auto& [depth, to_depth] : {std::pair{"front", to_front}, std::pair{"back", -1.0 * to_front}})
+        for (const auto& [side, to_side] : {std::pair{"left", to_left}, std::pair{"right", -1.0 * to_left}}) {
+            const Vec2 towards = to_depth + to_side;
+            if (machine.half_model && towards[0] > 0)
                 continue;
-            const auto place = farthest(places, across, {to_x, to_z});
+            const auto place = farthest(places, across, towards);
             const auto table = opposite(machine, chain.table_surface, across, place.position);
             const Vec2 at = across.of(place.position);
             Corner corner{std::string(depth) + " " + side, at[0], at[1], {}};

@@ -23,14 +23,15 @@ struct SlideTurn {
 };
 
 struct Corner {
-    std::string name;  ///< "front left": front is z < 0, right and left are those of the stroke's direction
+    std::string name;  ///< "front left"
     double x = 0;      ///< place along the direction to the right of the stroke: x where that points up [m]
     double z = 0;
     Functional gap;  ///< shift along the stroke of the slide's corner less that of the table's point below it
 };
 
-/// The gap at the corners of the slide's face, the points of it that reach farthest to left and right, front and back;
-/// below each, against the stroke, the table's point with the same x and z, or the nearest one.
+/// The gap at the corners of the slide's face, in the order front left, front right, back left, back right: the points of it
+/// that reach farthest there. Front is `front`, left is front x stroke, as who stands in front sees it.
+/// Below each, against the stroke, the table's point with the same x and z, or the nearest one.
 ///
 ///   gap = u_s(corner) - u_s(table below) + travel + theta_z (x - x_0) + tilt about the direction of x
 ///
@@ -40,9 +41,10 @@ struct Corner {
 /// that the tilts of all bodies give the joints; 0 if no joint holds it. Half model: the corners at
 /// x < 0; the others are their mirror images.
 ///
+/// @param front  unit vector, z or across the stroke
 /// @param dimensions  chain_functionals()
 std::vector<Corner> corner_gaps(const Machine& machine, const Linkage& linkage,
                                 const BottomDeadPointSensitivity& sensitivity, const ChainDescription& chain,
-                                const std::vector<Functional>& dimensions, const SlideTurn& turn);
+                                const std::vector<Functional>& dimensions, const SlideTurn& turn, const Vec3& front);
 
 }  // namespace deadpoint::drift

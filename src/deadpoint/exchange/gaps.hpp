@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/viewer.hpp"
 
 #include <optional>
 #include <string>
@@ -10,7 +11,7 @@ namespace deadpoint {
 
 /// The gap between slide and table at one corner of the slide, change since the start.
 struct CornerSeries {
-    std::string name;  ///< "front left": front is z < 0, left is x < 0
+    std::string name;  ///< "front left", as Viewer has it
     double x = 0;      ///< place of the corner, to the right of the stroke [m]
     double z = 0;
     Series gap;  ///< [m], > 0 opens
@@ -19,8 +20,9 @@ struct CornerSeries {
 /// Parallelism of slide and table.
 struct Parallelism {
     std::vector<CornerSeries> corners;  ///< front left, front right, back left, back right
-    Series left_right;                  ///< gap on the right less that on the left, over their distance along x [m/m]
-    Series front_back;                  ///< gap at the back less that in front, over their distance along z [m/m]
+    Series left_right;                  ///< gap on the right less that on the left, over their distance [m/m]
+    Series front_back;                  ///< gap at the back less that in front, over their distance [m/m]
+    Viewer viewer;                      ///< its left is front x stroke
 };
 
 /// A clearance over time.

@@ -1,9 +1,12 @@
 #include "deadpoint/exchange/named_axes.hpp"
 
-namespace deadpoint {
-namespace {
+#include <cmath>
+#include <iomanip>
+#include <sstream>
 
-std::optional<Vec3> direction(const std::string& name)
+namespace deadpoint {
+
+std::optional<Vec3> named_axis(const std::string& name)
 {
     const bool back = name.starts_with("-");
     const std::string letter = name.substr(back ? 1 : 0);
@@ -15,7 +18,24 @@ std::optional<Vec3> direction(const std::string& name)
     return result;
 }
 
-}  // namespace
+std::string axis_name(const Vec3& direction)
+{
+    for (std::size_t i = 0; i < 3; ++i)
+        if (std::abs(direction[i]) > 1 - 1e-9)
+            return (direction[i] < 0 ? "-" : "") + std::string(1, "xyz"[i]);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(2) << '(' << direction[0] << ", " << direction[1] << ", " << direction[2] << ')';
+    return text.str();
+}
+
+std::string side_name(const Vec3& direction)
+{
+    const auto name = axis_name(direction);
+    if (name.starts_with("("))
+        return "towards " + name;
+    return name.starts_with("-") ? name.substr(1) + " < 0" : name + " > 0";
+}
 
 std::optional<std::array<Vec3, 3>> named_axes(const std::vector<std::string>& names)
 {
@@ -24,7 +44,7 @@ std::optional<std::array<Vec3, 3>> named_axes(const std::vector<std::string>& na
         return std::nullopt;
     }
     for (std::size_t i = 0; i < axes.size(); ++i) {
-        const auto one = direction(names[i]);
+        const auto one = named_axis(names[i]);
         if (!one) {
             return std::nullopt;
         }

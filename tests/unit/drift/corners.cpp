@@ -1,3 +1,4 @@
+#include <array>
 #include "deadpoint/drift/corners.hpp"
 
 #include "contacts.hpp"
@@ -70,8 +71,6 @@ TEST_CASE("corners: the gap to the table's point below, on a table that bends as
     chain.table_surface = 1;
     std::vector<Functional> dimensions(dimension_count);
     dimensions[slide_height].points = {{0, {-0.2, 0, 0.1}, {0, 1, 0}}};
-    const auto corners = corner_gaps(machine, linkage, sensitivity, chain, dimensions, {{{0, 0}}, 0});
-    REQUIRE(corners.size() == 4);
     const auto slide_at = [](double x, double z) { return 11 - 4 * x + 6 * z; };  // [um]
     const auto table_at = [](double x, double z) { return 2 + 3 * x - 5 * z; };
     const auto displacement = [&](std::uint32_t face, const Vec3& at) {
@@ -79,16 +78,32 @@ TEST_CASE("corners: the gap to the table's point below, on a table that bends as
     };
     // The travel is the chain's height of the slide less the mean of its face, which a plane takes at its middle.
     const double travel = slide_at(-0.2, 0.1) - slide_at(0, 0);
-    std::size_t i = 0;
-    for (const double z : {-0.3, 0.3})
-        for (const double x : {-0.4, 0.4}) {
-            const auto& corner = corners[i++];
+    // Who stands at z > 0 and looks at the machine, y up, has x > 0 on the right; who walks around it by a quarter to x > 0
+    // has z < 0 there, at z < 0 x < 0, and at x < 0 z > 0. Places of front left, front right, back left, back right:
+    struct Seen {
+        Vec3 front;
+        std::array<Vec2, 4> places;
+    };
+    const std::array<Vec2, 4> from_z{{{-0.4, 0.3}, {0.4, 0.3}, {-0.4, -0.3}, {0.4, -0.3}}};
+    const std::array<Vec2, 4> from_x{{{0.4, 0.3}, {0.4, -0.3}, {-0.4, 0.3}, {-0.4, -0.3}}};
+    const std::array<Vec2, 4> from_back{{{0.4, -0.3}, {-0.4, -0.3}, {0.4, 0.3}, {-0.4, 0.3}}};
+    const std::array<Vec2, 4> from_left{{{-0.4, -0.3}, {-0.4, 0.3}, {0.4, -0.3}, {0.4, 0.3}}};
+    const std::array names{"front left", "front right", "back left", "back right"};
+    for (const auto& seen : {Seen{{0, 0, 1}, from_z}, Seen{{1, 0, 0}, from_x}, Seen{{0, 0, -1}, from_back},
+                             Seen{{-1, 0, 0}, from_left}}) {
+        const auto corners =
+            corner_gaps(machine, linkage, sensitivity, chain, dimensions, {{{0, 0}}, 0}, seen.front);
+        REQUIRE(corners.size() == 4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto& corner = corners[i];
+            const auto [x, z] = seen.places[i];
             CAPTURE(corner.name);
-            CHECK(corner.name == std::string(z < 0 ? "front " : "back ") + (x < 0 ? "left" : "right"));
+            CHECK(corner.name == names[i]);
             CHECK(corner.x == x);
             CHECK(corner.z == z);
             CHECK(value(corner.gap, displacement) == micrometres(slide_at(x, z) - table_at(x, z) + travel));
         }
+    }
 }
 
 TEST_CASE("corners do not feel how the slide stands, its rod aslant and its guide off the middle")
@@ -122,7 +137,7 @@ TEST_CASE("corners do not feel how the slide stands, its rod aslant and its guid
     chain.table_surface = 1;
     chain.crank_joint = 1;
     const auto dimensions = chain_functionals(machine, linkage, sensitivity, chain);
-    const auto corners = corner_gaps(machine, linkage, sensitivity, chain, dimensions, {{{0, 0}, {0, 0}}, 0});
+    const auto corners = corner_gaps(machine, linkage, sensitivity, chain, dimensions, {{{0, 0}, {0, 0}}, 0}, {0, 0, 1});
     REQUIRE(corners.size() == 4);
     const auto of_slide = [&](std::uint32_t face) {
         return face < 3 || (face >= machine.faces.size() && (face - machine.faces.size()) % 2 == 1);

@@ -4,6 +4,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/case_films.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/exchange/named_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,26 @@ std::variant<Vec2, Finding> stated_direction(const Case& c)
                    fmt::format("the slide's guide '{}' lies along [{:.6g}, {:.6g}], not along the stroke", guide->first,
                                along[0], along[1]),
                    "state it along the guide, from the table towards the slide, or remove it");
+}
+
+/// The axis, with its sign, that is nearest to a direction.
+Vec3 nearest_axis(const Vec3& direction)
+{
+    std::size_t most = 1;
+    for (const std::size_t i : {0u, 2u})
+        if (std::abs(direction[i]) > std::abs(direction[most]) + aligned)
+            most = i;
+    Vec3 axis{};
+    axis[most] = direction[most] < 0 ? -1 : 1;
+    return axis;
+}
+
+/// Where nothing but `up` is known: along the crankshaft, or of a press drawn on its back along y.
+Vec3 usual_front(const Vec3& up) { return std::abs(up[2]) > 0.5 ? Vec3{0, 1, 0} : Vec3{0, 0, 1}; }
+
+Finding front_mistake(const MachineSection& m, std::string message, std::string help)
+{
+    return mistake(m.front.empty() ? "machine.left" : "machine.front", std::move(message), std::move(help));
 }
 
 // Whether the height of a wall follows from the geometry.
@@ -120,9 +141,49 @@ Vec2 plane_gravity(const Case& c)
     return {standard_gravity * direction[0], standard_gravity * direction[1]};
 }
 
+std::variant<Viewer, Finding> find_viewer(const Case& c)
+{
+    const auto& m = c.machine;
+    const Vec3 against = -1.0 * normalised(m.gravity_direction);
+    Viewer viewer;
+    viewer.up = named_axis(m.up).value_or(nearest_axis(against));
+    if (dot(viewer.up, against) < std::sqrt(0.5) - aligned)
+        return mistake("machine.up", fmt::format("up is {}, but weights act along ({:.4g}, {:.4g}, {:.4g})",
+                                                 axis_name(viewer.up), -against[0], -against[1], -against[2]),
+                       fmt::format("add gravity_direction = [{:g}, {:g}, {:g}], or correct `up`", -viewer.up[0],
+                                   -viewer.up[1], -viewer.up[2]));
+    const auto front = named_axis(m.front), left = named_axis(m.left);
+    viewer.front = front ? *front : left ? deadpoint::cross(viewer.up, *left) : usual_front(viewer.up);
+    if ((front || left) && std::abs(dot(front ? *front : *left, viewer.up)) > aligned)
+        return front_mistake(m, fmt::format("it is along {}, as `up` is", axis_name(viewer.up)),
+                             "front, left and up stand at right angles: name three different axes");
+    viewer.left = deadpoint::cross(viewer.front, viewer.up);
+    if (left && dot(*left, viewer.left) < 1 - aligned)
+        return mistake("machine.left", fmt::format("who looks at the machine from {}, with {} up, has {} on the left, not {}",
+                                                   axis_name(viewer.front), axis_name(viewer.up),
+                                                   axis_name(viewer.left), m.left),
+                       fmt::format("remove `left`, or let it be \"{}\"", axis_name(viewer.left)));
+    const auto stroke = find_stroke_direction(c);
+    if (const auto* e = std::get_if<Vec2>(&stroke); e != nullptr && c.chain)
+        if (std::abs(dot(viewer.front, Vec3{(*e)[0], (*e)[1], 0})) > aligned)
+            return front_mistake(m, "the slide travels towards the front, so that its corners have no front and back",
+                                 "let the front be across the stroke, such as along the crankshaft: \"z\" or \"-z\"");
+    return viewer;
+}
+
+Viewer viewer_of(const Case& c)
+{
+    const auto found = find_viewer(c);
+    if (const auto* finding = std::get_if<Finding>(&found))
+        throw deadpoint::mistake(finding->path, finding->message, finding->help);
+    return std::get<Viewer>(found);
+}
+
 std::vector<Finding> check_directions(const Case& c)
 {
     std::vector<Finding> findings;
+    if (auto viewer = find_viewer(c); auto* finding = std::get_if<Finding>(&viewer))
+        findings.push_back(std::move(*finding));
     const bool symmetric =
         c.machine.half_model || std::ranges::any_of(c.bodies, [](const auto& entry) { return entry.second.mirror; });
     if (symmetric && std::abs(normalised(c.machine.gravity_direction)[0]) > aligned)

@@ -2,11 +2,12 @@
 
 #include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/core/vec.hpp"
+#include "deadpoint/exchange/viewer.hpp"
 
 #include <variant>
 #include <vector>
 
-/// The directions of a case: of gravity and of the stroke.
+/// The directions of a case: of gravity, of the stroke, and those that have names.
 namespace deadpoint::casefile {
 
 struct Case;
@@ -24,7 +25,16 @@ Vec2 stroke_direction(const Case& c);
 /// Gravity in the plane of the linkage, 9.81 m/s2 along `machine.gravity_direction` [m/s2].
 Vec2 plane_gravity(const Case& c);
 
-/// Checks stroke and gravity, also against a half model or bodies with mirror images.
+/// Front, left and up of `machine`: `up` is stated or the axis most against gravity; `front` is stated or up x left (the
+/// inverse of left = front x up) or, with neither, z where up is y. Returns a finding if they do not fit each other,
+/// gravity or the stroke.
+std::variant<Viewer, Finding> find_viewer(const Case& c);
+
+/// The same for a case that was checked.
+/// @throws InputError with that finding's message
+Viewer viewer_of(const Case& c);
+
+/// Checks stroke, gravity and the named directions, also against a half model or bodies with mirror images.
 std::vector<Finding> check_directions(const Case& c);
 
 }  // namespace deadpoint::casefile

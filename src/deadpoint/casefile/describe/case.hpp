@@ -209,6 +209,7 @@ struct MachineSection {
     double ambient = 293.15;
     Vec3 gravity_direction{0, -1, 0};   ///< of any length
     std::vector<std::string> unbonded;  ///< "part|part" patterns
+    std::string front, left, up;        ///< "x", "-z", ...; empty: see casefile/check/directions.hpp
 };
 
 struct ReferenceRise {

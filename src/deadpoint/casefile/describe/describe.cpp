@@ -74,7 +74,7 @@ void describe(Visitor& v, Case& c)
     v.about(
         "A case is one TOML file, or several by `include`. Every quantity is text with its unit, like `\"300 kN\"`; "
         "plain numbers have none. Coordinates are those of the machine at bottom dead point: z along the crankshaft, "
-        "x to the right and y up, unless `gravity_direction` in [machine] says otherwise.");
+        "x and y across it, y up unless [machine] says otherwise; seen from z > 0, x points to the right.");
     v.integer({"format", "version of this format; 1", required}, c.format, {1, 1, false});
     v.table({"machine", "the machine as a whole", required}, c.machine);
     v.named({"materials", "solids"}, c.materials, "name");
@@ -124,6 +124,18 @@ void describe(Visitor& v, MachineSection& m)
              m.gravity_direction, D::none);
     v.expect(norm(m.gravity_direction) > 0, "gravity_direction", "the direction has no length",
              "write it like [0, -1, 0]");
+    v.text({"front", "direction from the machine to its operator: x, y or z, or the opposite such as \"-z\", at right angles "
+                     "to the stroke; else by `left`, or z. Names of corners, slopes and views follow it"},
+           m.front);
+    v.text({"left", "direction to the left of the operator, who looks at the machine; follows from `front` and `up` "
+                    "(left = front x up: -x for front z and up y) and may be stated to check them, or in place of `front`"},
+           m.left);
+    v.text({"up", "direction of the views upwards; else the axis that is most against `gravity_direction`, which must "
+                  "fit it"},
+           m.up);
+    for (const auto& [key, name] : {std::pair{"front", m.front}, std::pair{"left", m.left}, std::pair{"up", m.up}})
+        v.expect(name.empty() || named_axis(name).has_value(), key, "this is not the name of an axis",
+                 "write x, y or z, or with a sign \"-x\", \"-y\" or \"-z\"");
     v.texts({"unbonded", "pairs \"part|part\" (`*` stands for any letters) of one body that touch but are not bonded. "
                          "All other touching parts of one body are in perfect contact"},
             m.unbonded);

@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/exchange/gaps.hpp"
+#include "deadpoint/exchange/named_axes.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/table.hpp"
@@ -102,8 +103,11 @@ nlohmann::ordered_json gaps_json(const GapSeries& gaps, const std::vector<double
     if (gaps.parallelism) {
         auto& parallel = json["parallelism"];
         parallel["terms"] =
-            "gap between slide and table at the slide's corners, change since the start; front is z < 0, "
-            "left is x < 0; a slope is positive where the gap opens more to the right or to the back";
+            "gap between slide and table at the slide's corners, change since the start; a slope is positive where the "
+            "gap opens more to the right or to the back";
+        const auto& viewer = gaps.parallelism->viewer;
+        parallel["directions"] =
+            fmt::format("front is {}, left is {}", side_name(viewer.front), side_name(viewer.left));
         for (const auto& corner : gaps.parallelism->corners) {
             auto entry = course_json(time, corner.gap, micrometre, "um");
             entry["x_mm"] = 1e3 * corner.x;

@@ -1,5 +1,6 @@
 #include "deadpoint/report/files/view_file.hpp"
 
+#include "deadpoint/casefile/check/directions.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/version.hpp"
@@ -140,6 +141,14 @@ Json surface_json(const Machine& machine, const DecimatedSurface& surface)
             {"parts", parts_json(machine, surface)}};
 }
 
+Json directions_json(const casefile::Case& input)
+{
+    const auto found = casefile::find_viewer(input);
+    const auto* viewer = std::get_if<Viewer>(&found);
+    const auto shown = viewer != nullptr ? *viewer : Viewer();
+    return {{"front", shown.front}, {"left", shown.left}, {"up", shown.up}};
+}
+
 Json view_json(const casefile::Case& input, const Machine& machine, const study::ViewData& view)
 {
     const auto& surface = view.surface;
@@ -155,6 +164,7 @@ Json view_json(const casefile::Case& input, const Machine& machine, const study:
     if (!view.displacement.base.empty())
         json["displacement_m"] = modal_json(view.displacement);
     json.update(surface_json(machine, surface));
+    json["directions"] = directions_json(input);
     json["probes"] = Json::array();
     for (const auto& [name, probe] : input.probes)
         json["probes"].push_back(

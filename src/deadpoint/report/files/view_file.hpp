@@ -41,6 +41,9 @@ std::string packed(std::span<const std::uint16_t> numbers);
 /// The keys of a surface and its parts, as in view.json: half_model, merged_within_m, vertices, positions_m, parts.
 nlohmann::ordered_json surface_json(const Machine& machine, const DecimatedSurface& surface);
 
+/// Unit vectors of front, left and up of a case, as in view.json; the usual ones where the case contradicts itself.
+nlohmann::ordered_json directions_json(const casefile::Case& input);
+
 /// Surface, parts, probes, and temperature [K] and displacement [m] as modes over time. Numbers in `data` are unsigned
 /// 16-bit integers, little-endian, in base64; a vector's components follow each other.
 nlohmann::ordered_json view_json(const casefile::Case& input, const Machine& machine, const study::ViewData& view);

@@ -1,5 +1,6 @@
 #include "deadpoint/report/page/sketch_json.hpp"
 
+#include "deadpoint/casefile/check/directions.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/pattern.hpp"
 #include "deadpoint/exchange/decimated_surface.hpp"
@@ -222,6 +223,8 @@ Json chain_json(const Case& input, const study::CaseSketch& sketch)
 {
     Json json = Json::object();
     const auto& chain = *input.chain;
+    const auto stroke = casefile::find_stroke_direction(input);
+    json["stroke"] = std::holds_alternative<Vec2>(stroke) ? std::get<Vec2>(stroke) : Vec2{0, 1};
     for (const auto& [key, surface] :
          {std::pair{"slide", chain.slide_surface}, {"table", chain.table_surface}, {"ground", chain.ground_surface}})
         if (const auto middle = sketch.machine ? middle_of(*sketch.machine, surface) : std::nullopt)
@@ -256,6 +259,7 @@ Json sketch_json(const Case& input, const study::CaseSketch& sketch)
         auto marks = marks_of(input, sketch);
         add_groups(surface, marks, json);
     }
+    json["directions"] = directions_json(input);
     json["joints"] = Json::array();
     for (const auto& [name, joint] : input.joints)
         json["joints"].push_back(joint_json(name, joint, sketch));

@@ -125,7 +125,7 @@ inline constexpr Column slide_speed{"slide_speed", "slide speed", "m/s", "upward
 inline constexpr Column acceleration{"slide_acceleration", "slide acceleration", "m/s2", "upwards"};
 inline constexpr Column process_force{"process_force", "process force", "N", "on the slide, upwards"};
 inline constexpr Column torque{"drive_torque", "drive torque", "N m", "torque of the drive on the crank"};
-inline constexpr Column force_x{"joint_force_x", "{joint} x", "N", "force on body_a by body_b, to the right"};
+inline constexpr Column force_x{"joint_force_x", "{joint} x", "N", "force on body_a by body_b, along x"};
 inline constexpr Column force_y{"joint_force_y", "{joint} y", "N", "the same, upwards"};
 inline constexpr Column moment{"joint_moment", "{joint} moment", "N m", "of a guide on body_a"};
 inline constexpr Column turning{"joint_turning_speed", "{joint} sliding", "rad/s",
@@ -138,12 +138,12 @@ inline constexpr std::array all{past_bottom, turn_time, speed,   height, slide_s
 
 namespace bearings {
 inline constexpr Column rigid_x{"rigid_bearing_force_x", "rigid {bearing} x", "N",
-                                "force on the bearing by a rigid shaft, to the right"};
+                                "force on the bearing by a rigid shaft, along x"};
 inline constexpr Column rigid_y{"rigid_bearing_force_y", "rigid {bearing} y", "N", "the same, upwards"};
 inline constexpr Column flexible_x{"flexible_bearing_force_x", "flexible {bearing} x", "N",
-                                   "force on the bearing by the flexible shaft, to the right"};
+                                   "force on the bearing by the flexible shaft, along x"};
 inline constexpr Column flexible_y{"flexible_bearing_force_y", "flexible {bearing} y", "N", "the same, upwards"};
-inline constexpr Column pin_x{"pin_deflection_x", "pin deflection x", "m", "of the crank pin, to the right"};
+inline constexpr Column pin_x{"pin_deflection_x", "pin deflection x", "m", "of the crank pin, along x"};
 inline constexpr Column pin_y{"pin_deflection_y", "pin deflection y", "m", "of the crank pin, upwards"};
 inline constexpr std::array all{past_bottom, turn_time, rigid_x, rigid_y, flexible_x, flexible_y, pin_x, pin_y};
 }  // namespace bearings

@@ -6,7 +6,7 @@ namespace {
 Keys bearing_keys()
 {
     return {{"peak_N", "N", "largest force"},
-            {"peak_x_N", "N", "largest magnitude to the right or left"},
+            {"peak_x_N", "N", "largest magnitude along x, either way"},
             {"peak_y_N", "N", "largest magnitude up or down"},
             {"mean_N", "N", "mean force, x and y"},
             {"mean_magnitude_N", "N", "mean of the magnitude"},
@@ -61,9 +61,9 @@ Keys joint_keys()
             {"force_N/peak", "N", "largest magnitude over the turn"},
             {"force_N/mean", "N", "mean of the magnitude"},
             {"force_N/rms", "N", "root mean square"},
-            {"force_N/peak_x", "N", "largest magnitude to the right or left"},
+            {"force_N/peak_x", "N", "largest magnitude along x, either way"},
             {"force_N/peak_y", "N", "largest magnitude up or down"},
-            {"force_N/at_bottom_x", "N", "at bottom dead point, to the right"},
+            {"force_N/at_bottom_x", "N", "at bottom dead point, along x"},
             {"force_N/at_bottom_y", "N", "at bottom dead point, upwards"},
             {"peak_moment_N_m", "N m", "of a guide"},
             {"mean_sliding_speed_m_per_s", "m/s", "of a guide"},

@@ -42,7 +42,10 @@ Keys view_keys()
 {
     return joined(
         {head_keys(),
-         {{"half_model", "", "true if half of the press is shown"},
+         {{"directions/front", "", "unit vector from the machine towards its operator"},
+          {"directions/left", "", "unit vector to the left of the operator"},
+          {"directions/up", "", "unit vector upwards"},
+          {"half_model", "", "true if half of the press is shown"},
           {"merged_within_m", "m", "size of the boxes within which nodes were merged; 0: none"},
           {"initial_temperature_K", "K", ""},
           {"largest_rise_K", "K", "largest rise of any node at any stored time"},

@@ -81,7 +81,8 @@ Keys gap_keys()
 {
     const std::string corner = "parallelism/corners/{corner}";
     return joined({
-        {{"parallelism/terms", "", "meaning of positive signs, in words"}},
+        {{"parallelism/terms", "", "meaning of positive signs, in words"},
+         {"parallelism/directions", "", "where front and left are, as \"front is z > 0, left is x < 0\""}},
         extreme_keys(corner, "um", "um", "change of the gap at this corner of the slide"),
         {{corner + "/x_mm", "mm", "position of the corner"}, {corner + "/z_mm", "mm", "position of the corner"}},
         extreme_keys("parallelism/left_to_right", "um_per_m", "um/m", "slope, above zero opens to the right"),

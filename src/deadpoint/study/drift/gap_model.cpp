@@ -1,5 +1,6 @@
 #include "deadpoint/study/drift/gap_model.hpp"
 
+#include "deadpoint/casefile/check/directions.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/drift/clearances.hpp"
@@ -62,18 +63,45 @@ std::string direction_name(const Vec3& across)
     return fmt::format("along ({:.2f}, {:.2f}, {:.2f})", across[0], across[1], across[2]);
 }
 
+/// "front left" becomes "front right" or, where the plane of symmetry lies between front and back, "back left".
+std::string mirrored_name(const std::string& name, bool sideways)
+{
+    const auto space = name.find(' ');
+    const auto depth = name.substr(0, space), side = name.substr(space + 1);
+    if (sideways)
+        return depth + (side == "left" ? " right" : " left");
+    return (depth == "front" ? "back " : "front ") + side;
+}
+
+/// The corners of a half with their images, in the order of Parallelism::corners.
+std::vector<CornerSeries> with_images(const std::vector<CornerSeries>& half)
+{
+    const auto depth = [](const CornerSeries& corner) { return corner.name.substr(0, corner.name.find(' ')); };
+    const bool sideways = depth(half[0]) != depth(half[1]);
+    std::vector<CornerSeries> all = half;
+    for (auto image : half) {
+        image.name = mirrored_name(image.name, sideways);
+        image.x = -image.x;
+        all.push_back(std::move(image));
+    }
+    constexpr std::array order{"front left", "front right", "back left", "back right"};
+    std::ranges::sort(all, {}, [&](const CornerSeries& corner) { return std::ranges::find(order, corner.name); });
+    return all;
+}
+
+/// Distance of two pairs of corners, along the axis that leads from one pair to the other [m].
+double distance(const CornerSeries& a0, const CornerSeries& a1, const CornerSeries& b0, const CornerSeries& b1)
+{
+    return 0.5 * std::max(std::abs(b0.x + b1.x - a0.x - a1.x), std::abs(b0.z + b1.z - a0.z - a1.z));
+}
+
 Parallelism parallelism(std::vector<CornerSeries> corners, bool mirrored)
 {
     if (mirrored)
-        for (const std::size_t at : {1u, 3u}) {
-            auto image = corners[at - 1];
-            image.name.replace(image.name.find("left"), 4, "right");
-            image.x = -image.x;
-            corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(at), std::move(image));
-        }
+        corners = with_images(corners);
     const auto& c = corners;
-    const double width = 0.5 * (c[1].x + c[3].x - c[0].x - c[2].x);
-    const double depth = 0.5 * (c[2].z + c[3].z - c[0].z - c[1].z);
+    const double width = distance(c[0], c[2], c[1], c[3]);
+    const double depth = distance(c[0], c[1], c[2], c[3]);
     const auto slope = [&](double length, const std::array<double, 4>& signs) {
         return combined({{signs[0] / length, &c[0].gap},
                          {signs[1] / length, &c[1].gap},
@@ -85,6 +113,15 @@ Parallelism parallelism(std::vector<CornerSeries> corners, bool mirrored)
     result.front_back = slope(depth, {-0.5, -0.5, 0.5, 0.5});
     result.corners = std::move(corners);
     return result;
+}
+
+/// Left and right of a slide are those of its stroke, wherever that points.
+Viewer viewer_at_slide(const casefile::Case& input)
+{
+    Viewer viewer = casefile::viewer_of(input);
+    const Vec2 stroke = casefile::stroke_direction(input);
+    viewer.left = cross(viewer.front, Vec3{stroke[0], stroke[1], 0});
+    return viewer;
 }
 
 // When initial + change first reaches 0, linear between the steps.
@@ -99,10 +136,11 @@ std::optional<double> used_up(const std::vector<double>& time, const ClearanceSe
     return std::nullopt;
 }
 
-void add_corners(GapModel& model, const Machine& machine, const ChainModel& chain)
+void add_corners(GapModel& model, const casefile::Case& input, const Machine& machine, const ChainModel& chain)
 {
+    const auto front = casefile::viewer_of(input).front;
     for (auto& corner : drift::corner_gaps(machine, chain.linkage, chain.sensitivity, chain.description,
-                                           chain.dimensions, slide_turn(chain))) {
+                                           chain.dimensions, slide_turn(chain), front)) {
         model.corners.push_back({corner.name, corner.x, corner.z, {}});
         model.functionals.push_back(std::move(corner.gap));
     }
@@ -158,7 +196,7 @@ GapModel describe_gaps(const casefile::Case& input, const Machine& machine, cons
     GapModel model;
     model.mirrored = machine.half_model;
     if (input.chain->corners)
-        add_corners(model, machine, chain);
+        add_corners(model, input, machine, chain);
     if (!input.chain->clearances)
         return model;
     int next = 0;
@@ -187,6 +225,7 @@ GapSeries gap_series(const casefile::Case& input, const GapModel& model, const T
         for (auto& corner : corners)
             corner.gap = combined({{1, &history.functionals[next++]}, {1, &drift.play}});
         result.parallelism = parallelism(std::move(corners), model.mirrored);
+        result.parallelism->viewer = viewer_at_slide(input);
     }
     result.left_out = model.left_out;
     for (const auto& clearance : model.clearances) {
