@@ -3,12 +3,15 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
+#include "deadpoint/report/schema/input_schema.hpp"
 #include "deadpoint/study/draft/draft.hpp"
 #include "output.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace fs = std::filesystem;
 
@@ -36,11 +39,19 @@ void say_next(const fs::path& file)
               file.string(), file.string(), (file.parent_path() / "results").string());
 }
 
+/// Writes the case, which begins with the line that tells editors its schema, and the schema beside it.
+void write_case(const fs::path& file, std::string_view text)
+{
+    constexpr const char* schema = "case.schema.json";
+    deadpoint::write_file(file, fmt::format("#:schema ./{}\n{}", schema, text), deadpoint::IfThere::refuse);
+    deadpoint::write_file(file.parent_path() / schema, deadpoint::report::schema::input_schema("case"));
+}
+
 void write_starter(const fs::path& folder)
 {
     create(folder);
     const fs::path file = folder / "case.toml";
-    deadpoint::write_file(file, deadpoint::casefile::starter_case(), deadpoint::IfThere::refuse);
+    write_case(file, deadpoint::casefile::starter_case());
     say_next(file);
 }
 
@@ -97,8 +108,7 @@ void write_draft(const InitOptions& options)
         deadpoint::machine::read_cad(drawing.stem().string(), drawing.string(), std::nullopt, [](double) {}));
     create(folder);
     copy_into(drawing, folder / drawing.filename());
-    deadpoint::write_file(file, deadpoint::study::draft_text(draft, drawing.filename().string()),
-                          deadpoint::IfThere::refuse);
+    write_case(file, deadpoint::study::draft_text(draft, drawing.filename().string()));
     say_what_was_found(draft);
     say_next(file);
 }

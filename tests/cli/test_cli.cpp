@@ -1117,6 +1117,22 @@ TEST_CASE("view makes the page where it is missing and hands it to the browser")
     CHECK(nowhere.err.empty());
 }
 
+TEST_CASE("init tells editors the schema of its case, which lies beside it")
+{
+    const Folder folder;
+    REQUIRE(deadpoint("init " + (folder / "plain")).code == 0);
+    REQUIRE(deadpoint("init --step " DEADPOINT_SOURCE_DIR "/cases/c-frame/press.step " + (folder / "drawn")).code == 0);
+    const auto schema = deadpoint("schema case").out;
+    for (const char* name : {"plain", "drawn"}) {
+        const auto file = folder / (std::string(name) + "/case.toml");
+        const auto text = content(file);
+        CHECK(text.starts_with("#:schema ./case.schema.json\n"));
+        CHECK(content(folder / (std::string(name) + "/case.schema.json")) == schema);
+    }
+    CHECK(content(folder / "plain/case.toml").ends_with(content(DEADPOINT_SOURCE_DIR "/cases/starter/case.toml")));
+    CHECK(content(folder / "drawn/case.toml").ends_with(content(DEADPOINT_SOURCE_DIR "/cases/c-frame/case.toml")));
+}
+
 TEST_CASE("check --view draws a case that passes and one that does not")
 {
     const Folder folder;
