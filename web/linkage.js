@@ -22,7 +22,12 @@ function hull(points) {
     return [...half(sorted), ...half(sorted.reverse())];
 }
 
-function linkageFigure(motion, joints) {
+/** Where who sees x to the right and y up stands, by the named directions of a view. */
+function seenFrom({ front, left }) {
+    return { front: front[2], back: -front[2], left: left[2], right: -left[2] };
+}
+
+function linkageFigure(motion, joints, directions) {
     const { bodies, joints: pins, past_bottom_deg: angles } = motion;
     const all = pins.flatMap((joint) => joint.places);
     const [lowX, highX] = [0, 1].map((k) => Math[k ? "max" : "min"](...all.map((p) => p[0])));
@@ -100,8 +105,10 @@ function linkageFigure(motion, joints) {
         };
         next();
     } }, "Play");
+    const side = directions && Object.entries(seenFrom(directions)).find(([, share]) => share > 0.5)?.[0];
+    const seen = side ? ` Seen from the ${side}, x to the right.` : "";
     const element = figure("linkage", "The linkage in motion", "Thin lines are the paths of the joints. Triangles are fixed pivots, "
-        + "squares are sliding joints.", draw, make("div", { class: "controls" }, button,
+        + "squares are sliding joints." + seen, draw, make("div", { class: "controls" }, button,
         make("label", { class: "grow" }, "Crank", slider, readout)));
     element.classList.add("linkage");
     entry = figures[figures.length - 1];

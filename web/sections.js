@@ -204,7 +204,7 @@ function loadsSection(run) {
     const parts = [make("h2", {}, "Loads over one turn"),
         make("p", {}, `At ${shown(loads.operation.speed_rpm)} rpm with ${shown(loads.operation.process_force_peak_N / 1000)} kN. `
             + `Stroke ${shown(loads.slide.stroke_mm, 4)} mm, largest drive torque ${shown(loads.drive.peak_torque_N_m)} N m.`)];
-    if (run.motion) parts.push(linkageFigure(run.motion, joints));
+    if (run.motion) parts.push(linkageFigure(run.motion, joints, run.view?.directions));
     if (angle) parts.push(
         lineChart({ id: "slide", title: "Height of the slide", x, y: ["height", "mm"], xTicks,
             series: [{ name: "slide", x: angle, y: column(joints, "slide_height").map((value) => 1000 * value) }] }),

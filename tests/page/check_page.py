@@ -466,6 +466,21 @@ def sketched(deadpoint, source, folder, name, *overrides):
     return file
 
 
+def check_views(page):
+    """The buttons stand where their names say. The small press has its front at z < 0, with x to the left."""
+    towards = "checked.scene.camera.position.clone().sub(checked.scene.controls.target).normalize().toArray()"
+    on_screen = ("[checked.scene.low, checked.scene.high].map(([x]) => checked.scene.project([x, -0.5, 0]))"
+                 ".map(([x]) => x)")
+    for name, direction in (("front", [0, 0, -1]), ("left", [1, 0, 0]), ("right", [-1, 0, 0]), ("back", [0, 0, 1]),
+                            ("above", [0, 1, 0])):
+        page.run(f"[...document.querySelectorAll('button')].find((b) => b.textContent === 'From {'the ' if name != 'above' else ''}{name}').click()")
+        for k, value in enumerate(page.run(towards)):
+            near(value, direction[k], 0.01, f"view from {name}, component {k}")
+        if name in ("front", "back"):
+            low, high = page.run(on_screen)  # of x
+            check((low > high) == (name == "front"), f"x points the wrong way as seen from the {name}: {low}, {high}")
+
+
 def check_sketch(page, deadpoint, source, folder, pictures):
     """The picture before solving: of a sound case, and of one with a mistake in a joint, a probe and a part."""
     red = "#d7191c"
@@ -490,6 +505,7 @@ def check_sketch(page, deadpoint, source, folder, pictures):
         set_control(page, control, value)
         page.settle()
         check(page.run(PIXELS)["sum"] != before, f"the sketch does not change by '{control}'")
+    check_views(page)
     page.open(sketched(deadpoint, source, folder, "joint", "joints.crank_pin.interfaces.0.diameter=140 mm"))
     wrong = page.run(SKETCH)
     check(len(wrong["labels"]) == 1 and "140 mm" in wrong["labels"][0], f"labels of the wrong joint: {wrong['labels']}")

@@ -29,9 +29,9 @@ struct Corner {
     Functional gap;  ///< shift along the stroke of the slide's corner less that of the table's point below it
 };
 
-/// The gap at the corners of the slide's face, in the order front left, front right, back left, back right: the points of it
-/// that reach farthest there. Front is `front`, left is front x stroke, as who stands in front sees it.
-/// Below each, against the stroke, the table's point with the same x and z, or the nearest one.
+/// The gap at the corners of the slide's face, in the order front left, front right, back left, back right: the points
+/// of it that reach farthest there. Front is `front`, left is front x stroke, as who stands in front sees it. Below
+/// each, against the stroke, the table's point with the same x and z, or the nearest one.
 ///
 ///   gap = u_s(corner) - u_s(table below) + travel + theta_z (x - x_0) + tilt about the direction of x
 ///

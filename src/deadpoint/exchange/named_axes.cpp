@@ -25,7 +25,8 @@ std::string axis_name(const Vec3& direction)
             return (direction[i] < 0 ? "-" : "") + std::string(1, "xyz"[i]);
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(2) << '(' << direction[0] << ", " << direction[1] << ", " << direction[2] << ')';
+    text << std::fixed << std::setprecision(2) << '(' << direction[0] << ", " << direction[1] << ", " << direction[2]
+         << ')';
     return text.str();
 }
 

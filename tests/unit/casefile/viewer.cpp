@@ -9,7 +9,8 @@ using casefile::Case;
 
 namespace {
 
-Case named(const std::string& front, const std::string& left = {}, const std::string& up = {}, Vec3 gravity = {0, -1, 0})
+Case named(const std::string& front, const std::string& left = {}, const std::string& up = {},
+           Vec3 gravity = {0, -1, 0})
 {
     Case input;
     input.machine.front = front;

@@ -1,8 +1,9 @@
-#include <array>
 #include "deadpoint/drift/corners.hpp"
 
 #include "contacts.hpp"
 #include "deadpoint/exchange/linkage.hpp"
+
+#include <array>
 
 using namespace deadpoint;
 using namespace deadpoint::drift;
@@ -78,8 +79,9 @@ TEST_CASE("corners: the gap to the table's point below, on a table that bends as
     };
     // The travel is the chain's height of the slide less the mean of its face, which a plane takes at its middle.
     const double travel = slide_at(-0.2, 0.1) - slide_at(0, 0);
-    // Who stands at z > 0 and looks at the machine, y up, has x > 0 on the right; who walks around it by a quarter to x > 0
-    // has z < 0 there, at z < 0 x < 0, and at x < 0 z > 0. Places of front left, front right, back left, back right:
+    // Who stands at z > 0 and looks at the machine, y up, has x > 0 on the right; who walks around it by a quarter to x
+    // > 0 has z < 0 there, at z < 0 x < 0, and at x < 0 z > 0. Places of front left, front right, back left, back
+    // right:
     struct Seen {
         Vec3 front;
         std::array<Vec2, 4> places;
@@ -89,10 +91,9 @@ TEST_CASE("corners: the gap to the table's point below, on a table that bends as
     const std::array<Vec2, 4> from_back{{{0.4, -0.3}, {-0.4, -0.3}, {0.4, 0.3}, {-0.4, 0.3}}};
     const std::array<Vec2, 4> from_left{{{-0.4, -0.3}, {-0.4, 0.3}, {0.4, -0.3}, {0.4, 0.3}}};
     const std::array names{"front left", "front right", "back left", "back right"};
-    for (const auto& seen : {Seen{{0, 0, 1}, from_z}, Seen{{1, 0, 0}, from_x}, Seen{{0, 0, -1}, from_back},
-                             Seen{{-1, 0, 0}, from_left}}) {
-        const auto corners =
-            corner_gaps(machine, linkage, sensitivity, chain, dimensions, {{{0, 0}}, 0}, seen.front);
+    for (const auto& seen :
+         {Seen{{0, 0, 1}, from_z}, Seen{{1, 0, 0}, from_x}, Seen{{0, 0, -1}, from_back}, Seen{{-1, 0, 0}, from_left}}) {
+        const auto corners = corner_gaps(machine, linkage, sensitivity, chain, dimensions, {{{0, 0}}, 0}, seen.front);
         REQUIRE(corners.size() == 4);
         for (std::size_t i = 0; i < 4; ++i) {
             const auto& corner = corners[i];
@@ -137,7 +138,8 @@ TEST_CASE("corners do not feel how the slide stands, its rod aslant and its guid
     chain.table_surface = 1;
     chain.crank_joint = 1;
     const auto dimensions = chain_functionals(machine, linkage, sensitivity, chain);
-    const auto corners = corner_gaps(machine, linkage, sensitivity, chain, dimensions, {{{0, 0}, {0, 0}}, 0}, {0, 0, 1});
+    const auto corners =
+        corner_gaps(machine, linkage, sensitivity, chain, dimensions, {{{0, 0}, {0, 0}}, 0}, {0, 0, 1});
     REQUIRE(corners.size() == 4);
     const auto of_slide = [&](std::uint32_t face) {
         return face < 3 || (face >= machine.faces.size() && (face - machine.faces.size()) % 2 == 1);

@@ -148,8 +148,9 @@ std::variant<Viewer, Finding> find_viewer(const Case& c)
     Viewer viewer;
     viewer.up = named_axis(m.up).value_or(nearest_axis(against));
     if (dot(viewer.up, against) < std::sqrt(0.5) - aligned)
-        return mistake("machine.up", fmt::format("up is {}, but weights act along ({:.4g}, {:.4g}, {:.4g})",
-                                                 axis_name(viewer.up), -against[0], -against[1], -against[2]),
+        return mistake("machine.up",
+                       fmt::format("up is {}, but weights act along ({:.4g}, {:.4g}, {:.4g})", axis_name(viewer.up),
+                                   -against[0], -against[1], -against[2]),
                        fmt::format("add gravity_direction = [{:g}, {:g}, {:g}], or correct `up`", -viewer.up[0],
                                    -viewer.up[1], -viewer.up[2]));
     const auto front = named_axis(m.front), left = named_axis(m.left);
@@ -159,9 +160,9 @@ std::variant<Viewer, Finding> find_viewer(const Case& c)
                              "front, left and up stand at right angles: name three different axes");
     viewer.left = deadpoint::cross(viewer.front, viewer.up);
     if (left && dot(*left, viewer.left) < 1 - aligned)
-        return mistake("machine.left", fmt::format("who looks at the machine from {}, with {} up, has {} on the left, not {}",
-                                                   axis_name(viewer.front), axis_name(viewer.up),
-                                                   axis_name(viewer.left), m.left),
+        return mistake("machine.left",
+                       fmt::format("who looks at the machine from {}, with {} up, has {} on the left, not {}",
+                                   axis_name(viewer.front), axis_name(viewer.up), axis_name(viewer.left), m.left),
                        fmt::format("remove `left`, or let it be \"{}\"", axis_name(viewer.left)));
     const auto stroke = find_stroke_direction(c);
     if (const auto* e = std::get_if<Vec2>(&stroke); e != nullptr && c.chain)

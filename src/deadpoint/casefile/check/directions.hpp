@@ -25,9 +25,9 @@ Vec2 stroke_direction(const Case& c);
 /// Gravity in the plane of the linkage, 9.81 m/s2 along `machine.gravity_direction` [m/s2].
 Vec2 plane_gravity(const Case& c);
 
-/// Front, left and up of `machine`: `up` is stated or the axis most against gravity; `front` is stated or up x left (the
-/// inverse of left = front x up) or, with neither, z where up is y. Returns a finding if they do not fit each other,
-/// gravity or the stroke.
+/// Front, left and up of `machine`: `up` is stated or the axis most against gravity; `front` is stated or up x left
+/// (the inverse of left = front x up) or, with neither, z where up is y. Returns a finding if they do not fit each
+/// other, gravity or the stroke.
 std::variant<Viewer, Finding> find_viewer(const Case& c);
 
 /// The same for a case that was checked.

@@ -124,11 +124,13 @@ void describe(Visitor& v, MachineSection& m)
              m.gravity_direction, D::none);
     v.expect(norm(m.gravity_direction) > 0, "gravity_direction", "the direction has no length",
              "write it like [0, -1, 0]");
-    v.text({"front", "direction from the machine to its operator: x, y or z, or the opposite such as \"-z\", at right angles "
-                     "to the stroke; else by `left`, or z. Names of corners, slopes and views follow it"},
+    v.text({"front",
+            "direction from the machine to its operator: x, y or z, or the opposite such as \"-z\", at right angles "
+            "to the stroke; else by `left`, or z. Names of corners, slopes and views follow it"},
            m.front);
-    v.text({"left", "direction to the left of the operator, who looks at the machine; follows from `front` and `up` "
-                    "(left = front x up: -x for front z and up y) and may be stated to check them, or in place of `front`"},
+    v.text({"left",
+            "direction to the left of the operator, who looks at the machine; follows from `front` and `up` "
+            "(left = front x up: -x for front z and up y) and may be stated to check them, or in place of `front`"},
            m.left);
     v.text({"up", "direction of the views upwards; else the axis that is most against `gravity_direction`, which must "
                   "fit it"},

@@ -159,7 +159,8 @@ void describe(Visitor& v, ProcessForce& p)
                             "no force above the last height"},
             p.over_height, {"height", D::length, D::none, any_value});
     v.flag({"both_ways", "`over_height` holds on the way up as well"}, p.both_ways);
-    v.quantity({"offset", "distance of the line of action from the slide's guided point, along x where the stroke points up (eccentric load)"},
+    v.quantity({"offset", "distance of the line of action from the slide's guided point, along x where the stroke "
+                          "points up (eccentric load)"},
                p.offset, D::length, any_value);
     v.expect(!p.from || !p.to || *p.from < *p.to, "to", "the force must end after it begins",
              "write it like from = \"255 deg\", to = \"285 deg\"");

@@ -2,8 +2,8 @@
 
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/exchange/gaps.hpp"
-#include "deadpoint/exchange/named_axes.hpp"
 #include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/exchange/named_axes.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 #include "deadpoint/report/text/table.hpp"
 

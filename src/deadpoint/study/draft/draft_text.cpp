@@ -129,7 +129,8 @@ private:
              file_, draft_.model.solids.size(), draft_.contacts.size());
         line("#   deadpoint check case.toml               is it sound, and what would be computed?");
         line("#   deadpoint run case.toml -o results      how far does it drift?");
-        line("# The drawing must show the press at bottom dead point. y points up, z along the crankshaft; seen from z > 0, "
+        line("# The drawing must show the press at bottom dead point. y points up, z along the crankshaft; seen from z "
+             "> 0, "
              "x points to the right.");
         for (const auto& name : draft_.model.without_solid) {
             line("# TO DO: '{}' holds no solid, only surfaces or curves; it is left out. Export it as a closed solid "
@@ -142,7 +143,8 @@ private:
             line("# turn every part by `axes`.");
         }
         line("format = 1\n\n[machine]\nname = \"press\"\ninitial_temperature = \"20 degC\"\nambient = \"20 degC\"");
-        line("front = \"z\"                       # TO DO: where the operator stands: \"z\", \"-z\" or, with the crankshaft "
+        line("front = \"z\"                       # TO DO: where the operator stands: \"z\", \"-z\" or, with the "
+             "crankshaft "
              "from left to right, \"x\", \"-x\"");
     }
 
