@@ -59,7 +59,7 @@ inline DriftCauses causes()
 inline GapSeries gaps()
 {
     GapSeries gaps;
-    gaps.parallelism = Parallelism{{{"front left", -0.1, -0.1, series(1e-6)}}, series(1e-6), series(1e-6)};
+    gaps.parallelism = Parallelism{{{"front left", -0.1, -0.1, series(1e-6)}}, series(1e-6), series(1e-6), {}};
     gaps.clearances.push_back({"pin", ClearanceSeries::Kind::bearing, series(1e-6), 8e-5, {}});
     gaps.left_out = {"guide: it has no faces"};
     gaps.force = series(1e3);
