@@ -219,7 +219,8 @@ def check_view(page, folder):
 
 
 def check_picking(page, view):
-    page.run("[...document.querySelectorAll('button')].find((b) => b.textContent === 'First view').click()")
+    # The middle of the view from the right shows a part; that of the first view looks through the opening of the press.
+    page.run("[...document.querySelectorAll('button')].find((b) => b.textContent === 'From the right').click()")
     set_control(page, "crank", 0)
     set_control(page, "time", 1000)
     page.key("p")
