@@ -43,6 +43,8 @@ CaseError mistake(const std::string& path, const std::string& message, const std
 
 std::string interface_path(const std::string& name)
 {
+    if (name.find('|') != std::string::npos)
+        return "bonds";
     const auto dot = name.find('.');
     return dot == std::string::npos ? "joints"
                                     : "joints." + name.substr(0, dot) + ".interfaces." + name.substr(dot + 1);

@@ -144,6 +144,14 @@ struct InterfaceDescription {
     bool partial = false;  ///< side a may reach beyond side b; else most of it must be covered
 };
 
+/// How heat passes between touching parts of one body that are held together without being one solid. They still move
+/// together.
+struct BondDescription {
+    std::string name;
+    std::vector<std::string> between;  ///< pairs "a|b" (patterns) of one body
+    bool open = false;                 ///< no heat passes; else that of a conductance
+};
+
 struct MachineDescription {
     std::vector<PartDescription> parts;
     std::vector<SurfaceDescription> surfaces;
@@ -153,6 +161,7 @@ struct MachineDescription {
     double seam_tolerance = 1e-5;       ///< surfaces of shapes of one part that are this close are joined [m]
     bool half_model = false;            ///< keep x <= 0 only; the cut faces become the symmetry plane
     std::vector<std::string> unbonded;  ///< pairs "a|b" (patterns) of one body that touch but are not bonded
+    std::vector<BondDescription> bonds;  ///< those that are not in perfect contact
 };
 
 // ---------------------------------------------------------------- output
@@ -223,8 +232,7 @@ struct ContactPoint {
     double weight = 0;  ///< area [m2], times the share of time it is in contact; sums to Contact::area
 };
 
-/// Two surfaces in contact: an interface of a joint, or a bond (perfect contact of two parts of one
-/// body).
+/// Two surfaces in contact: an interface of a joint, or a bond of two parts of one body.
 ///
 /// Where one body travels along the other, `points` hold the contact at every stop. The two
 /// positions of a point then meet at that stop. Each is given on its own body as drawn, where the
@@ -243,6 +251,7 @@ struct Contact {
     double max_gap = 0;                      ///< largest distance between two points that meet [m]
     std::uint32_t part_a = 0;                ///< interfaces join exactly one part to one part
     std::uint32_t part_b = 0;
+    bool perfect = true;  ///< of a bond: both sides have one temperature; else it conducts as an interface, or is open
     /// Share of the integrated side in contact as drawn, and the least over the travel.
     [[nodiscard]] double coverage() const { return area_a > 0 ? drawn_area / area_a : 0.0; }
     [[nodiscard]] double least_coverage() const { return area_a > 0 ? least_area / area_a : 0.0; }
@@ -318,8 +327,9 @@ struct Machine {
     std::vector<FaceGeometry> geometries;
     std::vector<MeshPart> parts;
     std::vector<MeshSurface> surfaces;  ///< in the order of the description
-    std::vector<Contact> interfaces;    ///< in the order of the description
-    std::vector<Contact> bonds;
+    /// Of joints, in the order of the description; then the bonds with a conductance, which are among `bonds` too.
+    std::vector<Contact> interfaces;
+    std::vector<Contact> bonds;  ///< all of them: what moves together
     std::vector<double> exposed_fraction;  ///< per face, mean over time, 0..1; 0 on the symmetry plane
     std::vector<Overlap> overlaps;
     std::vector<std::string> floating_parts;  ///< not connected: no bond, no interface

@@ -1,6 +1,7 @@
 #include "deadpoint/casefile/check/check.hpp"
 
 #include "deadpoint/casefile/check/belonging.hpp"
+#include "deadpoint/casefile/check/check_bonds.hpp"
 #include "deadpoint/casefile/check/check_elastic.hpp"
 #include "deadpoint/casefile/check/check_enclosures.hpp"
 #include "deadpoint/casefile/check/directions.hpp"
@@ -118,6 +119,7 @@ private:
         for (std::size_t i = 0; i < c_.machine.unbonded.size(); ++i) {
             check_pair(fmt::format("machine.unbonded.{}", i), c_.machine.unbonded[i]);
         }
+        add_all(check_bonds(c_));
         if (c_.crankshaft) {
             refer("crankshaft.material", "material", c_.crankshaft->material, c_.materials);
         }

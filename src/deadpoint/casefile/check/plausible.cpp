@@ -51,6 +51,8 @@ public:
         check_temperatures();
         for (const auto& [name, joint] : c_.joints)
             check_joint("joints." + name, joint);
+        for (const auto& [name, bond] : c_.bonds)
+            check_conductance("bonds." + name + ".conductance", bond.conductance);
         for (const auto& [name, surface] : c_.surfaces)
             if (surface.film)
                 check_film("surfaces." + name + ".film", *surface.film);
@@ -176,10 +178,12 @@ private:
         constexpr std::string_view help = "check the decade and the unit; 0 stands for no conduction";
         if (const auto* known = std::get_if<ContactResistance>(&conductance); known != nullptr && known->value != 0)
             expect(path + ".resistance", known->value, D::thermal_resistance, {1e-8, 0.2, "contacts have"}, help);
+        if (const auto* whole = std::get_if<WholeConductance>(&conductance); whole != nullptr && whole->value != 0)
+            expect(path + ".value", whole->value, D::heat_transfer_coefficient, {5, 1e8, "contacts have"}, help);
         if (const auto* films = std::get_if<SideFilms>(&conductance))
             for (const auto& [key, value] : {std::pair{"a", films->a}, std::pair{"b", films->b}})
                 if (value != 0)
-                    expect(fmt::format("{}.film_{}", path, key), value, D::heat_transfer_coefficient,
+                    expect(fmt::format("{}.side_{}", path, key), value, D::heat_transfer_coefficient,
                            {1, 1e8, "sides of contacts have"}, help);
     }
 

@@ -13,6 +13,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -108,8 +109,21 @@ struct Interface {
     std::optional<double> drawn_gap;  ///< largest distance of the sides as drawn [m]
 };
 
+/// Touching parts of one body that move together, but are not one solid for the heat.
+struct Bond {
+    std::vector<std::string> between;  ///< "part|part" patterns
+    Conductance conductance;
+};
+
+/// The seat of a ball joint: the zone of the ball between two circles about the line on which it is pressed.
+struct BallSeat {
+    double diameter = 0;                ///< [m]
+    double from = 0;                    ///< half angle of the relief in its middle, seen from the ball's centre [rad]
+    double to = 0.5 * std::numbers::pi;  ///< half angle to its rim [rad]
+};
+
 struct Joint {
-    enum class Kind { revolute, slide };
+    enum class Kind { revolute, slide, ball };
     Kind kind = Kind::revolute;
     std::vector<std::string> bodies;  ///< two
     Vec2 centre{};
@@ -122,6 +136,7 @@ struct Joint {
     bool driver = false;
     std::string friction;
     double oil_temperature = 293.15;
+    std::optional<BallSeat> ball;
     std::optional<double> clearance;  ///< at the start: diametral, or of both faces of a slide together [m]
     std::vector<JointElement> elements;
     std::vector<Interface> interfaces;
@@ -239,6 +254,7 @@ struct Case {
     std::map<std::string, SpeedGrowth> oil_with_speed;  ///< of the oil coefficients, by friction law
     std::map<std::string, OilCircuit> oil_circuits;
     std::map<std::string, Joint> joints;
+    std::map<std::string, Bond> bonds;
     std::map<std::string, Surface> surfaces;
     std::map<std::string, HeatInput> heat_sources;
     std::map<std::string, Enclosure> enclosures;
@@ -265,7 +281,7 @@ inline constexpr auto spelling<Lubricant::Law> = std::array<std::string_view, 3>
 template <>
 inline constexpr auto spelling<JointElement::Type> = std::array<std::string_view, 3>{"rolling", "plain", "guide"};
 template <>
-inline constexpr auto spelling<Joint::Kind> = std::array<std::string_view, 2>{"revolute", "slide"};
+inline constexpr auto spelling<Joint::Kind> = std::array<std::string_view, 3>{"revolute", "slide", "ball"};
 template <>
 inline constexpr auto spelling<Surface::Select> =
     std::array<std::string_view, 6>{"exposed", "all", "plane", "cylinder", "box", "group"};

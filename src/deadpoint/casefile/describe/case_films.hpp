@@ -34,6 +34,11 @@ struct ContactResistance {
     double value = 0;  ///< 0: no conduction [m2 K/W]
 };
 
+/// A known conductance of the whole contact, split equally between the sides.
+struct WholeConductance {
+    double value = 0;  ///< 0: no conduction [W/m2/K]
+};
+
 /// A known conductance to each side.
 struct SideFilms {
     double a = 0;  ///< [W/m2/K]
@@ -84,8 +89,11 @@ struct RollingElements {
 };
 
 /// Known values, or a law with its parameters. Conductivity and elasticity are those of the parts.
-using Conductance = std::variant<ContactResistance, SideFilms, FractalContact, RoughContact, OilFilm, RollingElements>;
+using Conductance = std::variant<ContactResistance, SideFilms, FractalContact, RoughContact, OilFilm, RollingElements,
+                                 WholeConductance>;
 
+/// Stated to let no heat pass.
+bool is_open(const Conductance& conductance);
 /// Empty for known values.
 std::string_view law_name(const Conductance& conductance);
 

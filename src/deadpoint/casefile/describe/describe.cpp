@@ -89,6 +89,8 @@ void describe(Visitor& v, Case& c)
             c.oil_with_speed, "friction law");
     v.named({"oil_circuits", "circulating oil that warms from joint to joint"}, c.oil_circuits, "name");
     v.named({"joints", "connections of two bodies"}, c.joints, "name");
+    v.named({"bonds", "touching parts of one body that are not in perfect contact for heat: bolted, clamped, shimmed"},
+            c.bonds, "name");
     v.named({"surfaces", "named sets of faces, with a boundary condition"}, c.surfaces, "name");
     v.named({"heat_sources", "heat of a motor, a clutch or a belt"}, c.heat_sources, "name");
     v.named({"enclosures", "volumes of air inside the machine, each with its own temperature"}, c.enclosures, "name");
@@ -139,7 +141,8 @@ void describe(Visitor& v, MachineSection& m)
         v.expect(name.empty() || named_axis(name).has_value(), key, "this is not the name of an axis",
                  "write x, y or z, or with a sign \"-x\", \"-y\" or \"-z\"");
     v.texts({"unbonded", "pairs \"part|part\" (`*` stands for any letters) of one body that touch but are not bonded. "
-                         "All other touching parts of one body are in perfect contact"},
+                         "Other touching parts of one body are bonded, in perfect contact unless [bonds] states a "
+                         "conductance"},
             m.unbonded);
 }
 
@@ -341,6 +344,7 @@ void describe(Visitor& v, Joint& j)
     v.quantity({"clearance", "clearance of each of its bearings at the start, on the diameter; for a slide, of both "
                              "faces together. A run warns when heat uses it up"},
                j.clearance, D::length, positive);
+    v.table({"ball", "seat of a ball joint"}, j.ball);
     v.list({"elements", "the bearings or bushes that share the joint"}, j.elements);
     v.list({"interfaces", "pairs of touching surfaces"}, j.interfaces);
     v.expect(j.bodies.size() == 2, "bodies", "a joint connects two bodies",
@@ -351,8 +355,26 @@ void describe(Visitor& v, Joint& j)
     v.expect(j.swept || j.kind == Joint::Kind::slide, "swept", "only a slide travels along a guide", "remove `swept`");
     v.expect(!j.guide_length || (j.kind == Joint::Kind::slide && j.guides_rotation), "guide_length",
              "only a slide that guides rotation carries a moment over its length", "remove `guide_length`");
-    v.expect(!j.driver || j.kind != Joint::Kind::slide, "driver", "a slide cannot drive the crank",
+    v.expect(!j.driver || j.kind == Joint::Kind::revolute, "driver",
+             j.kind == Joint::Kind::ball ? "a ball joint cannot drive the crank" : "a slide cannot drive the crank",
              "name a revolute joint as driver");
+    v.expect(j.ball || j.kind != Joint::Kind::ball, "kind", "a ball joint needs its seat",
+             "add ball = { diameter = \"80 mm\" }");
+    v.expect(!j.ball || j.kind == Joint::Kind::ball, "ball", "only a ball joint has a spherical seat",
+             "remove `ball`, or let `kind` be \"ball\"");
+}
+
+void describe(Visitor& v, BallSeat& s)
+{
+    v.about("The zone of the ball that touches its socket. The joint turns like a pin about z; its friction, contact "
+            "pressure and conductance are those of the seat, whose heat enters at the interfaces as drawn.");
+    constexpr double quarter = 0.5 * std::numbers::pi;
+    v.quantity({"diameter", "diameter of the ball", required}, s.diameter, D::length, positive);
+    v.quantity({"from", "half angle of the relief in the middle of the seat, from the line of force"}, s.from, D::angle,
+               {0, quarter, false});
+    v.quantity({"to", "half angle to the rim of the seat; \"90 deg\" for a half ball"}, s.to, D::angle,
+               {0, quarter, false});
+    v.expect(s.from < s.to, "to", "the rim of the seat lies inside its relief", "let `to` be larger than `from`");
 }
 
 void describe(Visitor& v, JointElement& e)
@@ -393,6 +415,19 @@ void describe(Visitor& v, Interface& i)
            i.stands_still);
     v.flag({"seat", "its fitted centre on the ground body is the joint's centre there"}, i.seat);
     v.flag({"journal", "its fitted centre on the moving body is the joint's centre there"}, i.journal);
+}
+
+void describe(Visitor& v, Bond& b)
+{
+    v.about("Parts of one body that are held together without being one solid. They still move together; heat passes "
+            "by a conductance. Where the parts do not touch, or [machine] leaves them `unbonded`, there is no bond.");
+    v.texts({"between", "pairs \"part|part\" (`*` stands for any letters) of touching parts of one body", required},
+            b.between);
+    v.table({"conductance", "contact conductance; { value = \"0 W/m^2/K\" }: no heat passes", required},
+            b.conductance);
+    v.expect(!std::holds_alternative<RollingElements>(b.conductance), "conductance",
+             "rolling elements conduct in a joint; the parts of a body do not turn against each other",
+             "give a `value`, a `resistance` or a law of surfaces, or make the bearing a joint");
 }
 
 void describe(Visitor& v, Surface& s)

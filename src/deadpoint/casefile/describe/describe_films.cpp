@@ -81,6 +81,7 @@ void describe_length(Visitor& v, std::optional<double>& length)
 
 /// Conductances that are known.
 struct Known {
+    std::optional<double> value;
     double resistance = 0;
     double side_a = 0;
     double side_b = 0;
@@ -89,18 +90,24 @@ struct Known {
 Known known_of(const Conductance& c)
 {
     if (const auto* sides = std::get_if<SideFilms>(&c)) {
-        return {0, sides->a, sides->b};
+        return {{}, 0, sides->a, sides->b};
+    }
+    if (const auto* value = std::get_if<WholeConductance>(&c)) {
+        return {value->value, 0, 0, 0};
     }
     const auto* whole = std::get_if<ContactResistance>(&c);
-    return {whole != nullptr ? whole->value : 0, 0, 0};
+    return {{}, whole != nullptr ? whole->value : 0, 0, 0};
 }
 
 void check_known(Visitor& v, const Known& known, bool law)
 {
     const bool whole = known.resistance > 0;
     const bool sides = known.side_a > 0 || known.side_b > 0;
-    v.expect(whole || sides || law, "", "the conductance is not given",
-             "give `resistance`, both `side_a` and `side_b`, or a `law`");
+    const bool value = known.value.has_value();
+    v.expect(value || whole || sides || law, "", "the conductance is not given",
+             "give `value`, `resistance`, both `side_a` and `side_b`, or a `law`");
+    v.expect(!(value && (whole || sides || law)), "value", "the conductance is given twice",
+             "keep one of `value`, `resistance`, the two sides and `law`");
     v.expect(!(whole && sides), "resistance", "the conductance is given twice",
              "keep either `resistance` or `side_a` and `side_b`");
     v.expect(!(law && (whole || sides)), "law", "the conductance is given twice",
@@ -112,6 +119,12 @@ void check_known(Visitor& v, const Known& known, bool law)
 }  // namespace
 
 std::string_view law_name(const Conductance& conductance) { return name_in(conductance_laws(), conductance); }
+
+bool is_open(const Conductance& conductance)
+{
+    const auto* known = std::get_if<WholeConductance>(&conductance);
+    return known != nullptr && known->value == 0;
+}
 
 std::string_view law_name(const Film& film) { return name_in(film_laws(), film.law); }
 
@@ -173,10 +186,12 @@ void describe(Visitor& v, RollingElements& e)
 
 void describe(Visitor& v, Conductance& c)
 {
-    v.about("The contact conductance: the resistance of the whole contact, the conductance to each side, or a `law` "
-            "that computes it. Laws use conductivity and elasticity of the materials of the two parts; their result is "
+    v.about("The contact conductance: the conductance or the resistance of the whole contact, the conductance to each "
+            "side, or a `law` that computes it. Laws use conductivity and elasticity of the materials of the two parts; their result is "
             "split equally between the sides.");
     Known known = known_of(c);
+    v.quantity({"value", "conductance of the whole contact, split equally between the sides; 0: no heat passes"},
+               known.value, D::heat_transfer_coefficient, non_negative);
     v.quantity({"resistance", "resistance of the whole contact, split equally between the sides"}, known.resistance,
                D::thermal_resistance, non_negative);
     v.quantity({"side_a", "conductance to side a"}, known.side_a, D::heat_transfer_coefficient, non_negative);
@@ -189,7 +204,9 @@ void describe(Visitor& v, Conductance& c)
              law, names_in(conductance_laws()));
     v.laws("law", law, laws_of(conductance_laws(), c));
     check_known(v, known, !law.empty());
-    if (law.empty() && known.resistance > 0) {
+    if (law.empty() && known.value) {
+        c = WholeConductance{*known.value};
+    } else if (law.empty() && known.resistance > 0) {
         c = ContactResistance{known.resistance};
     } else if (law.empty()) {
         c = SideFilms{known.side_a, known.side_b};

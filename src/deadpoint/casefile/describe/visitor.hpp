@@ -77,6 +77,8 @@ void describe(Visitor& v, GuideFriction& f);
 void describe(Visitor& v, Joint& j);
 void describe(Visitor& v, JointElement& e);
 void describe(Visitor& v, Interface& i);
+void describe(Visitor& v, BallSeat& s);
+void describe(Visitor& v, Bond& b);
 void describe(Visitor& v, Conductance& c);
 void describe(Visitor& v, FractalContact& c);
 void describe(Visitor& v, RoughContact& c);

@@ -74,12 +74,7 @@ struct OtherWord {
 };
 
 constexpr std::array other_words{
-    OtherWord{"ball", "revolute",
-              "a ball joint turns like a pin in the plane of the linkage: use \"revolute\" with its `centre`, and "
-              "describe its contact by surfaces"},
-    OtherWord{"spherical", "revolute",
-              "a spherical joint turns like a pin in the plane of the linkage: use \"revolute\" with its `centre`, and "
-              "describe its contact by surfaces"},
+    OtherWord{"spherical", "ball", "a spherical joint is a \"ball\""},
     OtherWord{"pin", "revolute", "a pin is \"revolute\""},
     OtherWord{"hinge", "revolute", "a hinge is \"revolute\""},
     OtherWord{"bearing", "revolute", "a bearing is \"revolute\""},

@@ -415,7 +415,8 @@ void Discretisation::add_pattern_across(const std::vector<ContactPoint>& points,
 void Discretisation::add_bond_pattern(dealii::DynamicSparsityPattern& pattern) const
 {
     for (const auto& bond : machine.bonds)
-        add_pattern_across(bond.points, pattern);
+        if (bond.perfect)
+            add_pattern_across(bond.points, pattern);
 }
 
 void Discretisation::cell_nodes(std::uint32_t index, std::vector<std::size_t>& unknowns,
@@ -553,7 +554,7 @@ void for_each_bond_pair(const Discretisation& space, const std::function<void(co
     const auto& faces = space.machine.faces;
     BondPair pair;
     for (const auto& bond : space.machine.bonds)
-        for (auto point = bond.points.begin(); point != bond.points.end();) {
+        for (auto point = bond.points.begin(); bond.perfect && point != bond.points.end();) {
             const auto face_a = point->face_a, face_b = point->face_b;
             const auto end = std::find_if(point, bond.points.end(),
                                           [&](const auto& p) { return p.face_a != face_a || p.face_b != face_b; });

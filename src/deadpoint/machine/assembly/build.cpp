@@ -3,6 +3,7 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
+#include "deadpoint/machine/assembly/bonds.hpp"
 #include "deadpoint/machine/assembly/contacts.hpp"
 #include "deadpoint/machine/assembly/inspect.hpp"
 #include "deadpoint/machine/assembly/interfaces.hpp"
@@ -440,7 +441,9 @@ void connect(const MachineDescription& description, Assembly& assembly, Mistakes
     for (const Contact& contact : machine.interfaces) {
         joined.push_back({std::min(contact.part_a, contact.part_b), std::max(contact.part_a, contact.part_b)});
     }
-    machine.bonds = find_bonds(assembly, description.unbonded, joined, covered);
+    machine.bonds = find_bonds(assembly, description, joined, covered, mistakes);
+    const std::vector<Contact> conducting = conducting_bonds(machine.bonds, description);
+    machine.interfaces.insert(machine.interfaces.end(), conducting.begin(), conducting.end());
     machine.exposed_fraction = exposed_fractions(machine, covered);
     for (std::size_t i = 0; i < machine.faces.size(); ++i) {
         const Face& face = machine.faces[i];
@@ -460,7 +463,7 @@ void select_surfaces(const MachineDescription& description, Assembly& assembly, 
 void warn_about(const Machine& machine, Observer& observer)
 {
     for (const Contact& contact : machine.interfaces) {
-        if (contact.least_coverage() >= least_coverage) {
+        if (!contact.perfect || contact.least_coverage() >= least_coverage) {
             continue;
         }
         if (contact.stroke == 0) {

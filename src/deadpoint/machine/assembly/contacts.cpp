@@ -1,11 +1,9 @@
 #include "deadpoint/machine/assembly/contacts.hpp"
 
-#include "deadpoint/core/pattern.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/exchange/round_edges.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
-#include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/geometry/chart.hpp"
 #include "deadpoint/machine/parts/part_mesh.hpp"
@@ -20,7 +18,6 @@ namespace deadpoint::machine {
 
 namespace {
 
-constexpr double least_bond_area = 1e-8;
 /// Shares of a face smaller than this are noise of the clipping.
 constexpr double least_share = 1e-10;
 
@@ -344,38 +341,6 @@ double length_of(const std::vector<TravelStop>& travel)
     return longest;
 }
 
-bool apart(const BoxShape& a, const BoxShape& b)
-{
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (a.min[i] > b.max[i] + contact_tolerance || b.min[i] > a.max[i] + contact_tolerance) {
-            return true;
-        }
-    }
-    return false;
-}
-
-using PatternPair = std::array<std::string, 2>;
-
-std::vector<PatternPair> pattern_pairs(const std::vector<std::string>& unbonded)
-{
-    std::vector<PatternPair> pairs;
-    for (const std::string& text : unbonded) {
-        const std::size_t bar = text.find('|');
-        if (bar == std::string::npos || bar == 0 || bar + 1 == text.size()) {
-            throw InputError(fmt::format("unbonded pair '{}' is not of the form 'part|part'", text));
-        }
-        pairs.push_back({text.substr(0, bar), text.substr(bar + 1)});
-    }
-    return pairs;
-}
-
-bool listed(const std::vector<PatternPair>& pairs, const std::string& a, const std::string& b)
-{
-    return std::any_of(pairs.begin(), pairs.end(), [&](const PatternPair& pair) {
-        return (matches(pair[0], a) && matches(pair[1], b)) || (matches(pair[0], b) && matches(pair[1], a));
-    });
-}
-
 }  // namespace
 
 Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, double gap, std::vector<double>& covered,
@@ -425,49 +390,6 @@ Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, dou
         contact.part_b = machine.faces[contact.points_as_drawn().front().face_b].part;
     }
     return contact;
-}
-
-std::vector<Contact> find_bonds(const Assembly& assembly, const std::vector<std::string>& unbonded,
-                                const std::vector<std::array<std::uint32_t, 2>>& joined, std::vector<double>& covered)
-{
-    const Machine& machine = assembly.machine;
-    const std::vector<PatternPair> pairs = pattern_pairs(unbonded);
-    std::vector<std::vector<std::uint32_t>> geometries(machine.parts.size());
-    for (std::uint32_t g = 0; g < machine.geometries.size(); ++g) {
-        geometries[assembly.part_of_geometry[g]].push_back(g);
-    }
-    const auto touching = [&](std::uint32_t own, std::uint32_t other) {
-        std::vector<std::uint32_t> faces;
-        for (const std::uint32_t g : geometries[own]) {
-            const auto fits = [&](std::uint32_t h) {
-                return can_touch(machine.geometries[g], machine.geometries[h], contact_tolerance);
-            };
-            if (std::any_of(geometries[other].begin(), geometries[other].end(), fits)) {
-                faces.insert(faces.end(), assembly.faces_of_geometry[g].begin(), assembly.faces_of_geometry[g].end());
-            }
-        }
-        return faces;
-    };
-    std::vector<Contact> bonds;
-    for (std::uint32_t i = 0; i < machine.parts.size(); ++i) {
-        for (std::uint32_t j = i + 1; j < machine.parts.size(); ++j) {
-            const MeshPart& a = machine.parts[i];
-            const MeshPart& b = machine.parts[j];
-            const std::array<std::uint32_t, 2> pair{i, j};
-            if (a.body != b.body || apart(assembly.bounds[i], assembly.bounds[j]) || listed(pairs, a.name, b.name) ||
-                std::find(joined.begin(), joined.end(), pair) != joined.end()) {
-                continue;
-            }
-            Contact bond =
-                find_contact(assembly, {touching(i, j), {}}, {touching(j, i), {}}, contact_tolerance, covered);
-            if (bond.area < least_bond_area) {
-                continue;
-            }
-            bond.name = a.name + "|" + b.name;
-            bonds.push_back(std::move(bond));
-        }
-    }
-    return bonds;
 }
 
 }  // namespace deadpoint::machine

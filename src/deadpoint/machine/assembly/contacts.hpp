@@ -28,11 +28,4 @@ struct Side {
 Contact find_contact(const Assembly& assembly, const Side& a, const Side& b, double gap, std::vector<double>& covered,
                      const std::vector<TravelStop>& travel = {});
 
-/// All bonds between touching parts of one body.
-/// @param unbonded  pairs "a|b" of name patterns
-/// @param joined    pairs of parts (lower index first) that an interface joins, not to be bonded
-/// @throws InputError for pairs that are not of the form "a|b"
-std::vector<Contact> find_bonds(const Assembly& assembly, const std::vector<std::string>& unbonded,
-                                const std::vector<std::array<std::uint32_t, 2>>& joined, std::vector<double>& covered);
-
 }  // namespace deadpoint::machine

@@ -81,7 +81,8 @@ void write_surfaces(std::ostream& out, const Machine& machine)
         write_surface(out, machine, calculix_name("SURFACE_", surface.name), faces);
     }
     for (const auto& contact : machine.interfaces)
-        write_contact(out, machine, calculix_name("INTERFACE_", contact.name), contact);
+        if (contact.perfect)  // the others are bonds
+            write_contact(out, machine, calculix_name("INTERFACE_", contact.name), contact);
     for (const auto& contact : machine.bonds)
         write_contact(out, machine, calculix_name("BOND_", contact.name), contact);
     std::set<std::uint32_t> symmetry;

@@ -48,7 +48,7 @@ std::string conductance_table(const HeatTables& tables)
     table.align_left(1);
     for (const auto& c : tables.conductances)
         table.add_row(
-            {fmt::format("{}.{}", c.joint, c.name), c.law, c.pressure ? significant(megapascal * *c.pressure) : "",
+            {c.joint.empty() ? c.name : fmt::format("{}.{}", c.joint, c.name), c.law, c.pressure ? significant(megapascal * *c.pressure) : "",
              marked(fmt::format("{:.3g}", c.resistance()), c.in_range), significant(c.film_a), significant(c.film_b)});
     return table.text();
 }

@@ -87,6 +87,9 @@ std::string interfaces_section(const Case& description, const Machine& machine)
     table.align_left(2);
     table.align_left(3);
     for (const auto& contact : machine.interfaces) {
+        if (!contact.perfect) {
+            continue;  // a bond
+        }
         const auto joint = description.joints.find(contact.name.substr(0, contact.name.find('.')));
         table.add_row(
             {contact.name, joint == description.joints.end() ? "" : std::string(casefile::name_of(joint->second.kind)),
@@ -100,9 +103,12 @@ std::string interfaces_section(const Case& description, const Machine& machine)
 
 std::string bonds_section(const Machine& machine)
 {
-    TextTable table({"bonded pair", "area [cm2]"});
+    TextTable table({"bonded pair", "area [cm2]", "heat"});
+    table.align_left(2);
     for (const auto& contact : machine.bonds) {
-        table.add_row({contact.name, significant(1e4 * contact.area, 4)});
+        const bool conducts = std::ranges::find(machine.interfaces, contact.name, &Contact::name) != machine.interfaces.end();
+        table.add_row({contact.name, significant(1e4 * contact.area, 4),
+                       contact.perfect ? "perfect contact" : conducts ? "by a conductance" : "open"});
     }
     return section(fmt::format("Bonded pairs ({})", machine.bonds.size()), table);
 }

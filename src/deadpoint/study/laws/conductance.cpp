@@ -1,6 +1,7 @@
 #include "deadpoint/study/laws/conductance.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/pattern_pair.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
@@ -21,17 +22,24 @@ namespace {
 
 using tribology::ContactConductance;
 
+/// The joint of an interface.
+struct OfJoint {
+    const std::string& name;
+    const casefile::Joint& joint;
+    const casefile::Interface& interface;
+    std::size_t first;  ///< index of the joint's first interface in Machine::interfaces
+};
+
 /// One interface with all data that its law may need.
 struct Place {
     const casefile::Case& input;
     const Machine& machine;
     const LoadsResult* loads;
     double speed;
-    const std::string& joint_name;
-    const casefile::Joint& joint;
-    const casefile::Interface& interface;
-    std::size_t index;  ///< index into Machine::interfaces
-    std::size_t first;  ///< index of the joint's first interface there
+    const casefile::Conductance& conductance;
+    std::string path;
+    std::size_t index;             ///< index into Machine::interfaces
+    std::optional<OfJoint> joint;  ///< none for a bond
 
     [[nodiscard]] const Contact& contact() const { return machine.interfaces[index]; }
     /// Uses the values at the initial temperature.
@@ -43,28 +51,24 @@ struct Place {
     {
         return at_temperature(input.materials.at(called), input.machine.initial_temperature);
     }
-    [[nodiscard]] std::string path() const
-    {
-        return fmt::format("joints.{}.interfaces.{}", joint_name, interface.name);
-    }
 };
 
 /// The joint exists once in the press, of which the half model holds a half.
 bool halved(const Place& at)
 {
-    return at.machine.half_model && std::ranges::none_of(at.joint.bodies, [&](const std::string& body) {
+    return at.machine.half_model && std::ranges::none_of(at.joint->joint.bodies, [&](const std::string& body) {
                return at.input.bodies.at(body).mirror;
            });
 }
 
 double area_side_by_side(const Place& at)
 {
+    const auto& own = at.joint->interface;
     double area = 0;
-    for (std::size_t i = 0; i < at.joint.interfaces.size(); ++i) {
-        const auto& other = at.joint.interfaces[i];
-        if (other.seat == at.interface.seat && other.journal == at.interface.journal &&
-            other.stands_still == at.interface.stands_still)
-            area += at.machine.interfaces[at.first + i].area;
+    for (std::size_t i = 0; i < at.joint->joint.interfaces.size(); ++i) {
+        const auto& other = at.joint->joint.interfaces[i];
+        if (other.seat == own.seat && other.journal == own.journal && other.stands_still == own.stands_still)
+            area += at.machine.interfaces[at.joint->first + i].area;
     }
     return halved(at) ? 2 * area : area;
 }
@@ -81,13 +85,18 @@ double mean_load(const LoadsResult& loads, const std::string& joint)
 
 double contact_pressure(const Place& at, const std::optional<double>& given, InterfaceConductance& result)
 {
+    if (!given && !at.joint)
+        throw mistake(at.path + ".conductance",
+                      fmt::format("the law \"{}\" needs the contact pressure, which no load of a joint gives to a bond",
+                                  casefile::law_name(at.conductance)),
+                      "add pressure = \"5 MPa\": the force of the bolts divided by the area");
     if (!given && !at.loads)
         throw mistake(
-            at.path() + ".conductance",
+            at.path + ".conductance",
             fmt::format("the law \"{}\" needs the contact pressure, and there are no loads to compute it from",
-                        casefile::law_name(at.interface.conductance)),
+                        casefile::law_name(at.conductance)),
             "add pressure = \"1 MPa\", or describe the linkage with its driver and slide body");
-    result.pressure = given ? *given : mean_load(*at.loads, at.joint_name) / area_side_by_side(at);
+    result.pressure = given ? *given : mean_load(*at.loads, at.joint->name) / area_side_by_side(at);
     result.pressure_from_loads = !given;
     return *result.pressure;
 }
@@ -167,6 +176,11 @@ void set_films(const Place&, const casefile::ContactResistance& known, Interface
     result.film_a = result.film_b = known.value > 0 ? 2 / known.value : 0;
 }
 
+void set_films(const Place&, const casefile::WholeConductance& known, InterfaceConductance& result)
+{
+    result.film_a = result.film_b = 2 * known.value;
+}
+
 void set_films(const Place&, const casefile::SideFilms& known, InterfaceConductance& result)
 {
     result.film_a = known.a;
@@ -185,13 +199,28 @@ void set_films(const Place& at, const Law& law, InterfaceConductance& result)
 InterfaceConductance conductance_of(const Place& at)
 {
     InterfaceConductance result;
-    result.joint = at.joint_name;
-    result.name = at.interface.name;
+    result.joint = at.joint ? at.joint->name : "";
+    result.name = at.joint ? at.joint->interface.name : at.contact().name;
+    result.path = at.path;
     result.area = at.contact().area;
-    const auto law = casefile::law_name(at.interface.conductance);
+    const auto law = casefile::law_name(at.conductance);
     result.law = law.empty() ? "given" : law;
-    std::visit([&](const auto& given) { set_films(at, given, result); }, at.interface.conductance);
+    std::visit([&](const auto& given) { set_films(at, given, result); }, at.conductance);
     return result;
+}
+
+/// The stated bond of a contact, "part|part".
+const std::pair<const std::string, casefile::Bond>& bond_of(const casefile::Case& input, const std::string& contact)
+{
+    const auto parts = pattern_pair(contact).value_or(PatternPair{});
+    const auto found = std::ranges::find_if(input.bonds, [&](const auto& entry) {
+        return std::ranges::any_of(entry.second.between, [&](const std::string& text) {
+            return pattern_pair(text).value_or(PatternPair{}).names(parts.first, parts.second);
+        });
+    });
+    if (found == input.bonds.end())
+        throw InputError(fmt::format("[bonds] states no bond of '{}'", contact));
+    return *found;
 }
 
 }  // namespace
@@ -207,8 +236,8 @@ std::string out_of_range_text(const InterfaceConductance& conductance)
     std::string reasons;
     for (const auto& note : conductance.notes)
         reasons += (reasons.empty() ? "" : "; ") + note;
-    return fmt::format("joints.{}.interfaces.{}: the conductance by law '{}' is outside its tested range: {}",
-                       conductance.joint, conductance.name, conductance.law, reasons);
+    return fmt::format("{}: the conductance by law '{}' is outside its tested range: {}", conductance.path,
+                       conductance.law, reasons);
 }
 
 std::vector<InterfaceConductance> interface_conductances(const casefile::Case& input, const Machine& machine,
@@ -219,10 +248,23 @@ std::vector<InterfaceConductance> interface_conductances(const casefile::Case& i
     for (const auto& [name, joint] : input.joints) {
         const std::size_t first = result.size();
         for (const auto& interface : joint.interfaces) {
-            const Place at{input, machine, loads, speed, name, joint, interface, result.size(), first};
+            const Place at{input,
+                           machine,
+                           loads,
+                           speed,
+                           interface.conductance,
+                           fmt::format("joints.{}.interfaces.{}", name, interface.name),
+                           result.size(),
+                           OfJoint{name, joint, interface, first}};
             auto& conductance = result.emplace_back();
-            mistakes.attempt(at.path(), [&] { conductance = conductance_of(at); });
+            mistakes.attempt(at.path, [&] { conductance = conductance_of(at); });
         }
+    }
+    while (result.size() < machine.interfaces.size()) {
+        const auto& [name, bond] = bond_of(input, machine.interfaces[result.size()].name);
+        const Place at{input, machine, loads, speed, bond.conductance, "bonds." + name, result.size(), {}};
+        auto& conductance = result.emplace_back();
+        mistakes.attempt(at.path, [&] { conductance = conductance_of(at); });
     }
     mistakes.raise();
     return result;

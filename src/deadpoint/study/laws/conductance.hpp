@@ -20,8 +20,9 @@ namespace deadpoint::study {
 
 /// The conductance of one interface and its source.
 struct InterfaceConductance {
-    std::string joint;
-    std::string name;
+    std::string joint;  ///< empty: a bond
+    std::string name;   ///< of the interface, or of the bonded pair
+    std::string path;   ///< of the key in the case
     std::string law;                 ///< "given" where the case states the value
     std::optional<double> pressure;  ///< only of laws that need it [Pa]
     bool pressure_from_loads = false;
@@ -34,7 +35,7 @@ struct InterfaceConductance {
     [[nodiscard]] double resistance() const { return 1 / film_a + 1 / film_b; }  ///< R'' [m2 K/W]
 };
 
-/// Conductances of all interfaces, in the order of the machine's.
+/// Conductances of all interfaces, in the order of the machine's: of joints, then of bonds with a conductance.
 ///
 /// A law's conductance h is split equally between the sides, film_a = film_b = 2 h. If the case
 /// states no contact pressure, it is the mean load of the joint over the turn divided by the area

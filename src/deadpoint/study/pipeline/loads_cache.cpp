@@ -26,6 +26,7 @@ std::string loads_part(const casefile::Case& input, int segment)
         joint.clearance.reset();
         joint.interfaces.clear();
     }
+    read.bonds.clear();
     read.surfaces.clear();
     read.heat_sources.clear();
     read.enclosures.clear();

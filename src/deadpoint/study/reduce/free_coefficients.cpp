@@ -58,6 +58,9 @@ std::optional<double> oil_temperature_of(const HeatProblem& problem, std::size_t
                : std::nullopt;
 }
 
+/// One of the bonds after the interfaces of joints: it never sees oil.
+bool is_bond(const Contact& contact) { return contact.name.find('|') != std::string::npos; }
+
 bool is_free(const Span& span) { return span.from < span.to; }
 
 // Segments may have other coefficients than the first one; a draw multiplies each segment's own.
@@ -114,9 +117,14 @@ void add_joints(Collector& box, const SplitProblem& split, const Machine& machin
     const auto& laws = laws_in(split.problem, split.problem.segments.front());
     for (std::size_t i = 0; i < laws.size(); ++i) {
         const auto& name = machine.interfaces[i].name;
+        const bool bond = is_bond(machine.interfaces[i]);
         for (const std::size_t side : {0U, 1U})
-            box.add(ranges.by_piece ? fmt::format("joints.{}.{}", name, side == 0 ? "a" : "b") : "joints." + name,
+            box.add(bond              ? "bonds." + name
+                    : ranges.by_piece ? fmt::format("joints.{}.{}", name, side == 0 ? "a" : "b")
+                                      : "joints." + name,
                     Kind::side, ranges.side, 2 * i + side, side_of(laws, 2 * i + side));
+        if (bond)
+            continue;
         const auto source = laws[i].source;
         const bool by_row = !ranges.by_piece && source >= 0;
         const double missing = is_free(ranges.oil) ? assumed_oil : 0;
@@ -126,10 +134,11 @@ void add_joints(Collector& box, const SplitProblem& split, const Machine& machin
     }
 }
 
-void add_oil_temperatures(Collector& box, const HeatProblem& problem, const FreeRanges& ranges)
+void add_oil_temperatures(Collector& box, const HeatProblem& problem, const Machine& machine, const FreeRanges& ranges)
 {
     for (std::size_t member = 0; member < problem.interfaces.size() + problem.oil.size(); ++member)
-        if (const bool is_joint = member < problem.interfaces.size(); !is_joint || !in_circuit(problem, member)) {
+        if (const bool is_joint = member < problem.interfaces.size();
+            !is_joint || !(is_bond(machine.interfaces[member]) || in_circuit(problem, member))) {
             const double base = is_joint ? laws_in(problem, problem.segments.front())[member].oil_temperature
                                          : problem.oil[member - problem.interfaces.size()].inlet_temperature;
             box.add("oil temperature", Kind::oil_temperature, ranges.oil_temperature, member, base);
@@ -155,7 +164,7 @@ reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine,
     for (std::size_t r = 0; r < split.problem.sources.size(); ++r)
         box.add("friction." + split.problem.sources[r].name, Kind::heat, ranges.heat, r,
                 heat_at(split.problem, r, start));
-    add_oil_temperatures(box, split.problem, ranges);
+    add_oil_temperatures(box, split.problem, machine, ranges);
     add_ambients(box, split.problem, ranges);
     auto result = box.take();
     for (auto& coefficient : result)

@@ -207,6 +207,9 @@ std::string fixed_part(const casefile::Case& input)
             interface.heat_share = 1;
         }
     }
+    for (auto& [name, bond] : fixed.bonds)
+        if (!casefile::is_open(bond.conductance))
+            bond.conductance = {};
     for (auto& [name, surface] : fixed.surfaces)
         if (surface.film)
             surface.film = casefile::Film{};

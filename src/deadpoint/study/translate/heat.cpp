@@ -72,6 +72,12 @@ std::vector<InterfaceLaw> interface_laws(const casefile::Case& input, const Mach
             });
         }
     mistakes.raise();
+    for (std::size_t bond = laws.size(); bond < conductances.size(); ++bond) {
+        auto& law = laws.emplace_back();
+        law.film_a = conductances[bond].film_a;
+        law.film_b = conductances[bond].film_b;
+        law.oil_temperature = input.machine.initial_temperature;
+    }
     return laws;
 }
 

@@ -161,6 +161,8 @@ MachineDescription describe_machine(const casefile::Case& input, double size_sca
     result.seam_tolerance = input.numerics.seam_tolerance;
     result.half_model = input.machine.half_model;
     result.unbonded = input.machine.unbonded;
+    for (const auto& [name, bond] : input.bonds)
+        result.bonds.push_back({name, bond.between, casefile::is_open(bond.conductance)});
     for (const auto& [name, part] : input.parts)
         mistakes.attempt("parts." + name,
                          [&, &name = name, &part = part] { result.parts.push_back(part_of(input, name, part)); });
