@@ -3,6 +3,7 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/pattern_pair.hpp"
 #include "deadpoint/exchange/linkage.hpp"
+#include "deadpoint/study/laws/guide_sides.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/materials.hpp"
@@ -83,6 +84,20 @@ double mean_load(const LoadsResult& loads, const std::string& joint)
     return tribology::duty_mean(tribology::duty_of(loads.history, loads.history.joints.at(index)), 1, 0);
 }
 
+/// The mean force that presses the interfaces side by side with this one, over their area [Pa].
+double pressure_by_loads(const Place& at)
+{
+    const auto& own = *at.joint;
+    const auto sides = guide_sides(at.input, at.machine, *at.loads, own.name, own.first);
+    const int side = sides ? sides->of_interface[at.index - own.first] : 0;
+    if (side == 0)
+        return mean_load(*at.loads, own.name) / area_side_by_side(at);
+    double area = 0;
+    for (std::size_t i = 0; i < sides->of_interface.size(); ++i)
+        area += sides->of_interface[i] == side ? at.machine.interfaces[own.first + i].area : 0;
+    return sides->load(side) / area;
+}
+
 double contact_pressure(const Place& at, const std::optional<double>& given, InterfaceConductance& result)
 {
     if (!given && !at.joint)
@@ -96,7 +111,7 @@ double contact_pressure(const Place& at, const std::optional<double>& given, Int
             fmt::format("the law \"{}\" needs the contact pressure, and there are no loads to compute it from",
                         casefile::law_name(at.conductance)),
             "add pressure = \"1 MPa\", or describe the linkage with its driver and slide body");
-    result.pressure = given ? *given : mean_load(*at.loads, at.joint->name) / area_side_by_side(at);
+    result.pressure = given ? *given : pressure_by_loads(at);
     result.pressure_from_loads = !given;
     return *result.pressure;
 }

@@ -40,8 +40,8 @@ struct InterfaceConductance {
 /// A law's conductance h is split equally between the sides, film_a = film_b = 2 h. If the case
 /// states no contact pressure, it is the mean load of the joint over the turn divided by the area
 /// of the interfaces that carry it in parallel: those of the joint with the same `seat`, `journal`
-/// and `stands_still`; the others are in series. A slide's load is that of both faces with their
-/// preload, distributed over both. In a half model, a joint that exists once has twice the modelled
+/// and `stands_still`; the others are in series. A slide's faces on either side have
+/// the mean force of that side (guide_sides), preload included; without both sides, the sum of all faces. In a half model, a joint that exists once has twice the modelled
 /// area. Rolling elements turn with the crank at `speed`.
 ///
 /// @param loads  for pressures that the case leaves out; may be null

@@ -10,6 +10,7 @@
 #include "deadpoint/study/laws/conductance.hpp"
 #include "deadpoint/study/laws/film.hpp"
 #include "deadpoint/study/laws/friction.hpp"
+#include "deadpoint/study/laws/guide_sides.hpp"
 #include "deadpoint/study/laws/load_zone.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/result/friction_summary.hpp"
@@ -130,7 +131,36 @@ private:
         const LoadsResult* loads = loads_ ? &friction_.loads(*running) : nullptr;
         if (!loads)
             refuse_zones("", "the case does not describe the linkage and its loads");
-        return interface_laws(input_, machine_, loads, checked(loads, running->speed));
+        auto laws = interface_laws(input_, machine_, loads, checked(loads, running->speed));
+        if (loads)
+            share_by_side(laws, *loads, *running);
+        return laws;
+    }
+
+    /// Of guides with friction by the law "guide", the pressed side gets more of the heat.
+    void share_by_side(std::vector<InterfaceLaw>& laws, const LoadsResult& loads, const casefile::Segment& running)
+    {
+        std::size_t first = 0;
+        for (const auto& [name, joint] : input_.joints) {
+            const auto law = input_.friction.find(joint.friction);
+            const bool by_forces =
+                law != input_.friction.end() && std::holds_alternative<casefile::GuideFriction>(law->second.law);
+            if (const auto sides = by_forces ? guide_sides(input_, machine_, loads, name, first) : std::nullopt) {
+                const auto factors =
+                    side_factors(input_, machine_, *sides, name, first, load_share(joint.friction, running));
+                for (std::size_t i = 0; i < factors.size(); ++i)
+                    laws[first + i].heat_weight *= factors[i];
+            }
+            first += joint.interfaces.size();
+        }
+    }
+
+    /// Of the friction heat at the initial temperature.
+    double load_share(const std::string& row, const casefile::Segment& running)
+    {
+        const auto friction = friction_.heat(row, running);
+        const double whole = friction.heat(input_.machine.initial_temperature).value;
+        return whole > 0 ? std::clamp(friction.load_part.value_or(0) / whole, 0.0, 1.0) : 0;
     }
 
     HeatSegment segment(std::size_t s, double start, const HeatProblem& problem)

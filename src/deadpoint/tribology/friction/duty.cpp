@@ -81,6 +81,18 @@ double guide_normal_force(const GuideFaces& guide, double force, double moment)
            std::max(guide.preload, std::abs(force / 2 - couple));
 }
 
+SideForces guide_side_forces(const GuideFaces& guide, double force, double moment)
+{
+    const double couple = guide.length ? moment / *guide.length : 0;
+    SideForces sides;
+    for (const double end : {force / 2 + couple, force / 2 - couple}) {
+        const double pressed = std::max(guide.preload, std::abs(end));
+        sides.plus += (pressed + end) / 2;
+        sides.minus += (pressed - end) / 2;
+    }
+    return sides;
+}
+
 Duty guide_duty(const CycleHistory& turn, const JointCycle& joint, const GuideFaces& guide)
 {
     require_not_negative("preload of a guide [N]", guide.preload);

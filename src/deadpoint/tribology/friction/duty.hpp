@@ -53,6 +53,18 @@ struct GuideFaces {
 /// length|). Without a moment, or without a length, that is max(2 P, |F|).
 double guide_normal_force(const GuideFaces& guide, double force, double moment);
 
+/// Normal forces on the two sides of a guide [N]: on the faces that push the body along +t, and on those that push it
+/// along -t.
+struct SideForces {
+    double plus = 0;
+    double minus = 0;
+};
+
+/// The same force by side. At each end f = force / 2 +- moment / length, along +t. Two faces of equal stiffness that the
+/// gib presses together carry (P + f) / 2 and (P - f) / 2 until one of them lifts off at |f| = P; then the other carries
+/// |f| alone. Hence (max(P, |f|) +- f) / 2 at each end; both sides together are guide_normal_force.
+SideForces guide_side_forces(const GuideFaces& guide, double force, double moment);
+
 /// Duty of a slide in its guide: guide_normal_force over the turn.
 /// @throws InputError as above, if the preload is negative or the length not positive
 Duty guide_duty(const CycleHistory& turn, const JointCycle& joint, const GuideFaces& guide);
