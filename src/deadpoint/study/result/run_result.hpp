@@ -8,6 +8,7 @@
 #include "deadpoint/study/result/frame_result.hpp"
 #include "deadpoint/study/result/friction_summary.hpp"
 #include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/study/result/press_compliance.hpp"
 #include "deadpoint/study/result/reduced_result.hpp"
 #include "deadpoint/study/result/sensitivities.hpp"
 #include "deadpoint/study/result/view_data.hpp"
@@ -43,6 +44,7 @@ struct RunResult : Histories {
     std::optional<DriftSeries> drift;
     std::vector<DriftCauses> causes;  ///< at the largest |E_SW| of all steps, where that is not the end, and at the end
     GapSeries gaps;
+    std::optional<PressCompliance> compliance;  ///< of a full run with a dimension chain
     std::optional<AdjointCheck> adjoint_check;
     std::optional<FrameResult> frame;  ///< where the case states a foundation, preload or wanted stress
     std::optional<ViewData> view;
