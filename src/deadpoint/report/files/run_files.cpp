@@ -10,6 +10,7 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/charts/svg_chart.hpp"
+#include "deadpoint/report/files/compliance_files.hpp"
 #include "deadpoint/report/files/frame_files.hpp"
 #include "deadpoint/report/files/gaps_files.hpp"
 #include "deadpoint/report/files/heat_flows.hpp"
@@ -326,12 +327,14 @@ void add_solution(const casefile::Case& input, const Machine& machine, const Run
 }
 
 /// Dimension chain, friction, frame and the check of the adjoints, as far as the case has them.
-void add_machine(const RunResult& result, const study::RunSummary& summary, nlohmann::ordered_json& json)
+void add_machine(const casefile::Case& input, const RunResult& result, const study::RunSummary& summary, nlohmann::ordered_json& json)
 {
     if (result.drift) {
         json["drift_um"] = drift_json(result, summary);
         if (const auto gaps = gaps_json(result.gaps, result.thermal.time); !gaps.is_null())
             json["gaps"] = gaps;
+        if (result.compliance)
+            json["static_opening"] = compliance_json(input, *result.compliance);
         json["warm_up_s"] = summary.warm_up_time ? nlohmann::ordered_json(*summary.warm_up_time) : nullptr;
     }
     json["drift_summary"] = drift_summary_json(study::names_of(result.probes), summary);
@@ -363,7 +366,7 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
     json["probe_rises_K"] = rises_json(input, result);
     for (std::size_t i = 0; i < result.probes.size(); ++i)
         json["time_to_95_percent_s"][result.probes[i].name] = summary.time_to_95[i];
-    add_machine(result, summary, json);
+    add_machine(input, result, summary, json);
     if (input.reference)
         json["reference"] = reference_json(*input.reference, summary);
     json["left_out"] = {"oil-film thinning in plain bearings", "inertial stretch of the links",

@@ -77,6 +77,19 @@ Keys extreme_keys(const std::string& at, const std::string& ending, const std::s
                       {"final_" + ending, unit, of + ", at the end"}});
 }
 
+Keys static_keys()
+{
+    return {{"terms", "", "what is in it and what is left out, in words"},
+            {"opening_um_per_kN", "um/kN", "opening of the gap under a force on the middle of the slide"},
+            {"stiffness_kN_per_mm", "kN/mm", "its inverse: of the solid parts in series"},
+            {"corners_um_per_kN/{corner}", "um/kN", "opening at this corner of the slide under the same force"},
+            {"left_to_right_um_per_m_per_kN", "um/m/kN", "slope, above zero opens to the right"},
+            {"front_to_back_um_per_m_per_kN", "um/m/kN", "slope, above zero opens to the back"},
+            {"segments/[]/name", "", "segment of the operation"},
+            {"segments/[]/force_N", "N", "peak of its process force"},
+            {"segments/[]/opening_um", "um", "opening of the gap at that force"}};
+}
+
 Keys gap_keys()
 {
     const std::string corner = "parallelism/corners/{corner}";
@@ -269,6 +282,7 @@ Keys summary_keys()
            "time from which the probe stays near its value at the end, within 5 % of its change over the run"}},
          below("drift_um", drift_keys()),
          below("gaps", gap_keys()),
+         below("static_opening", static_keys()),
          {{"warm_up_s", "s", "time from which the gap drifts by less than chain.drift_rate_limit; null: not reached"}},
          below("drift_summary", course_summary_keys()),
          friction_keys("friction/[]"),

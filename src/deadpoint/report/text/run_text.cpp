@@ -55,7 +55,8 @@ std::string gap_text(const Case& input, const RunResult& result, const RunSummar
     return fmt::format("  gap E_SW at the end: {:+.1f} um (+ opens); largest: {:+.1f} um after {}\n",
                        micrometre * summary.final_gap, micrometre * summary.largest_gap,
                        duration_text(summary.largest_gap_time)) +
-           drift_causes_line(result.causes) + sensitivities_text(result) + warm_up_line(input, summary) + "\n";
+           drift_causes_line(result.causes) + sensitivities_text(result) + warm_up_line(input, summary) +
+           (result.compliance ? compliance_text(input, *result.compliance) : "") + "\n";
 }
 
 std::string probes_text(const Case& input, const RunResult& result, const RunSummary& summary)

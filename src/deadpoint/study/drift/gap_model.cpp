@@ -95,26 +95,6 @@ double distance(const CornerSeries& a0, const CornerSeries& a1, const CornerSeri
     return 0.5 * std::max(std::abs(b0.x + b1.x - a0.x - a1.x), std::abs(b0.z + b1.z - a0.z - a1.z));
 }
 
-Parallelism parallelism(std::vector<CornerSeries> corners, bool mirrored)
-{
-    if (mirrored)
-        corners = with_images(corners);
-    const auto& c = corners;
-    const double width = distance(c[0], c[2], c[1], c[3]);
-    const double depth = distance(c[0], c[1], c[2], c[3]);
-    const auto slope = [&](double length, const std::array<double, 4>& signs) {
-        return combined({{signs[0] / length, &c[0].gap},
-                         {signs[1] / length, &c[1].gap},
-                         {signs[2] / length, &c[2].gap},
-                         {signs[3] / length, &c[3].gap}});
-    };
-    Parallelism result;
-    result.left_right = slope(width, {-0.5, 0.5, -0.5, 0.5});
-    result.front_back = slope(depth, {-0.5, -0.5, 0.5, 0.5});
-    result.corners = std::move(corners);
-    return result;
-}
-
 /// Left and right of a slide are those of its stroke, wherever that points.
 Viewer viewer_at_slide(const casefile::Case& input)
 {
@@ -190,6 +170,26 @@ private:
 };
 
 }  // namespace
+
+Parallelism parallelism(std::vector<CornerSeries> corners, bool mirrored)
+{
+    if (mirrored)
+        corners = with_images(corners);
+    const auto& c = corners;
+    const double width = distance(c[0], c[2], c[1], c[3]);
+    const double depth = distance(c[0], c[1], c[2], c[3]);
+    const auto slope = [&](double length, const std::array<double, 4>& signs) {
+        return combined({{signs[0] / length, &c[0].gap},
+                         {signs[1] / length, &c[1].gap},
+                         {signs[2] / length, &c[2].gap},
+                         {signs[3] / length, &c[3].gap}});
+    };
+    Parallelism result;
+    result.left_right = slope(width, {-0.5, 0.5, -0.5, 0.5});
+    result.front_back = slope(depth, {-0.5, -0.5, 0.5, 0.5});
+    result.corners = std::move(corners);
+    return result;
+}
 
 GapModel describe_gaps(const casefile::Case& input, const Machine& machine, const ChainModel& chain)
 {

@@ -36,6 +36,10 @@ struct GapModel {
 
 GapModel describe_gaps(const casefile::Case& input, const Machine& machine, const ChainModel& chain);
 
+/// Tilts of the slide by the gaps at its corners.
+/// @param mirrored  the corners on the right are images of those on the left
+Parallelism parallelism(std::vector<CornerSeries> corners, bool mirrored);
+
 /// The curves, from the history's functionals from index `first` on, in the order of
 /// GapModel::functionals.
 /// @param drift  of the same history: contribution of the crank's play to the corners, and E_SW

@@ -11,6 +11,7 @@
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/study/drift/press_compliance.hpp"
 #include "deadpoint/study/laws/run_laws.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
@@ -71,6 +72,7 @@ void ModelParts::need_chain(const casefile::Case& input)
     auto functionals = chain->dimensions;
     functionals.insert(functionals.end(), gaps->functionals.begin(), gaps->functionals.end());
     adjoints = model->adjoints(functionals);
+    compliance = press_compliance(*model, *chain, *gaps, machine.half_model);
 }
 
 void ModelParts::note_sizes(RunResult& result) const

@@ -2,6 +2,7 @@
 
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/fem/model.hpp"
+#include "deadpoint/study/result/press_compliance.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -53,6 +54,7 @@ struct ModelParts {
     std::unique_ptr<ChainModel> chain;
     std::unique_ptr<GapModel> gaps;
     std::unique_ptr<FrameState> frame;
+    std::optional<PressCompliance> compliance;
     std::vector<fem::Adjoint> adjoints;    ///< of the chain's dimensions and plays, of the gaps, of the frame
     std::size_t frame_adjoints = 0;        ///< index of the first adjoint of the frame
     std::optional<HeatProblem> assembled;  ///< the problem of the prepared matrices

@@ -73,6 +73,7 @@ private:
         parts_.note_sizes(result_);
         if (parts_.chain)
             result_.sensitivity = parts_.chain->sensitivity;
+        result_.compliance = parts_.compliance;
         if (parts_.frame)
             result_.frame = parts_.frame->start();
     }
