@@ -9,8 +9,14 @@
 namespace deadpoint {
 struct GapSeries;
 }
+namespace deadpoint::casefile {
+struct Case;
+}
+namespace deadpoint::study {
+struct PressCompliance;
+}
 
-/// Corners of the slide, clearances and force at a fixed die height, in the files and the text of a run.
+/// Corners of the slide, clearances, force at a fixed die height and the static opening under the process force, in the files and the text of a run.
 namespace deadpoint::report {
 
 /// Columns of gaps.csv besides the time.
@@ -22,5 +28,11 @@ nlohmann::ordered_json gaps_json(const GapSeries& gaps, const std::vector<double
 
 /// A line each for parallelism, clearances and force; empty if nothing was recorded.
 std::string gaps_text(const GapSeries& gaps, const std::vector<double>& time);
+
+/// The static opening per kilonewton, and at the force of each segment of the operation that states one.
+nlohmann::ordered_json compliance_json(const casefile::Case& input, const study::PressCompliance& compliance);
+
+/// Two lines: stiffness and tilt per kilonewton, and the opening at the operation's largest force.
+std::string compliance_text(const casefile::Case& input, const study::PressCompliance& compliance);
 
 }  // namespace deadpoint::report

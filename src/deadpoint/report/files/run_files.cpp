@@ -10,7 +10,6 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/charts/svg_chart.hpp"
-#include "deadpoint/report/files/compliance_files.hpp"
 #include "deadpoint/report/files/frame_files.hpp"
 #include "deadpoint/report/files/gaps_files.hpp"
 #include "deadpoint/report/files/heat_flows.hpp"
