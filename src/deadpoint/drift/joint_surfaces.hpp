@@ -15,6 +15,7 @@ struct ContactSide {
 struct JointSurfaces {
     std::vector<ContactSide> in_a;
     std::vector<ContactSide> in_b;
+    bool passes_tilt = true;  ///< false for a ball joint, drawn as a pin
 };
 
 }  // namespace deadpoint::drift

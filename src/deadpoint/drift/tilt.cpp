@@ -120,6 +120,8 @@ TiltClosure::TiltClosure(const Machine& machine, const Linkage& linkage, const B
 {
     for (std::size_t j = 0; j < linkage.joints.size(); ++j) {
         const auto& surfaces = chain.joints[j];
+        if (!surfaces.passes_tilt)
+            continue;
         const auto fit = [&](const std::vector<ContactSide>& sides) {
             const bool symmetric = std::ranges::all_of(sides, [&](const auto& side) {
                 return on_symmetry_plane(machine, side, sensitivity.joint_centres[j]);

@@ -154,7 +154,7 @@ private:
                                  side, name, joint.direction[0], joint.direction[1]),
                      "name a face along the travel, or correct `direction`");
         }
-        if (joint.kind == Joint::Kind::revolute && surface.select == Surface::Select::cylinder && surface.centre) {
+        if (joint.kind != Joint::Kind::slide && surface.select == Surface::Select::cylinder && surface.centre) {
             const double off = norm(*surface.centre - joint.centre);
             if (surface.axis == Axis::z && off > same_place)
                 warn("geometry", path,
@@ -187,7 +187,7 @@ private:
             warn("inconsistent", path,
                  fmt::format(
                      "friction law '{}' is for {}, but the joint is a {}: its heat would follow the wrong motion",
-                     joint.friction, of_guides ? "guides" : "bearings and pins", slides ? "slide" : "revolute joint"),
+                     joint.friction, of_guides ? "guides" : "bearings and pins", slides ? "slide" : joint.kind == Joint::Kind::ball ? "ball joint" : "revolute joint"),
                  slides ? "name a law of kind = \"guide\"" : "name a law of kind = \"pin\" or \"rolling\"");
     }
 

@@ -360,6 +360,9 @@ void describe(Visitor& v, Joint& j)
              "name a revolute joint as driver");
     v.expect(j.ball || j.kind != Joint::Kind::ball, "kind", "a ball joint needs its seat",
              "add ball = { diameter = \"80 mm\" }");
+    v.expect(!j.ball || j.elements.empty(), "elements", "a ball joint has one seat and no bearings side by side",
+             "remove `elements`");
+    v.expect(!j.ball || !j.turns_fully, "turns_fully", "a ball in its socket swings to and fro", "remove `turns_fully`");
     v.expect(!j.ball || j.kind == Joint::Kind::ball, "ball", "only a ball joint has a spherical seat",
              "remove `ball`, or let `kind` be \"ball\"");
 }

@@ -10,6 +10,7 @@
 #include "deadpoint/tribology/conductance/bearing_conductance.hpp"
 #include "deadpoint/tribology/conductance/conductance.hpp"
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
+#include "deadpoint/tribology/friction/ball_seat.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
 
 #include <algorithm>
@@ -74,6 +75,11 @@ double area_side_by_side(const Place& at)
     return halved(at) ? 2 * area : area;
 }
 
+double seat_area_of(const casefile::BallSeat& ball)
+{
+    return tribology::seat_area({ball.diameter / 2, ball.from, ball.to});
+}
+
 double mean_load(const LoadsResult& loads, const std::string& joint)
 {
     const auto found = std::ranges::find(loads.linkage.joints, joint, &LinkageJoint::name);
@@ -88,6 +94,8 @@ double mean_load(const LoadsResult& loads, const std::string& joint)
 double pressure_by_loads(const Place& at)
 {
     const auto& own = *at.joint;
+    if (own.joint.ball)
+        return mean_load(*at.loads, own.name) / seat_area_of(*own.joint.ball);
     const auto sides = guide_sides(at.input, at.machine, *at.loads, own.name, own.first);
     const int side = sides ? sides->of_interface[at.index - own.first] : 0;
     if (side == 0)
@@ -221,6 +229,10 @@ InterfaceConductance conductance_of(const Place& at)
     const auto law = casefile::law_name(at.conductance);
     result.law = law.empty() ? "given" : law;
     std::visit([&](const auto& given) { set_films(at, given, result); }, at.conductance);
+    if (at.joint && at.joint->joint.ball)
+        result.seat_over_drawn = seat_area_of(*at.joint->joint.ball) / area_side_by_side(at);
+    result.film_a *= result.seat_over_drawn;
+    result.film_b *= result.seat_over_drawn;
     return result;
 }
 

@@ -29,6 +29,7 @@ struct InterfaceConductance {
     double area = 0;    ///< in contact, of the modelled half [m2]
     double film_a = 0;  ///< [W/m2/K]
     double film_b = 0;
+    double seat_over_drawn = 1;  ///< of a ball joint: area of its seat over that drawn, a factor on what is per area
     bool in_range = true;
     std::vector<std::string> notes;
 
@@ -42,7 +43,7 @@ struct InterfaceConductance {
 /// of the interfaces that carry it in parallel: those of the joint with the same `seat`, `journal`
 /// and `stands_still`; the others are in series. A slide's faces on either side have
 /// the mean force of that side (guide_sides), preload included; without both sides, the sum of all faces. In a half model, a joint that exists once has twice the modelled
-/// area. Rolling elements turn with the crank at `speed`.
+/// area. A ball joint has the area of its seat, in the pressure and in the heat that passes; the films are per drawn area. Rolling elements turn with the crank at `speed`.
 ///
 /// @param loads  for pressures that the case leaves out; may be null
 /// @param speed  of the crank [rad/s]

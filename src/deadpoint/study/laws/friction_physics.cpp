@@ -5,6 +5,7 @@
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/study/laws/viscosity.hpp"
 #include "deadpoint/tribology/friction/ball_bearing.hpp"
+#include "deadpoint/tribology/friction/ball_seat.hpp"
 #include "deadpoint/tribology/friction/guide.hpp"
 #include "deadpoint/tribology/friction/heat_law.hpp"
 #include "deadpoint/tribology/friction/pin.hpp"
@@ -179,24 +180,37 @@ double pin_size(const RubbingJoint& joint, const char* key, std::optional<double
                     key, joint.name, key));
 }
 
-void add(Sum& sum, const casefile::PinFriction& law, const RubbingJoint& joint)
+tribology::BallSeat seat_of(const casefile::BallSeat& ball) { return {ball.diameter / 2, ball.from, ball.to}; }
+
+/// The pin with the friction of a bush, or of the seat of a ball.
+tribology::Pin pin_of(const casefile::PinFriction& law, const RubbingJoint& joint, std::size_t bush)
 {
+    tribology::Pin pin;
+    pin.friction = law.coefficient;
+    pin.clearance = law.clearance.value_or(0);
+    if (const auto& ball = joint.joint->ball) {
+        pin.radius = tribology::friction_radius(seat_of(*ball));
+        pin.length = tribology::film_length(seat_of(*ball));
+        return pin;
+    }
     const auto& elements = joint.joint->elements;
     const auto& interfaces = joint.joint->interfaces;
     const double touching = interfaces.empty() ? 0 : interfaces.front().diameter.value_or(0);
+    const auto element = bush < elements.size() ? elements[bush] : casefile::JointElement{};
+    pin.radius = pin_size(joint, "diameter", law.diameter, element.diameter, touching) / 2;
+    if (law.clearance)
+        pin.length = pin_size(joint, "length", law.length, element.width, 0);
+    return pin;
+}
+
+void add(Sum& sum, const casefile::PinFriction& law, const RubbingJoint& joint)
+{
     for (std::size_t i = 0; i < joint.duties.size(); ++i) {
-        const bool stated = i < elements.size();
-        tribology::Pin pin;
-        pin.friction = law.coefficient;
-        pin.radius = pin_size(joint, "diameter", law.diameter, stated ? elements[i].diameter : 0, touching) / 2;
+        const auto pin = pin_of(law, joint, i);
         sum.load_part += tribology::pin_load_heat(pin, joint.duties[i]);
-        if (!law.clearance) {
-            sum.laws.push_back(tribology::pin_heat(pin, joint.duties[i]));
-            continue;
-        }
-        pin.clearance = *law.clearance;
-        pin.length = pin_size(joint, "length", law.length, stated ? elements[i].width : 0, 0);
-        sum.laws.push_back(tribology::pin_heat(pin, joint.duties[i], lubricant_of(sum.input, sum.row)));
+        sum.laws.push_back(law.clearance
+                               ? tribology::pin_heat(pin, joint.duties[i], lubricant_of(sum.input, sum.row))
+                               : tribology::pin_heat(pin, joint.duties[i]));
     }
 }
 

@@ -46,6 +46,7 @@ InterfaceLaw interface_law(const casefile::Case& input, const Machine& machine, 
     law.film_b = conductance.film_b;
     const auto by_row = input.oil.find(joint.friction);
     law.oil = interface.oil > 0 ? interface.oil : by_row != input.oil.end() ? by_row->second : 0;
+    law.oil *= conductance.seat_over_drawn;
     law.oil_temperature = joint.oil_temperature;
     law.turns_fully = joint.turns_fully && !interface.stands_still;
     law.source = index_of(input.friction, joint.friction);

@@ -121,8 +121,9 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
     Mistakes mistakes;
     for (const auto& [name, joint] : input.joints) {
         drift::JointSurfaces surfaces{sides_on(machine, joint, first.at(name), joint.bodies.at(0)),
-                                      sides_on(machine, joint, first.at(name), joint.bodies.at(1))};
-        if (joint.kind == casefile::Joint::Kind::revolute) {
+                                      sides_on(machine, joint, first.at(name), joint.bodies.at(1)),
+                                      joint.kind != casefile::Joint::Kind::ball};
+        if (joint.kind != casefile::Joint::Kind::slide) {
             require_sides(surfaces.in_a, name, joint.bodies[0], mistakes);
             require_sides(surfaces.in_b, name, joint.bodies[1], mistakes);
         }
