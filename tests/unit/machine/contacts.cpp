@@ -369,6 +369,29 @@ TEST_CASE("touching boxes of one body are bonded, others are not")
     CHECK(contains(complaint(description), "'part|part'"));
 }
 
+TEST_CASE("a bond with a conductance is an interface too, an open one none")
+{
+    MachineDescription description;
+    description.parts = {part("foot", "frame", {add(BoxShape{{0, 0, 0}, {0.3, 0.1, 0.1}})}, 0.03),
+                         part("wall", "frame", {add(BoxShape{{0, 0.1, 0}, {0.1, 0.3, 0.1}})}, 0.04),
+                         part("shelf", "frame", {add(BoxShape{{0.1, 0.2, 0.02}, {0.3, 0.3, 0.08}})}, 0.025)};
+    description.bonds = {{"bolts", {"w*|foot"}, false}, {"shims", {"shelf|wall"}, true}};
+    const Machine machine = build(description);
+    REQUIRE(machine.bonds.size() == 2);
+    CHECK_FALSE(machine.bonds[0].perfect);
+    CHECK_FALSE(machine.bonds[1].perfect);
+    REQUIRE(machine.interfaces.size() == 1);
+    CHECK(machine.interfaces[0].name == "foot|wall");
+    CHECK(machine.interfaces[0].points.size() == machine.bonds[0].points.size());
+    CHECK(machine.floating_parts.empty());
+    description.bonds = {{"bolts", {"foot|shelf", "wall|shelf"}, false}};
+    CHECK(contains(complaint(description), "'foot|shelf' do not touch"));
+    description.unbonded = {"shelf|w*"};
+    CHECK(contains(complaint(description), "'wall|shelf' are left unbonded"));
+    description.bonds = {{"bolts", {"foot|wall"}, false}, {"more", {"wall|*"}, true}};
+    CHECK(contains(complaint(description), "the bond of 'foot' and 'wall' is stated twice"));
+}
+
 TEST_CASE("exterior = exposed + contacts + bonds, and surfaces select")
 {
     MachineDescription description = pin_in_bore(0, 0.09);
