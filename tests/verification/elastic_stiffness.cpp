@@ -18,7 +18,10 @@ namespace {
 
 Observer silent;
 
-casefile::Case starter() { return casefile::read_case(DEADPOINT_VERIFICATION_CASES "/../../../cases/starter/case.toml").value; }
+casefile::Case starter()
+{
+    return casefile::read_case(DEADPOINT_VERIFICATION_CASES "/../../../cases/starter/case.toml").value;
+}
 
 study::PressCompliance compliance_of(const casefile::Case& input)
 {

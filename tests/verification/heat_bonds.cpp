@@ -38,6 +38,8 @@ void check_series(const std::vector<std::string>& overrides, const std::string& 
     CHECK(solved.side_a() - solved.side_b() == doctest::Approx(flux / bond).epsilon(1e-8));
     // What enters below crosses the bond and leaves above.
     CHECK(bond * area * (solved.side_a() - solved.side_b()) == doctest::Approx(flux * area).epsilon(1e-8));
+    REQUIRE(solved.result.bonds.size() == 1);
+    CHECK(solved.result.bonds[0].history.back() == doctest::Approx(flux * area).epsilon(1e-8));
     CHECK(solved.history().to_air.back() == doctest::Approx(flux * area).epsilon(1e-8));
 }
 
@@ -52,12 +54,11 @@ TEST_CASE("a bond with a conductance is a resistance in series, on meshes that m
 
 TEST_CASE("a bond without resistance is a perfect bond")
 {
-    const auto perfect = solve(
-        [] {
-            auto input = read("bolted-bars");
-            input.bonds.clear();
-            return input;
-        }());
+    const auto perfect = solve([] {
+        auto input = read("bolted-bars");
+        input.bonds.clear();
+        return input;
+    }());
     CHECK(perfect.machine.interfaces.empty());
     for (const double h : {1e5, 1e7}) {
         const auto close = solve("bolted-bars", with_bond("{ value = \"" + std::to_string(h) + " W/m^2/K\" }"));
@@ -90,8 +91,7 @@ TEST_CASE("the conductance of a bond may be a resistance, two sides or a law")
           doctest::Approx(by_value).epsilon(1e-9));
     // A film of oil: k / d = 0.14 / 50e-6 = 2800 W/m2/K.
     const auto oil = solve(
-        "bolted-bars",
-        with_bond("{ law = \"oil_film\", fluid_conductivity = \"0.14 W/m/K\", thickness = \"50 um\" }"));
+        "bolted-bars", with_bond("{ law = \"oil_film\", fluid_conductivity = \"0.14 W/m/K\", thickness = \"50 um\" }"));
     CHECK(oil.side_a() - oil.side_b() == doctest::Approx(flux / 2800).epsilon(1e-8));
     // Cooper, Mikic and Yovanovich without gas: h = 1.25 k m / s (P / H)^0.95.
     const auto rough = solve("bolted-bars", with_bond("{ law = \"cooper_mikic_yovanovich\", roughness = \"2 um\", "

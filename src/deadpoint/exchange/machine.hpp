@@ -156,11 +156,11 @@ struct MachineDescription {
     std::vector<PartDescription> parts;
     std::vector<SurfaceDescription> surfaces;
     std::vector<InterfaceDescription> interfaces;
-    double size = 0.03;                 ///< target cell size of parts that state none [m]
-    double size_scale = 1;              ///< scales every size
-    double seam_tolerance = 1e-5;       ///< surfaces of shapes of one part that are this close are joined [m]
-    bool half_model = false;            ///< keep x <= 0 only; the cut faces become the symmetry plane
-    std::vector<std::string> unbonded;  ///< pairs "a|b" (patterns) of one body that touch but are not bonded
+    double size = 0.03;                  ///< target cell size of parts that state none [m]
+    double size_scale = 1;               ///< scales every size
+    double seam_tolerance = 1e-5;        ///< surfaces of shapes of one part that are this close are joined [m]
+    bool half_model = false;             ///< keep x <= 0 only; the cut faces become the symmetry plane
+    std::vector<std::string> unbonded;   ///< pairs "a|b" (patterns) of one body that touch but are not bonded
     std::vector<BondDescription> bonds;  ///< those that are not in perfect contact
 };
 
@@ -329,7 +329,7 @@ struct Machine {
     std::vector<MeshSurface> surfaces;  ///< in the order of the description
     /// Of joints, in the order of the description; then the bonds with a conductance, which are among `bonds` too.
     std::vector<Contact> interfaces;
-    std::vector<Contact> bonds;  ///< all of them: what moves together
+    std::vector<Contact> bonds;            ///< all of them: what moves together
     std::vector<double> exposed_fraction;  ///< per face, mean over time, 0..1; 0 on the symmetry plane
     std::vector<Overlap> overlaps;
     std::vector<std::string> floating_parts;  ///< not connected: no bond, no interface

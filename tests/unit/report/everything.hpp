@@ -149,6 +149,8 @@ inline study::RunResult run_of_all(const casefile::Case& input)
     result.drift = drift();
     result.causes = {causes()};
     result.gaps = gaps();
+    result.bonds = {{"motor|frame", values(100)}};
+    result.compliance = study::PressCompliance{1e-9, {{"front left", 1e-9}}, 1e-12, 1e-12};
     result.adjoint_check = study::AdjointCheck{};
     result.frame = frame();
     result.view = view();

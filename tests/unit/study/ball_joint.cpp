@@ -68,7 +68,8 @@ std::size_t wrist()
 
 TEST_CASE("a press with a ball for a pin moves and is loaded alike")
 {
-    const auto pin = study::compute_loads(press(), &machine(), 0), ball = study::compute_loads(with_ball(), &machine(), 0);
+    const auto pin = study::compute_loads(press(), &machine(), 0),
+               ball = study::compute_loads(with_ball(), &machine(), 0);
     REQUIRE(pin.history.joints.size() == ball.history.joints.size());
     for (std::size_t j = 0; j < pin.history.joints.size(); ++j)
         for (std::size_t i = 0; i < pin.history.time.size(); i += 60)

@@ -1,5 +1,7 @@
 /// Requirement: the side of a guide that is pressed has the force, the pressure and the friction heat; the joint as a
 /// whole keeps its heat.
+#include "deadpoint/study/laws/guide_sides.hpp"
+
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/exchange/heat.hpp"
@@ -7,7 +9,6 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/laws/conductance.hpp"
-#include "deadpoint/study/laws/guide_sides.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
@@ -72,7 +73,8 @@ double mean_of(const study::LoadsResult& loads, const Function& function)
 }
 
 struct Pressed {
-    explicit Pressed(const std::string& preload) : input(press(preload)), loads(study::compute_loads(input, &machine(), 0))
+    explicit Pressed(const std::string& preload)
+        : input(press(preload)), loads(study::compute_loads(input, &machine(), 0))
     {
         sides = study::guide_sides(input, machine(), loads, "guide", first_of_guide(input)).value();
     }
@@ -138,8 +140,8 @@ TEST_CASE("pressure and heat of a guide are those of its sides")
           Approx(at.sides.load_minus / machine().interfaces[first + 1].area).epsilon(1e-12));
     Observer quiet;
     const auto problem = study::describe_heat(at.input, machine(), quiet, &at.loads);
-    const auto& laws = problem.segments.front().interfaces.empty() ? problem.interfaces
-                                                                   : problem.segments.front().interfaces;
+    const auto& laws =
+        problem.segments.front().interfaces.empty() ? problem.interfaces : problem.segments.front().interfaces;
     // They rub without a film: all of the heat follows the load.
     CHECK(laws[first + 1].heat_weight * machine().interfaces[first + 1].area /
               (laws[first].heat_weight * machine().interfaces[first].area) ==

@@ -1,6 +1,7 @@
 /// Requirement: a ball in its socket has the friction, the film and the area of its seat.
-#include "deadpoint/error.hpp"
 #include "deadpoint/tribology/friction/ball_seat.hpp"
+
+#include "deadpoint/error.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -26,7 +27,8 @@ double over(const BallSeat& seat, const Function& f)
             const double theta = seat.from + (seat.to - seat.from) * (i + 0.5) / steps;
             const double phi = 2 * pi * (j + 0.5) / steps;
             const double along = std::sin(theta) * std::cos(phi);
-            const double area = seat.radius * seat.radius * std::sin(theta) * (seat.to - seat.from) / steps * 2 * pi / steps;
+            const double area =
+                seat.radius * seat.radius * std::sin(theta) * (seat.to - seat.from) / steps * 2 * pi / steps;
             sum += area * f(std::cos(theta), seat.radius * std::sqrt(1 - along * along));
         }
     return sum;

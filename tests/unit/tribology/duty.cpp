@@ -144,10 +144,10 @@ TEST_CASE("each side of a guide carries what presses it")
     const auto sides = [](double preload, double force, double moment) {
         return guide_side_forces({preload, 0.5}, force, moment);
     };
-    CHECK(sides(20, 0, 0).plus == Approx(20));    // half of the gib's 2 x 20 at each of two ends
-    CHECK(sides(20, 30, 0).plus == Approx(35));   // 17.5 at each end: (20 + 15) / 2
-    CHECK(sides(20, 30, 0).minus == Approx(5));   // (20 - 15) / 2 at each end
-    CHECK(sides(20, 60, 0).plus == Approx(60));   // the other side has lifted off
+    CHECK(sides(20, 0, 0).plus == Approx(20));   // half of the gib's 2 x 20 at each of two ends
+    CHECK(sides(20, 30, 0).plus == Approx(35));  // 17.5 at each end: (20 + 15) / 2
+    CHECK(sides(20, 30, 0).minus == Approx(5));  // (20 - 15) / 2 at each end
+    CHECK(sides(20, 60, 0).plus == Approx(60));  // the other side has lifted off
     CHECK(sides(20, 60, 0).minus == Approx(0));
     CHECK(sides(0, 30, 20).plus == Approx(55));   // ends: 15 + 40 and 15 - 40
     CHECK(sides(0, 30, 20).minus == Approx(25));  // tilted: the second end leans on the other side

@@ -187,7 +187,10 @@ private:
             warn("inconsistent", path,
                  fmt::format(
                      "friction law '{}' is for {}, but the joint is a {}: its heat would follow the wrong motion",
-                     joint.friction, of_guides ? "guides" : "bearings and pins", slides ? "slide" : joint.kind == Joint::Kind::ball ? "ball joint" : "revolute joint"),
+                     joint.friction, of_guides ? "guides" : "bearings and pins",
+                     slides                            ? "slide"
+                     : joint.kind == Joint::Kind::ball ? "ball joint"
+                                                       : "revolute joint"),
                  slides ? "name a law of kind = \"guide\"" : "name a law of kind = \"pin\" or \"rolling\"");
     }
 

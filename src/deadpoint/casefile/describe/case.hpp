@@ -117,8 +117,8 @@ struct Bond {
 
 /// The seat of a ball joint: the zone of the ball between two circles about the line on which it is pressed.
 struct BallSeat {
-    double diameter = 0;                ///< [m]
-    double from = 0;                    ///< half angle of the relief in its middle, seen from the ball's centre [rad]
+    double diameter = 0;                 ///< [m]
+    double from = 0;                     ///< half angle of the relief in its middle, seen from the ball's centre [rad]
     double to = 0.5 * std::numbers::pi;  ///< half angle to its rim [rad]
 };
 

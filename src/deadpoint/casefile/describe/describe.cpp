@@ -362,7 +362,8 @@ void describe(Visitor& v, Joint& j)
              "add ball = { diameter = \"80 mm\" }");
     v.expect(!j.ball || j.elements.empty(), "elements", "a ball joint has one seat and no bearings side by side",
              "remove `elements`");
-    v.expect(!j.ball || !j.turns_fully, "turns_fully", "a ball in its socket swings to and fro", "remove `turns_fully`");
+    v.expect(!j.ball || !j.turns_fully, "turns_fully", "a ball in its socket swings to and fro",
+             "remove `turns_fully`");
     v.expect(!j.ball || j.kind == Joint::Kind::ball, "ball", "only a ball joint has a spherical seat",
              "remove `ball`, or let `kind` be \"ball\"");
 }
@@ -426,8 +427,7 @@ void describe(Visitor& v, Bond& b)
             "by a conductance. Where the parts do not touch, or [machine] leaves them `unbonded`, there is no bond.");
     v.texts({"between", "pairs \"part|part\" (`*` stands for any letters) of touching parts of one body", required},
             b.between);
-    v.table({"conductance", "contact conductance; { value = \"0 W/m^2/K\" }: no heat passes", required},
-            b.conductance);
+    v.table({"conductance", "contact conductance; { value = \"0 W/m^2/K\" }: no heat passes", required}, b.conductance);
     v.expect(!std::holds_alternative<RollingElements>(b.conductance), "conductance",
              "rolling elements conduct in a joint; the parts of a body do not turn against each other",
              "give a `value`, a `resistance` or a law of surfaces, or make the bearing a joint");

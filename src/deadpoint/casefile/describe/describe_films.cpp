@@ -187,7 +187,8 @@ void describe(Visitor& v, RollingElements& e)
 void describe(Visitor& v, Conductance& c)
 {
     v.about("The contact conductance: the conductance or the resistance of the whole contact, the conductance to each "
-            "side, or a `law` that computes it. Laws use conductivity and elasticity of the materials of the two parts; their result is "
+            "side, or a `law` that computes it. Laws use conductivity and elasticity of the materials of the two "
+            "parts; their result is "
             "split equally between the sides.");
     Known known = known_of(c);
     v.quantity({"value", "conductance of the whole contact, split equally between the sides; 0: no heat passes"},

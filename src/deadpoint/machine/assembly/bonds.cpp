@@ -109,8 +109,8 @@ private:
         if (parts[i].body != parts[j].body || apart(assembly_.bounds[i], assembly_.bounds[j]))
             return;
         const bool joined = std::ranges::find(joined_, std::array{i, j}) != joined_.end();
-        const bool unbonded = std::ranges::any_of(
-            unbonded_, [&](const PatternPair& pair) { return pair.names(name(i), name(j)); });
+        const bool unbonded =
+            std::ranges::any_of(unbonded_, [&](const PatternPair& pair) { return pair.names(name(i), name(j)); });
         if (joined || unbonded) {
             for (auto& stated : stated_)
                 if (stated.pair.names(name(i), name(j)))

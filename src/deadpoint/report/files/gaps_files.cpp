@@ -167,9 +167,10 @@ std::string gaps_text(const GapSeries& gaps, const std::vector<double>& time)
 nlohmann::ordered_json compliance_json(const casefile::Case& input, const study::PressCompliance& compliance)
 {
     nlohmann::ordered_json json;
-    json["terms"] = "elastic opening of the gap under the process force at bottom dead point, apart from heat; frame, "
-                    "table, slide, links and crankshaft as solids, without clearances, oil films, rolling elements, tool "
-                    "and foundation";
+    json["terms"] =
+        "elastic opening of the gap under the process force at bottom dead point, apart from heat; frame, "
+        "table, slide, links and crankshaft as solids, without clearances, oil films, rolling elements, tool "
+        "and foundation";
     json["opening_um_per_kN"] = per_kilonewton * compliance.opening;
     json["stiffness_kN_per_mm"] = kilonewton_per_millimetre * compliance.stiffness();
     for (const auto& corner : compliance.corners)

@@ -16,7 +16,8 @@ namespace deadpoint::study {
 struct PressCompliance;
 }
 
-/// Corners of the slide, clearances, force at a fixed die height and the static opening under the process force, in the files and the text of a run.
+/// Corners of the slide, clearances, force at a fixed die height and the static opening under the process force, in the
+/// files and the text of a run.
 namespace deadpoint::report {
 
 /// Columns of gaps.csv besides the time.

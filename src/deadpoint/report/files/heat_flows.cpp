@@ -14,6 +14,8 @@ void add_heat_flow_columns(std::vector<CsvColumn>& columns, const study::RunResu
     namespace history = schema::history;
     for (const auto& [name, heat] : result.body_heat)
         columns.push_back(csv_column(history::source, sample(heat, result.symmetry_factor, 0), name));
+    for (const auto& [name, heat] : result.bonds)
+        columns.push_back(csv_column(history::bond_heat, sample(heat, result.symmetry_factor, 0), name));
     for (const auto& [name, circuit] : result.oil) {
         columns.push_back(csv_column(history::oil_inlet, sample_series(circuit.inlet, 1, -zero_celsius), name));
         columns.push_back(csv_column(history::oil_outlet, sample_series(circuit.outlet, 1, -zero_celsius), name));
@@ -35,6 +37,8 @@ nlohmann::ordered_json heat_flows_json(const study::RunResult& result)
     nlohmann::ordered_json json;
     for (const auto& [source, heat] : result.body_heat)
         json["sources_W"][source] = result.symmetry_factor * heat.back();
+    for (const auto& [bond, heat] : result.bonds)
+        json["bonds_W"][bond] = result.symmetry_factor * heat.back();
     for (const auto& [oil, circuit] : result.oil) {
         json["oil"][oil] = {{"inlet_degC", circuit.inlet.value.back() - zero_celsius},
                             {"outlet_degC", circuit.outlet.value.back() - zero_celsius},
@@ -56,6 +60,9 @@ std::string heat_flows_text(const study::RunResult& result)
     std::string text;
     for (const auto& [source, heat] : result.body_heat)
         text += fmt::format("  {}: {:.0f} W at the end\n", source, result.symmetry_factor * heat.back());
+    for (const auto& [bond, heat] : result.bonds)
+        text += fmt::format("  bond {}: {:+.0f} W from the first to the second at the end\n", bond,
+                            result.symmetry_factor * heat.back());
     for (const auto& [oil, circuit] : result.oil) {
         text += fmt::format("  oil {}: {:.1f} degC at the first joint, {:.1f} after the last one, takes {:.0f} W", oil,
                             circuit.inlet.value.back() - zero_celsius, circuit.outlet.value.back() - zero_celsius,

@@ -326,7 +326,8 @@ void add_solution(const casefile::Case& input, const Machine& machine, const Run
 }
 
 /// Dimension chain, friction, frame and the check of the adjoints, as far as the case has them.
-void add_machine(const casefile::Case& input, const RunResult& result, const study::RunSummary& summary, nlohmann::ordered_json& json)
+void add_machine(const casefile::Case& input, const RunResult& result, const study::RunSummary& summary,
+                 nlohmann::ordered_json& json)
 {
     if (result.drift) {
         json["drift_um"] = drift_json(result, summary);

@@ -18,6 +18,9 @@ inline constexpr Column joint_heat{"joint_heat", "{joint} heat", "W", "friction 
 inline constexpr Column to_air{"heat_to_air", "heat to air", "W", "heat from all surfaces to the air"};
 inline constexpr Column to_oil{"heat_to_oil", "heat to oil", "W", "heat from all joints to the oil"};
 inline constexpr Column source{"source_heat", "source {source} heat", "W", "heat of a motor, clutch or similar source"};
+inline constexpr Column bond_heat{
+    "bond_heat", "{bond} heat flow", "W",
+    "heat that crosses a bond with a conductance, from the first part of its pair to the second"};
 inline constexpr Column oil_inlet{"oil_inlet", "oil {circuit} inlet", "degC",
                                   "temperature of the oil at the first joint"};
 inline constexpr Column oil_outlet{"oil_outlet", "oil {circuit} outlet", "degC",
@@ -38,10 +41,10 @@ inline constexpr Column dimension{"dimension", "{dimension}", "um",
 inline constexpr Column rod_force{"rod_force", "{part} force", "kN", "force of a preloaded rod, tension above zero"};
 inline constexpr Column bond_force{"bond_force", "{bond} force", "kN",
                                    "force across a bond that a preload closes, tension above zero"};
-inline constexpr std::array all{
-    time,      probe,       joint_temperature, joint_heat, to_air,     to_oil, source,
-    oil_inlet, oil_outlet,  oil_sump,          oil_heat,   oil_cooler, air,    air_from_surfaces,
-    air_power, air_to_room, dimension,         rod_force,  bond_force};
+inline constexpr std::array all{time,      probe,       joint_temperature, joint_heat, to_air,
+                                to_oil,    source,      bond_heat,         oil_inlet,  oil_outlet,
+                                oil_sump,  oil_heat,    oil_cooler,        air,        air_from_surfaces,
+                                air_power, air_to_room, dimension,         rod_force,  bond_force};
 }  // namespace history
 
 namespace contributions {

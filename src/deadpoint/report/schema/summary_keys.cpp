@@ -39,6 +39,7 @@ Keys energy_keys()
 Keys flow_keys()
 {
     return {{"sources_W/{source}", "W", "heat source"},
+            {"bonds_W/{bond}", "W", "heat that crosses a bond with a conductance, from its first part to the second"},
             {"oil/{circuit}/inlet_degC", "degC", "temperature of the oil at the first joint"},
             {"oil/{circuit}/outlet_degC", "degC", "temperature of the oil after the last joint"},
             {"oil/{circuit}/sump_degC", "degC", "temperature of the oil in the sump"},

@@ -47,9 +47,10 @@ std::string conductance_table(const HeatTables& tables)
     TextTable table({"interface", "law", "pressure [MPa]", "R'' [m2 K/W]", "side a [W/m2/K]", "side b"});
     table.align_left(1);
     for (const auto& c : tables.conductances)
-        table.add_row(
-            {c.joint.empty() ? c.name : fmt::format("{}.{}", c.joint, c.name), c.law, c.pressure ? significant(megapascal * *c.pressure) : "",
-             marked(fmt::format("{:.3g}", c.resistance()), c.in_range), significant(c.film_a), significant(c.film_b)});
+        table.add_row({c.joint.empty() ? c.name : fmt::format("{}.{}", c.joint, c.name), c.law,
+                       c.pressure ? significant(megapascal * *c.pressure) : "",
+                       marked(fmt::format("{:.3g}", c.resistance()), c.in_range), significant(c.film_a),
+                       significant(c.film_b)});
     return table.text();
 }
 

@@ -106,9 +106,12 @@ std::string bonds_section(const Machine& machine)
     TextTable table({"bonded pair", "area [cm2]", "heat"});
     table.align_left(2);
     for (const auto& contact : machine.bonds) {
-        const bool conducts = std::ranges::find(machine.interfaces, contact.name, &Contact::name) != machine.interfaces.end();
+        const bool conducts =
+            std::ranges::find(machine.interfaces, contact.name, &Contact::name) != machine.interfaces.end();
         table.add_row({contact.name, significant(1e4 * contact.area, 4),
-                       contact.perfect ? "perfect contact" : conducts ? "by a conductance" : "open"});
+                       contact.perfect ? "perfect contact"
+                       : conducts      ? "by a conductance"
+                                       : "open"});
     }
     return section(fmt::format("Bonded pairs ({})", machine.bonds.size()), table);
 }

@@ -20,8 +20,8 @@ struct GapModel;
 ///   F l . K^-1 l     (Castigliano's theorem),    at a corner with the functional l_c by    F l_c . K^-1 l
 ///
 /// The force acts evenly on the face of the slide and on that of the table. A joint receives it as its centre is read,
-/// around the circumference by the cosine, pulling on the side that a pin would leave. In: frame, table, slide, links and
-/// crankshaft as solids. Left out: clearances, oil films, rolling elements and rings between the bodies of a joint,
+/// around the circumference by the cosine, pulling on the side that a pin would leave. In: frame, table, slide, links
+/// and crankshaft as solids. Left out: clearances, oil films, rolling elements and rings between the bodies of a joint,
 /// bolted faces that open, tool and foundation. The result is the largest stiffness that the press may have.
 PressCompliance press_compliance(fem::Model& model, const ChainModel& chain, const GapModel& gaps, bool half_model);
 

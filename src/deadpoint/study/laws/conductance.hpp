@@ -20,9 +20,9 @@ namespace deadpoint::study {
 
 /// The conductance of one interface and its source.
 struct InterfaceConductance {
-    std::string joint;  ///< empty: a bond
-    std::string name;   ///< of the interface, or of the bonded pair
-    std::string path;   ///< of the key in the case
+    std::string joint;               ///< empty: a bond
+    std::string name;                ///< of the interface, or of the bonded pair
+    std::string path;                ///< of the key in the case
     std::string law;                 ///< "given" where the case states the value
     std::optional<double> pressure;  ///< only of laws that need it [Pa]
     bool pressure_from_loads = false;
@@ -42,8 +42,9 @@ struct InterfaceConductance {
 /// states no contact pressure, it is the mean load of the joint over the turn divided by the area
 /// of the interfaces that carry it in parallel: those of the joint with the same `seat`, `journal`
 /// and `stands_still`; the others are in series. A slide's faces on either side have
-/// the mean force of that side (guide_sides), preload included; without both sides, the sum of all faces. In a half model, a joint that exists once has twice the modelled
-/// area. A ball joint has the area of its seat, in the pressure and in the heat that passes; the films are per drawn area. Rolling elements turn with the crank at `speed`.
+/// the mean force of that side (guide_sides), preload included; without both sides, the sum of all faces. In a half
+/// model, a joint that exists once has twice the modelled area. A ball joint has the area of its seat, in the pressure
+/// and in the heat that passes; the films are per drawn area. Rolling elements turn with the crank at `speed`.
 ///
 /// @param loads  for pressures that the case leaves out; may be null
 /// @param speed  of the crank [rad/s]

@@ -208,9 +208,8 @@ void add(Sum& sum, const casefile::PinFriction& law, const RubbingJoint& joint)
     for (std::size_t i = 0; i < joint.duties.size(); ++i) {
         const auto pin = pin_of(law, joint, i);
         sum.load_part += tribology::pin_load_heat(pin, joint.duties[i]);
-        sum.laws.push_back(law.clearance
-                               ? tribology::pin_heat(pin, joint.duties[i], lubricant_of(sum.input, sum.row))
-                               : tribology::pin_heat(pin, joint.duties[i]));
+        sum.laws.push_back(law.clearance ? tribology::pin_heat(pin, joint.duties[i], lubricant_of(sum.input, sum.row))
+                                         : tribology::pin_heat(pin, joint.duties[i]));
     }
 }
 

@@ -37,9 +37,8 @@ int side_of(const Machine& machine, const Contact& contact, const std::string& b
 
 bool has_image(const casefile::Case& input, const casefile::Joint& joint)
 {
-    return input.machine.half_model || std::ranges::any_of(joint.bodies, [&](const std::string& body) {
-               return input.bodies.at(body).mirror;
-           });
+    return input.machine.half_model ||
+           std::ranges::any_of(joint.bodies, [&](const std::string& body) { return input.bodies.at(body).mirror; });
 }
 
 void add_loads(GuideSides& sides, const LoadsResult& loads, std::size_t index, const tribology::GuideFaces& faces)

@@ -114,6 +114,26 @@ std::vector<Named<InterfaceHistory>> interfaces_of(const Machine& machine, const
     return result;
 }
 
+/// h A (mean T_a - mean T_b): exact, since the conductance is even over the bond.
+std::vector<Named<std::vector<double>>> bonds_of(const casefile::Case& input, const Machine& machine,
+                                                 const HeatProblem& problem, const ThermalHistory& history)
+{
+    std::size_t i = 0;
+    for (const auto& [name, joint] : input.joints)
+        i += joint.interfaces.size();
+    std::vector<Named<std::vector<double>>> result;
+    for (; i < machine.interfaces.size(); ++i) {
+        const auto& law = problem.interfaces[i];
+        const double conductance =
+            machine.interfaces[i].area * law.film_a * law.film_b / (law.film_a + law.film_b);  // [W/K]
+        std::vector<double> heat;
+        for (std::size_t k = 0; k < history.time.size(); ++k)
+            heat.push_back(conductance * (history.interface_a[i].value[k] - history.interface_b[i].value[k]));
+        result.push_back({machine.interfaces[i].name, std::move(heat)});
+    }
+    return result;
+}
+
 std::vector<Named<SourceHistory>> sources_of(const HeatProblem& problem, const ThermalHistory& history)
 {
     std::vector<Named<SourceHistory>> result;
@@ -130,6 +150,7 @@ Histories name_histories(const casefile::Case& input, const Machine& machine, co
     Histories result;
     result.probes = pair(problem.probes, history.probes);
     result.interfaces = interfaces_of(machine, history);
+    result.bonds = bonds_of(input, machine, problem, history);
     result.joints = joints_of(input, JointSums(machine, problem, history, symmetry_factor));
     result.parts = parts_of(machine, history);
     result.sources = sources_of(problem, history);

@@ -22,7 +22,7 @@ struct Named {
     History history;
 };
 
-/// Both sides of an interface of a joint.
+/// Both sides of an interface of a joint, or of a bond with a conductance.
 struct InterfaceHistory {
     Series a;  ///< mean temperature of side a [K]
     Series b;
@@ -49,7 +49,8 @@ struct SourceHistory {
 /// except for joints.
 struct Histories {
     std::vector<Named<Series>> probes;                ///< [K]
-    std::vector<Named<InterfaceHistory>> interfaces;  ///< "joint.interface"
+    std::vector<Named<InterfaceHistory>> interfaces;  ///< "joint.interface", then bonds as "part|part"
+    std::vector<Named<std::vector<double>>> bonds;    ///< heat from the first part to the second, of those bonds [W]
     std::vector<Named<JointHistory>> joints;          ///< those with an interface
     std::vector<Named<PartHistory>> parts;
     std::vector<Named<SourceHistory>> sources;

@@ -1,7 +1,7 @@
 #include "deadpoint/tribology/friction/ball_seat.hpp"
 
-#include "deadpoint/tribology/arguments.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/tribology/arguments.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -14,14 +14,16 @@ struct BallSeat {
 /// @throws InputError if the radius is not positive or not 0 <= from < to <= pi / 2; so do the others
 double seat_area(const BallSeat& seat);
 
-/// r with the moment of friction M = mu r F [m]. A seat that has run in is pressed by p ~ cos(theta) (Reye: wear, and with
-/// it p v, follows the sinking of the ball along the force; Stolarski, Tribology in Machine Design, ch. 4). With the
-/// lever arm R sqrt(1 - sin^2(theta) cos^2(phi)) about the axis,
+/// r with the moment of friction M = mu r F [m]. A seat that has run in is pressed by p ~ cos(theta) (Reye: wear, and
+/// with it p v, follows the sinking of the ball along the force; Stolarski, Tribology in Machine Design, ch. 4). With
+/// the lever arm R sqrt(1 - sin^2(theta) cos^2(phi)) about the axis,
 ///
 ///   r / R = integral of p sqrt(1 - sin^2 theta cos^2 phi) dA  /  integral of p cos(theta) dA
-///         = 2 / pi  [(1 + s^2) E(s) - (1 - s^2) K(s)] from s_0 to s_1  /  (cos^3 theta_0 - cos^3 theta_1),   s = sin(theta)
+///         = 2 / pi  [(1 + s^2) E(s) - (1 - s^2) K(s)] from s_0 to s_1  /  (cos^3 theta_0 - cos^3 theta_1),   s =
+///         sin(theta)
 ///
-/// E, K the complete elliptic integrals. 1 for a small seat, 4 / pi for a half ball, as for a run-in pin in a half shell.
+/// E, K the complete elliptic integrals. 1 for a small seat, 4 / pi for a half ball, as for a run-in pin in a half
+/// shell.
 double friction_radius(const BallSeat& seat);
 
 /// The same moment of shear in a film of even thickness as a pin of the radius friction_radius() and this length has in

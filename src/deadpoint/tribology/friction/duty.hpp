@@ -60,9 +60,9 @@ struct SideForces {
     double minus = 0;
 };
 
-/// The same force by side. At each end f = force / 2 +- moment / length, along +t. Two faces of equal stiffness that the
-/// gib presses together carry (P + f) / 2 and (P - f) / 2 until one of them lifts off at |f| = P; then the other carries
-/// |f| alone. Hence (max(P, |f|) +- f) / 2 at each end; both sides together are guide_normal_force.
+/// The same force by side. At each end f = force / 2 +- moment / length, along +t. Two faces of equal stiffness that
+/// the gib presses together carry (P + f) / 2 and (P - f) / 2 until one of them lifts off at |f| = P; then the other
+/// carries |f| alone. Hence (max(P, |f|) +- f) / 2 at each end; both sides together are guide_normal_force.
 SideForces guide_side_forces(const GuideFaces& guide, double force, double moment);
 
 /// Duty of a slide in its guide: guide_normal_force over the turn.
