@@ -91,6 +91,8 @@ TEST_CASE("two ranks give what one gives: prescribed temperatures and a bond")
     check_agreement("bonded-blocks", 293.15);
 }
 
+TEST_CASE("two ranks give what one gives: a bond with a conductance") { check_agreement("bolted-bars", 293.15); }
+
 TEST_CASE("two ranks give what one gives: radiation") { check_agreement("nafems-t2", 1000); }
 
 TEST_CASE("two ranks give what one gives: preloaded rods, weights and stress")
