@@ -141,6 +141,7 @@ TEST_CASE("guide faces: each end carries half the force and the couple, and the 
 
 TEST_CASE("each side of a guide carries what presses it")
 {
+    using doctest::Approx;
     const auto sides = [](double preload, double force, double moment) {
         return guide_side_forces({preload, 0.5}, force, moment);
     };
