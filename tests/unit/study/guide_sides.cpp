@@ -23,11 +23,11 @@ using doctest::Approx;
 
 namespace {
 
-/// A press whose right gib has half of the depth of its left one.
+/// A press that leans to the right, so that its slide does, and whose right gib has half of the depth of its left one.
 casefile::Case press(const std::string& preload = "2 kN")
 {
     auto input = casefile::read_case(DEADPOINT_SOURCE_DIR "/cases/starter-by-laws/case.toml",
-                                     {"joints.guide.preload=\"" + preload + "\""})
+                                     {"joints.guide.preload=\"" + preload + "\"", "machine.gravity_direction=[0.3, -1, 0]"})
                      .value;
     casefile::GuideFriction coulomb;
     coulomb.coefficient = 0.1;

@@ -22,16 +22,17 @@ namespace deadpoint::study {
 struct InterfaceConductance {
     std::string joint;               ///< empty: a bond
     std::string name;                ///< of the interface, or of the bonded pair
-    std::string path;                ///< of the key in the case
     std::string law;                 ///< "given" where the case states the value
     std::optional<double> pressure;  ///< only of laws that need it [Pa]
     bool pressure_from_loads = false;
     double area = 0;    ///< in contact, of the modelled half [m2]
     double film_a = 0;  ///< [W/m2/K]
     double film_b = 0;
-    double seat_over_drawn = 1;  ///< of a ball joint: area of its seat over that drawn, a factor on what is per area
     bool in_range = true;
     std::vector<std::string> notes;
+    std::string path;            ///< of the key in the case
+    /// Of a ball joint: area of its seat over that drawn, a factor on what is per area.
+    double seat_over_drawn = 1;
 
     [[nodiscard]] double resistance() const { return 1 / film_a + 1 / film_b; }  ///< R'' [m2 K/W]
 };
