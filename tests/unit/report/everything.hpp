@@ -195,7 +195,7 @@ inline study::HeatTables heat_of_all()
     tables.temperatures = {293.15};
     tables.joints = {{"pins", "pin", "oil", {"pin"}, {100}, {true}}};
     tables.friction = {friction()};
-    tables.conductances = {{"pin", "0", "given", 1e6, true, 0.1, 100, 100, true, {"a note"}}};
+    tables.conductances = {{"pin", "0", "given", 1e6, true, 0.1, 100, 100, true, {"a note"}, "joints.pin"}};
     tables.films = {{"wall", "vertical", 1, 1, 293.15, {{0, 5, 5, 5, true}}, {{1, 5, 5, 5, true}}}};
     return tables;
 }

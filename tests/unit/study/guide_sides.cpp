@@ -26,9 +26,10 @@ namespace {
 /// A press that leans to the right, so that its slide does, and whose right gib has half of the depth of its left one.
 casefile::Case press(const std::string& preload = "2 kN")
 {
-    auto input = casefile::read_case(DEADPOINT_SOURCE_DIR "/cases/starter-by-laws/case.toml",
-                                     {"joints.guide.preload=\"" + preload + "\"", "machine.gravity_direction=[0.3, -1, 0]"})
-                     .value;
+    auto input =
+        casefile::read_case(DEADPOINT_SOURCE_DIR "/cases/starter-by-laws/case.toml",
+                            {"joints.guide.preload=\"" + preload + "\"", "machine.gravity_direction=[0.3, -1, 0]"})
+            .value;
     casefile::GuideFriction coulomb;
     coulomb.coefficient = 0.1;
     input.friction.at("gibs").law = coulomb;

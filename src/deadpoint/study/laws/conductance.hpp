@@ -30,7 +30,7 @@ struct InterfaceConductance {
     double film_b = 0;
     bool in_range = true;
     std::vector<std::string> notes;
-    std::string path;            ///< of the key in the case
+    std::string path = {};  ///< of the key in the case
     /// Of a ball joint: area of its seat over that drawn, a factor on what is per area.
     double seat_over_drawn = 1;
 
