@@ -33,6 +33,8 @@ TEST_CASE("the short text of a run: gap, causes, warm-up and temperatures, and n
           "  by cause at the end: pin +1.0, motor +1.0, base +1.0 um\n"
           "  what moves the gap at the end: +10 % friction.pin -2.00, +1 K ambient +1.00 um\n"
           "  not warm at the end: the gap still drifts by more than 1.00 um/h\n"
+          "  static, apart from heat: 2 um/kN open the gap, 500 kN/mm of solid parts alone\n"
+          "    at 20 kN: 40.0 um, left to right +1.0 um/m, front to back -2.0 um/m\n"
           "\n"
           "  probe  rise [K]  published [K]  95 % after\n"
           "  ─────  ────────  ─────────────  ──────────\n"

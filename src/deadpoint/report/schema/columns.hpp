@@ -170,7 +170,7 @@ inline constexpr std::array all{temperature, heat};
 namespace conductances {
 inline constexpr Column joint{"joint", "joint", "", "joint of the interface; empty: a bond"};
 inline constexpr Column interface {
-    "interface", "interface", "", "of the joint; of a bond its pair, part|part"
+    "interface", "interface", "", "of the joint; of a bond its two parts"
 };
 inline constexpr Column law{"law", "law", "", "law of the contact conductance"};
 inline constexpr Column area{"area", "area", "m2", "contact area, of the modelled half"};

@@ -141,7 +141,7 @@ Keys heat_keys()
           {"friction/{friction law}/heat/[]/in_range", "", "false: outside the range in which the law was tested"}},
          friction_keys("operating_points/[]"),
          below("conductances/[]", {{"joint", "", "empty: a bond"},
-                                   {"interface", "", "of the joint; of a bond its pair, part|part"},
+                                   {"interface", "", "of the joint; of a bond its two parts"},
                                    {"law", "", "law of the contact conductance"},
                                    {"area_m2", "m2", "contact area, of the modelled half"},
                                    {"pressure_Pa", "Pa", "contact pressure used by the law"},
