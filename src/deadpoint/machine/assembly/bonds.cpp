@@ -1,5 +1,3 @@
-#include "deadpoint/machine/assembly/bonds.hpp"
-
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/pattern_pair.hpp"
 #include "deadpoint/error.hpp"

@@ -3,7 +3,6 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
-#include "deadpoint/machine/assembly/bonds.hpp"
 #include "deadpoint/machine/assembly/contacts.hpp"
 #include "deadpoint/machine/assembly/inspect.hpp"
 #include "deadpoint/machine/assembly/interfaces.hpp"
