@@ -1,7 +1,8 @@
 # Warnings, sanitizers and the compiler cache, for our own targets only.
 find_program(CCACHE ccache)
 if(CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+    # Without these ccache would pass over every source that has precompiled headers.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()
 
 # The folders' libraries become part of a shared one. None of its functions is replaced from outside, so the compiler may

@@ -125,17 +125,17 @@ void check_order(const Media& media, int cells)
 TEST_CASE("order in space: two materials with a film between them, meshes that do not match")
 {
     for (const bool tetrahedra : {false, true}) {
-        check_order({{1, 1}, tetrahedra, false}, 8);
+        check_order({{1, 1}, tetrahedra, false}, 6);
         check_order({{2, 2}, tetrahedra, false}, 4);
     }
-    check_order({{1, 2}, false, false}, 8);
+    check_order({{1, 2}, false, false}, 6);
 }
 
 TEST_CASE("order in space: two bonded materials, meshes that do not match")
 {
     for (const bool tetrahedra : {false, true}) {
-        check_order({{1, 1}, tetrahedra, true}, 8);
+        check_order({{1, 1}, tetrahedra, true}, 6);
         check_order({{2, 2}, tetrahedra, true}, 4);
     }
-    check_order({{2, 1}, false, true}, 8);
+    check_order({{2, 1}, false, true}, 6);
 }
