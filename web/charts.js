@@ -234,6 +234,48 @@ function svgBox(i) {
         "stroke-dasharray": i > 1 ? "3 2" : "" }));
 }
 
+/**
+ * Horizontal bars, each { name, value, low, high, inner, said }: with a whisker from low to high if both are given, and a
+ * narrow dark bar to inner. `said` is the text behind a bar, `reach` the least end of the axis.
+ */
+function barChart({ id, title, text, axis, bars, note, reach = 0 }) {
+    const draw = (width) => {
+        const longest = Math.max(...bars.map((bar) => bar.name.length));
+        const left = Math.min(10 + 7 * longest, width * 0.42), right = 60, top = 6, bottom = 40, pitch = 24;
+        const height = top + bottom + pitch * bars.length;
+        const most = Math.max(...bars.flatMap((bar) => [bar.high ?? 0, bar.value ?? 0]), reach) || 1;
+        const ticks = niceTicks(0, most, Math.max(3, Math.round((width - left) / 90))).filter((tick) => tick <= most * 1.001);
+        const at = (value) => left + Math.max(0, value) / most * (width - left - right);
+        const drawing = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "img", class: "plain",
+            "aria-label": `${title}: ${bars.map((bar) => `${bar.name} ${bar.said}`).join(", ")}, ${axis}` });
+        const write = (x, y, anchor, value, attributes = {}) => {
+            const text = svg("text", { x, y, "text-anchor": anchor, ...attributes });
+            text.textContent = value;
+            drawing.append(text);
+        };
+        for (const tick of ticks) {
+            drawing.append(svg("line", { x1: at(tick), x2: at(tick), y1: top, y2: height - bottom, stroke: tick === 0 ? "#8a8a8a" : "#e3e3e3" }));
+            write(at(tick), height - bottom + 17, "middle", shown(tick, 3), { class: "tick" });
+        }
+        write(width - right, height - 6, "end", axis);
+        bars.forEach((bar, i) => {
+            const y = top + pitch * i, middle = y + pitch / 2;
+            const { value, low, high } = bar, banded = Number.isFinite(low) && Number.isFinite(high);
+            drawing.append(svg("rect", { x: at(0), y: y + 4, width: Math.max(1, at(value) - at(0)), height: pitch - 8, class: "bar",
+                fill: "#9ecae8", stroke: "#0072b2" }));
+            if (Number.isFinite(bar.inner)) drawing.append(svg("rect", { x: at(0), y: y + 9, width: Math.max(0, at(Math.min(bar.inner, most)) - at(0)),
+                height: pitch - 18, fill: "#0072b2" }));
+            for (const [x1, x2, y1, y2] of !banded ? [] : [[at(low), at(high), middle, middle], [at(low), at(low), middle - 4, middle + 4],
+                [at(high), at(high), middle - 4, middle + 4]]) drawing.append(svg("line", { x1, x2, y1, y2, stroke: "#222222", "stroke-width": 1.4 }));
+            const letters = Math.floor((left - 10) / 6.6);
+            write(left - 8, middle + 4, "end", bar.name.length > letters ? `${bar.name.slice(0, letters - 1)}…` : bar.name);
+            write(Math.max(at(value), banded ? at(high) : 0) + 6, middle + 4, "start", bar.said);
+        });
+        return drawing;
+    };
+    return figure(id, title, text, draw, note ? make("p", { class: "note" }, note) : null);
+}
+
 /** A table; the first cell of each row is its heading. */
 function table(titles, rows, caption = null) {
     return make("div", { class: "wide" }, make("table", {}, caption ? make("caption", {}, caption) : null,

@@ -20,46 +20,9 @@ const varies = (entry) => names.some((name) => bandOf(entry, name)[0] !== null);
 /** What a bar of an entry shows: the wide bar with its band, and a narrow one within. */
 function barOf(entry, name) {
     const values = entry.parameters[name];
-    return { name: words(name), band: bandOf(entry, name), inner: screening ? Math.abs(values.mean) : Math.max(0, values.first[0]) };
-}
-
-/** Horizontal bars with whiskers; the narrow dark bar is the part without interactions, or the size of the mean. */
-function bandBars({ id, title, text, unit, bars, note }) {
-    const draw = (width) => {
-        const longest = Math.max(...bars.map((bar) => bar.name.length));
-        const left = Math.min(10 + 7 * longest, width * 0.42), right = 60, top = 6, bottom = 40, pitch = 24;
-        const height = top + bottom + pitch * bars.length;
-        const most = Math.max(...bars.flatMap((bar) => [bar.band[2] ?? 0, bar.band[0] ?? 0]), screening ? 0 : 0.2) || 1;
-        const ticks = niceTicks(0, most, Math.max(3, Math.round((width - left) / 90))).filter((tick) => tick <= most * 1.001);
-        const at = (value) => left + Math.max(0, value) / most * (width - left - right);
-        const drawing = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "img", class: "plain",
-            "aria-label": `${title}: ${bars.map((bar) => `${bar.name} ${shown(bar.band[0], 3)}`).join(", ")} ${unit}` });
-        const write = (x, y, anchor, value, attributes = {}) => {
-            const text = svg("text", { x, y, "text-anchor": anchor, ...attributes });
-            text.textContent = value;
-            drawing.append(text);
-        };
-        for (const tick of ticks) {
-            drawing.append(svg("line", { x1: at(tick), x2: at(tick), y1: top, y2: height - bottom, stroke: tick === 0 ? "#8a8a8a" : "#e3e3e3" }));
-            write(at(tick), height - bottom + 17, "middle", shown(tick, 3), { class: "tick" });
-        }
-        write(width - right, height - 6, "end", screening ? `mean size of the effect [${unitText(unit)}]` : "share of the variance");
-        bars.forEach((bar, i) => {
-            const y = top + pitch * i, middle = y + pitch / 2;
-            const [value, low, high] = bar.band;
-            drawing.append(svg("rect", { x: at(0), y: y + 4, width: Math.max(1, at(value) - at(0)), height: pitch - 8, class: "bar",
-                fill: "#9ecae8", stroke: "#0072b2" }));
-            drawing.append(svg("rect", { x: at(0), y: y + 9, width: Math.max(0, at(Math.min(bar.inner, most)) - at(0)), height: pitch - 18,
-                fill: "#0072b2" }));
-            for (const [x1, x2, y1, y2] of [[at(low), at(high), middle, middle], [at(low), at(low), middle - 4, middle + 4],
-                [at(high), at(high), middle - 4, middle + 4]]) drawing.append(svg("line", { x1, x2, y1, y2, stroke: "#222222", "stroke-width": 1.4 }));
-            const letters = Math.floor((left - 10) / 6.6);
-            write(left - 8, middle + 4, "end", bar.name.length > letters ? `${bar.name.slice(0, letters - 1)}…` : bar.name);
-            write(Math.max(at(value), at(high)) + 6, middle + 4, "start", screening ? shown(value, 3) : fixed(value, 2));
-        });
-        return drawing;
-    };
-    return figure(id, title, text, draw, note ? make("p", { class: "note" }, note) : null);
+    const [value, low, high] = bandOf(entry, name);
+    return { name: words(name), value, low, high, inner: screening ? Math.abs(values.mean) : Math.max(0, values.first[0]),
+        said: screening ? shown(value, 3) : fixed(value, 2) };
 }
 
 function figureBars(entry, number) {
@@ -67,7 +30,8 @@ function figureBars(entry, number) {
     if (!varies(entry)) return make("p", {}, `${title} does not vary within the ranges.`);
     const order = ranked(entry).slice(0, mostBars);
     const spread = screening ? "" : `${shown(entry.mean, 4)} ${unitText(entry.mean_unit)} on average, standard deviation ${shown(entry.deviation)} ${unitText(entry.unit)}.`;
-    return bandBars({ id: `bars-${entry.output}-${number}`, title, text: spread, unit: entry.unit, bars: order.map((name) => barOf(entry, name)),
+    return barChart({ id: `bars-${entry.output}-${number}`, title, text: spread, bars: order.map((name) => barOf(entry, name)),
+        axis: screening ? `mean size of the effect [${unitText(entry.unit)}]` : "share of the variance", reach: screening ? 0 : 0.2,
         note: order.length < names.length ? `The ${names.length - order.length} weakest of ${names.length} parameters are left out.` : null });
 }
 

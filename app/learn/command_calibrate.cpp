@@ -93,7 +93,10 @@ int calibrate(const CalibrateOptions& options, const OnRanks& ranks)
         console.finish();
         report::write_plan_files(folder.path(), plan);
         commit(folder, options.tables, console);
-        print_out("{}\nresults are in {}\n", report::calibration_text(plan), folder.target().string());
+        const auto page = folder.target() / "report.html";
+        report::write_plan_page(page, plan);
+        print_out("{}\nresults are in {}\nthe page is {}\n", report::calibration_text(plan), folder.target().string(),
+                  page.string());
         return 0;
     }
     auto result = study::calibrate(file, press, threads, console);

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""Looks at the pages of two results in a browser, as a reader would: check_page.py DEADPOINT SOURCE [PICTURES].
+"""Looks at the pages of two results in a browser, as a reader would: check_page.py DEADPOINT SOURCE [ROM [PICTURES]].
 
 Checks that nothing goes wrong on the console, that no request leaves the page, that every chart shows the data of the
 result files, that the three-dimensional view is not blank and follows time, turning, cutting and hiding, that the keys
-work, that the printed page is complete, and that it fits a phone. With a folder for PICTURES it leaves screenshots there.
+work, that the printed page is complete, and that it fits a phone. The pages of an
+optimum and of a plan need ROM, a reduced model of the starter press. With a folder for PICTURES it leaves screenshots there.
 """
 
 import base64
 import csv
 import json
+import math
 import os
 import struct
 import subprocess
@@ -342,6 +344,48 @@ factor = 2
 """
 
 
+WARM = """
+format = 1
+name = "warm soon"
+base = "SOURCE/cases/starter/case.toml"
+set = ["operation.0.duration=3 h"]
+[optimise]
+objective = "drift"
+from = "30 min"
+starts = 1
+[optimise.speed_profile]
+ends = ["0.5 h", "1 h"]
+from = "30 rpm"
+to = "90 rpm"
+[[optimise.limits]]
+output = "slide"
+most = "60 degC"
+"""
+
+
+PLAN = """
+format = 1
+name = "what to measure"
+[[parameters]]
+name = "pins"
+keys = ["friction.pins.*_part"]
+factor = 2
+[[parameters]]
+name = "films"
+keys = ["surfaces.air_*.film.coefficient"]
+factor = 2
+[[runs]]
+name = "warm-up"
+measure = ["slide"]
+[[sensors]]
+columns = ["slide", "upright", "bearing_front"]
+noise = "0.2 K"
+[[sensors]]
+columns = ["E_SW"]
+noise = "1 um"
+"""
+
+
 def read_study(folder):
     with open(folder + "/sweep.csv") as file:
         rows = list(csv.reader(line for line in file if not line.startswith("#")))
@@ -448,6 +492,45 @@ def check_sensitivity(page, folder, width):
     near(len(cells(page, "#parameters tbody tr")), len(ends), 0, f"sensitivity, {width} px: rows of the table")
 
 
+def check_optimum(page, folder, width):
+    """Curves, steps and table of a search for an optimum against its file."""
+    page.size(width, 900, phone=width < 500)
+    page.open(folder + "/report.html")
+    page.settle()
+    near(page.run("document.documentElement.scrollWidth"), width, 0, f"optimum, {width} px: width of the page")
+    with open(folder + "/optimise.json") as file:
+        found = json.load(file)
+    charts = {chart["id"]: chart for chart in page.run(LINES)}
+    for name in ("gap", "rate", "profile"):
+        near(charts.get(name, {}).get("lines", 0), 2, 0, f"optimum, {width} px: curves of '{name}'")
+    for row, one in zip(cells(page, "#variables tbody tr"), found["variables"]):
+        near(number(row[2]), one["optimum"], 5e-4 * abs(one["optimum"]), f"optimum, {width} px: {one['name']}")
+    rows = {row[0]: row for row in cells(page, "#figures tbody tr")}
+    largest = next(row for name, row in rows.items() if "largest" in name)
+    near(number(largest[2]), found["promised"]["largest_change_um"], 0.006, f"optimum, {width} px: largest change")
+
+
+def check_plan(page, folder, width):
+    """Bars and tables of a planned calibration against its file."""
+    page.size(width, 900, phone=width < 500)
+    page.open(folder + "/report.html")
+    page.settle()
+    near(page.run("document.documentElement.scrollWidth"), width, 0, f"plan, {width} px: width of the page")
+    with open(folder + "/plan.json") as file:
+        found = json.load(file)
+    bars = {chart: page.run(f"[...document.querySelectorAll('[data-chart={chart}] rect.bar')].map((bar) => Number(bar.getAttribute('width')))")
+            for chart in ("left", "gains")}
+    near(len(bars["left"]), len(found["parameters"]), 0, f"plan, {width} px: bars of unknowns")
+    left = [math.sqrt(1 - one["shrinkage"]) for one in found["parameters"]]
+    gains = [one["information_nat"] for one in found["candidates"]]
+    # Bars are at least a pixel wide.
+    near(bars["left"][1] / bars["left"][0], left[1] / left[0], 0.03 * left[1] / left[0], f"plan, {width} px: bars of unknowns")
+    near(bars["gains"][1] / bars["gains"][0], gains[1] / gains[0], 0.03, f"plan, {width} px: bars of candidates")
+    for row, one in zip(cells(page, "#unknowns tbody tr"), found["parameters"]):
+        near(number(row[4]), 100 * one["shrinkage"], 0.51, f"plan, {width} px: share of {one['name']}")
+    near(len(cells(page, "#candidates tbody tr")), len(gains), 0, f"plan, {width} px: rows of candidates")
+
+
 SKETCH = """(() => { const scene = checked.scene;
     const colours = {};
     for (const part of scene.parts) part.runs.forEach((run, i) => { const colour = "#" + part.skin[i].color.getHexString();
@@ -546,13 +629,20 @@ def check_pictures(folder):
         check(len(data) > 9000, f"picture '{pose}' is blank ({len(data)} bytes)")
 
 
-def compute(deadpoint, source, folder):
-    """A coarse press with all that a page can show, and a plain case to set beside it."""
+def compute(deadpoint, source, folder, rom):
+    """A coarse press with all that a page can show, a plain case to set beside it, and studies on a reduced press."""
     press, blocks, both = folder + "/press", folder + "/blocks", folder + "/both.html"
     with open(folder + "/study.toml", "w") as file:
         file.write(STUDY.replace("SOURCE", os.path.abspath(source)).replace("LIMIT", "25"))
     with open(folder + "/matters.toml", "w") as file:
         file.write(MATTERS.replace("SOURCE", os.path.abspath(source)))
+    for name, text in (("warm", WARM), ("plan", PLAN)):
+        with open(f"{folder}/{name}.toml", "w") as file:
+            file.write(text.replace("SOURCE", os.path.abspath(source)))
+    reduced = [] if rom is None else [
+            ["optimise", folder + "/warm.toml", "--reduced", rom, "--no-full-run", "-o", folder + "/warm", "--quiet"],
+            ["calibrate", source + "/cases/starter/case.toml", folder + "/plan.toml", "--reduced", rom, "--plan", "-o",
+             folder + "/plan", "--quiet"]]
     for arguments in (
             ["run", source + "/cases/jl75g-60/case.toml", "-o", press, "--size", "5", "--quiet", "--set",
              "operation.0.duration=30 min"],
@@ -562,7 +652,7 @@ def compute(deadpoint, source, folder):
             ["sweep", folder + "/study.toml", "-o", folder + "/study", "--size", "3", "--quiet"],
             ["reduce", source + "/tests/data/cli/two-blocks.toml", "-o", folder + "/blocks.rom", "--quiet"],
             ["sensitivity", folder + "/matters.toml", "--reduced", folder + "/blocks.rom", "-o", folder + "/matters",
-             "--quiet"]):
+             "--quiet"], *reduced):
         done = subprocess.run([deadpoint, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL)
         if done.returncode != 0:
             raise RuntimeError(f"deadpoint {' '.join(arguments)}: {done.stderr}")
@@ -571,13 +661,14 @@ def compute(deadpoint, source, folder):
 
 def main():
     deadpoint, source = sys.argv[1:3]
-    pictures = sys.argv[3] if len(sys.argv) > 3 else None
+    rom = sys.argv[3] if len(sys.argv) > 3 and os.path.exists(sys.argv[3]) else None
+    pictures = sys.argv[4] if len(sys.argv) > 4 else None
     path = browser.find()
     if path is None:
         print("skipped: there is no Chromium; scripts/install-dependencies installs it")
         return 77
     with tempfile.TemporaryDirectory(prefix="deadpoint-page-") as folder:
-        press, both = compute(deadpoint, source, folder)
+        press, both = compute(deadpoint, source, folder, rom)
         report = press + "/report.html"
         check_pictures(folder + "/pictures")
         check(os.path.getsize(report) < 10e6, "the page is over 10 MB")
@@ -599,6 +690,9 @@ def main():
             check_study_table(page, folder + "/study")
             for width in (360, 1280):
                 check_sensitivity(page, folder + "/matters", width)
+                if rom:
+                    check_optimum(page, folder + "/warm", width)
+                    check_plan(page, folder + "/plan", width)
             check_sketch(page, deadpoint, source, folder, pictures)
             check_without_scripts(page, report, ["E_SW at the end", "front left", "pivot_h", "Rises of the probes", "hash",
                                                  "Cite as", "switched off"])

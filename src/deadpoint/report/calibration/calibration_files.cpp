@@ -260,22 +260,6 @@ Json fit_json(const Calibration& result)
             {"other_minima", std::move(minima)}};
 }
 
-Json plan_json(const CalibrationPlan& plan)
-{
-    Json json = head_json(plan);
-    json["runs"] = plan.runs;
-    json["values"] = plan.values;
-    json["combinations"] = combination_json(plan.combinations);
-    json["candidates"] = Json::array();
-    for (const auto& gain : plan.candidates)
-        json["candidates"].push_back({{"name", gain.name},
-                                      {"information_nat", gain.information},
-                                      {"most_about", gain.most_about},
-                                      {"deviation_before", gain.deviation_before},
-                                      {"deviation_after", gain.deviation_after}});
-    return json;
-}
-
 std::vector<CsvColumn> candidate_table(const CalibrationPlan& plan)
 {
     const auto& all = plan.candidates;
@@ -340,6 +324,22 @@ Json calibration_json(const Calibration& result)
                                             {"surrogate_error", result.samples->surrogate_error},
                                             {"intervals", result.samples->intervals}}
                                      : Json(nullptr);
+    return json;
+}
+
+Json plan_json(const CalibrationPlan& plan)
+{
+    Json json = head_json(plan);
+    json["runs"] = plan.runs;
+    json["values"] = plan.values;
+    json["combinations"] = combination_json(plan.combinations);
+    json["candidates"] = Json::array();
+    for (const auto& gain : plan.candidates)
+        json["candidates"].push_back({{"name", gain.name},
+                                      {"information_nat", gain.information},
+                                      {"most_about", gain.most_about},
+                                      {"deviation_before", gain.deviation_before},
+                                      {"deviation_after", gain.deviation_after}});
     return json;
 }
 

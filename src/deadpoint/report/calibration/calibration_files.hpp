@@ -24,6 +24,10 @@ void write_calibration_page(const std::filesystem::path& file, const study::Cali
 /// Writes plan.json, parameters.csv, combinations.csv and candidates.csv. @throws IoError
 void write_plan_files(const std::filesystem::path& folder, const study::CalibrationPlan& plan);
 
+/// Writes the page of a plan into its finished folder: what it will determine, and what would help most. @throws
+/// IoError
+void write_plan_page(const std::filesystem::path& file, const study::CalibrationPlan& plan);
+
 /// What the data say, one sentence each: what they determine, what is prior only, whether the model explains them.
 std::vector<std::string> conclusions(const study::Calibration& result);
 std::vector<std::string> conclusions(const study::CalibrationPlan& plan);

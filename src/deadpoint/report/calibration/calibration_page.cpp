@@ -79,21 +79,31 @@ Json courses(const Calibration& result)
     return json;
 }
 
+/// A page of results with what every such page has.
+void write(const std::filesystem::path& file, const std::string& title, Json results, const std::string& text,
+           std::string_view script)
+{
+    PageContent content;
+    content.title = title;
+    content.data = {{"version", version}, {"schema", Json::parse(schema::script_json())}, {"runs", Json::array()}};
+    content.data.update(results);
+    content.without_scripts = "<p>This page draws its charts with scripts, which are switched off here.</p>\n<pre>" +
+                              xml_text(text) + "</pre>\n";
+    const std::array scripts{page_data_script(), page_charts_script(), script};
+    write_page(file, content, scripts, IfThere::replace);
+}
+
 }  // namespace
 
 void write_calibration_page(const std::filesystem::path& file, const Calibration& result)
 {
-    PageContent content;
-    content.title = result.name;
-    content.data = {{"version", version},
-                    {"schema", Json::parse(schema::script_json())},
-                    {"runs", Json::array()},
-                    {"calibration", calibration_json(result)},
-                    {"courses", courses(result)}};
-    content.without_scripts = "<p>This page draws its charts with scripts, which are switched off here.</p>\n<pre>" +
-                              xml_text(calibration_text(result)) + "</pre>\n";
-    const std::array scripts{page_data_script(), page_charts_script(), page_calibration_script()};
-    write_page(file, content, scripts, IfThere::replace);
+    write(file, result.name, {{"calibration", calibration_json(result)}, {"courses", courses(result)}},
+          calibration_text(result), page_calibration_script());
+}
+
+void write_plan_page(const std::filesystem::path& file, const study::CalibrationPlan& plan)
+{
+    write(file, plan.name, {{"plan", plan_json(plan)}}, calibration_text(plan), page_plan_script());
 }
 
 }  // namespace deadpoint::report

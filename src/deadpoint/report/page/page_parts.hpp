@@ -21,6 +21,7 @@ std::string_view page_main_script();
 std::string_view page_sweep_script();
 std::string_view page_sensitivity_script();
 std::string_view page_calibration_script();
+std::string_view page_plan_script();
 std::string_view page_optimise_script();
 std::string_view page_check_script();
 
