@@ -7,6 +7,7 @@
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/laws/friction_physics.hpp"
+#include "deadpoint/study/laws/kept_friction.hpp"
 #include "deadpoint/study/laws/viscosity.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/loads_cache.hpp"
@@ -141,9 +142,11 @@ std::vector<std::string> power_warnings(const FrictionSummary& summary)
 }  // namespace
 
 FrictionLaws::FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known,
-                           LoadsCache* shared)
-    : input_(input), machine_(machine), known_(known), shared_(shared)
+                           LoadsCache* shared, const KnownLaws* laws)
+    : input_(input), machine_(machine), known_(known), shared_(shared), laws_(laws)
 {
+    if (laws_)
+        computed_ = laws_->others;
     if (known_)
         for (const auto& warning : known_->warnings)
             heard_.insert(warning.about);
@@ -278,6 +281,19 @@ FrictionHeat FrictionLaws::physical(const std::string& row, const casefile::Segm
 }
 
 FrictionHeat FrictionLaws::heat(const std::string& row, const casefile::Segment& segment)
+{
+    if (!laws_)
+        return computed_heat(row, segment);
+    const KeptFriction::Key key{row, {segment.speed, segment.force}, laws_->values(row)};
+    if (auto found = laws_->kept->find(key))
+        return *std::move(found);
+    auto result = computed_heat(row, segment);
+    result.table = LawTable(result.heat);
+    laws_->kept->keep(key, result);
+    return result;
+}
+
+FrictionHeat FrictionLaws::computed_heat(const std::string& row, const casefile::Segment& segment)
 {
     const auto& friction = input_.friction.at(row);
     const bool is_calibrated = std::holds_alternative<casefile::CalibratedFriction>(friction.law);

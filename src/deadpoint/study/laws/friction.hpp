@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/exchange/laws/operating_point.hpp"
+#include "deadpoint/study/laws/loads_key.hpp"
 
 #include <cmath>
 #include <map>
@@ -30,16 +30,9 @@ namespace deadpoint::study {
 
 class LoadsCache;
 struct FrictionHeat;
+struct KnownLaws;
 struct FrictionSummary;
 struct RubbingJoint;
-
-/// Conditions for which loads are computed.
-struct LoadsKey {
-    OperatingPoint at;
-    bool at_reference = false;  ///< of a calibrated law: with the flexible crankshaft
-    double stiffness = 0;       ///< of its bearings at the reference [N/m]; 0: as the case has them
-    auto operator<=>(const LoadsKey&) const = default;
-};
 
 /// The friction laws of a case. Loads are computed once for each operating point and reference that
 /// they need. The duty of a law is that of all its joints with their images. The driver's joint has
@@ -56,9 +49,10 @@ public:
     /// @param machine  for masses that the case does not state; may be null where loads_need_machine() is false
     /// @param known    loads already computed, used at their speed and force; may be null
     /// @param shared   loads that are computed here and shared with other cases of this machine; may be null
+    /// @param laws     loads and laws of other cases of this machine; may be null
     /// All of them must outlive this.
     FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known,
-                 LoadsCache* shared = nullptr);
+                 LoadsCache* shared = nullptr, const KnownLaws* laws = nullptr);
 
     /// @throws InputError naming the friction law, if it needs loads and the case has no linkage,
     ///         or a size is missing or outside the law; as compute_loads
@@ -77,12 +71,15 @@ public:
 
     /// Loads at a segment's speed (not zero) and force.
     const LoadsResult& loads(const casefile::Segment& segment);
+    /// All loads computed here so far.
+    [[nodiscard]] const std::map<LoadsKey, std::shared_ptr<const LoadsResult>>& computed() const { return computed_; }
 
 private:
     const LoadsResult& reference(const casefile::CalibratedFriction& friction);
     const LoadsResult& compute(const LoadsKey& key, const casefile::Case& input);
     void keep_warnings(const LoadsResult& loads, bool at_reference);
     [[nodiscard]] std::vector<RubbingJoint> rubbing_joints(const std::string& row, const LoadsResult& loads) const;
+    FrictionHeat computed_heat(const std::string& row, const casefile::Segment& segment);
     FrictionHeat calibrated(const std::string& row, const casefile::Segment& segment);
     FrictionHeat physical(const std::string& row, const casefile::Segment& segment);
     void contrast_bearings(FrictionSummary& result, const LoadsResult& loads);
@@ -91,6 +88,7 @@ private:
     const Machine* machine_;
     const LoadsResult* known_;
     LoadsCache* shared_;
+    const KnownLaws* laws_;
     std::map<LoadsKey, std::shared_ptr<const LoadsResult>> computed_;
     std::set<std::string> heard_;  ///< Warning::about of the loads' warnings so far
     std::vector<std::string> warnings_;

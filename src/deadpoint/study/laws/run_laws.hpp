@@ -14,6 +14,7 @@ struct Case;
 /// Internal to study/: from a case to its heat problem.
 namespace deadpoint::study {
 
+struct KnownLaws;
 class LoadsCache;
 class Stopwatch;
 struct RunResult;
@@ -23,5 +24,10 @@ struct RunResult;
 /// @throws CaseError, CaseDomainError
 HeatProblem run_laws(const casefile::Case& input, const Machine& machine, Vibration vibration, Stopwatch& watch,
                      RunResult& result, Observer& observer, LoadsCache* shared = nullptr);
+
+/// The heat problem alone, of a case whose loads and most of whose laws are known.
+HeatProblem heat_with(const casefile::Case& input, const Machine& machine, const KnownLaws& known);
+/// What other cases may take from this one. Its `values` and `kept` are left empty.
+KnownLaws known_laws(const casefile::Case& input, const Machine& machine, LoadsCache& shared);
 
 }  // namespace deadpoint::study

@@ -189,7 +189,7 @@ private:
     void add_friction(HeatSegment& segment, const std::string& row, const casefile::Segment& operation)
     {
         const auto friction = friction_.heat(row, operation);
-        segment.heat.push_back(friction.heat);
+        segment.heat.push_back(friction.table ? friction.table : LawTable(friction.heat));
         segment.ring_heat.push_back(friction.ring_heat);
         segment.zoned_heat.push_back(friction.load_part.value_or(0));
         if (!friction.load_part)
