@@ -14,6 +14,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Largest distance of a point from a fit, in the fit's standard deviations.
+double distance(const Fit& from, const VectorXd& theta)
+{
+    return (theta - from.theta).cwiseQuotient(from.covariance.diagonal().cwiseSqrt()).cwiseAbs().maxCoeff();
+}
+
 /// One descent.
 class Descent {
 public:
@@ -115,6 +121,8 @@ private:
         if (trial.cost < result_.cost) {
             result_.converged = result_.cost - trial.cost < 1e-6 * (1e-3 + trial.cost);
             take(std::move(trial));
+            result_.converged =
+                result_.converged || (options_.known && distance(*options_.known, result_.theta) < same_minimum);
             damping_ = std::max(damping_ / 10, 1e-8);
         } else {
             damping_ = std::min(damping_ * 10, 1e8);
@@ -159,20 +167,21 @@ std::vector<VectorXd> prior_points(const Problem& problem, int count)
 std::vector<Fit> fit_from_many(const Problem& problem, int points, const FitOptions& options)
 {
     std::vector<Fit> result{fit(problem, VectorXd::Zero(static_cast<Index>(problem.parameters.size())), options)};
+    const Fit first = result.front();
+    FitOptions others = options;
+    others.known = &first;
     for (const auto& start : prior_points(problem, points))
-        result.push_back(fit(problem, start, options));
+        result.push_back(fit(problem, start, others));
     std::ranges::stable_sort(result, {}, &Fit::cost);
     return result;
 }
 
-std::vector<Fit> other_minima(const std::vector<Fit>& fits, double apart)
+std::vector<Fit> other_minima(const std::vector<Fit>& fits)
 {
     std::vector<Fit> result;
-    for (std::size_t k = 1; k < fits.size(); ++k) {
-        const VectorXd deviation = fits.front().covariance.diagonal().cwiseSqrt();
-        if (((fits[k].theta - fits.front().theta).cwiseQuotient(deviation)).cwiseAbs().maxCoeff() > apart)
+    for (std::size_t k = 1; k < fits.size(); ++k)
+        if (distance(fits.front(), fits[k].theta) > same_minimum)
             result.push_back(fits[k]);
-    }
     return result;
 }
 

@@ -20,22 +20,27 @@ struct Fit {
 
 struct FitOptions {
     int most_iterations = 40;
-    double step = 1e-3;      ///< converged: no parameter moves by more than this share of its standard deviation
-    std::vector<bool> held;  ///< parameters that stay where they start; empty: none
+    double step = 1e-3;          ///< converged: no parameter moves by more than this share of its standard deviation
+    std::vector<bool> held;      ///< parameters that stay where they start; empty: none
+    const Fit* known = nullptr;  ///< a descent that comes as near to it as same_minimum ends there
 };
+
+/// Largest distance of fits that count as one, in standard deviations of a parameter.
+inline constexpr double same_minimum = 0.3;
 
 /// Levenberg and Marquardt's method with projection onto the limits (Nocedal, Wright, Numerical Optimization, ch. 10).
 /// @throws ConvergenceError if the model yields values that are not finite
 Fit fit(const Problem& problem, const Eigen::VectorXd& start, const FitOptions& options = {});
 
-/// Fits from the prior's centre and from Sobol' points of the prior; the best first. @param points beside the centre
+/// Fits from the prior's centre and from Sobol' points of the prior; the best first. A descent that comes to the
+/// minimum of the first one ends there. @param points beside the centre
 std::vector<Fit> fit_from_many(const Problem& problem, int points, const FitOptions& options = {});
 
 /// Points of the prior: a Sobol' sequence through the quantile of the normal distribution, within the limits.
 std::vector<Eigen::VectorXd> prior_points(const Problem& problem, int count);
 
-/// Fits whose parameters differ from those of the first by more than `apart` of its standard deviations somewhere.
-std::vector<Fit> other_minima(const std::vector<Fit>& fits, double apart = 0.3);
+/// Fits that are not at the same_minimum as the first.
+std::vector<Fit> other_minima(const std::vector<Fit>& fits);
 
 /// Where a profile of the likelihood crosses.
 struct ProfileInterval {
