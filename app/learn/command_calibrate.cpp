@@ -52,6 +52,16 @@ casefile::CalibrationFile read_file(const CalibrateOptions& options)
     return file;
 }
 
+study::OtherPresses read_others(const casefile::CalibrationFile& file)
+{
+    study::OtherPresses result;
+    for (const auto& alternative : file.alternatives)
+        result.push_back(alternative.reduced.empty()
+                             ? nullptr
+                             : std::make_shared<study::ReducedPress>(study::read_reduced(alternative.reduced)));
+    return result;
+}
+
 /// A full run of the first fitted run with the calibrated values, against the reduced one.
 std::pair<double, double> check_by_full_run(const CalibrateOptions& options, const casefile::CalibrationFile& file,
                                             const study::ReducedPress& reduced, const study::Calibration& result,
@@ -80,15 +90,19 @@ int calibrate(const CalibrateOptions& options, const OnRanks& ranks)
     const auto read = read_case(options, console);
     const auto file = read_file(options);
     const auto press = study::read_reduced(file.options.reduced);
+    const auto others = read_others(file);
     const int threads =
         options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     auto inputs = input_files(read);
     inputs.insert(inputs.end(), {options.calibration, file.options.reduced});
+    for (const auto& alternative : file.alternatives)
+        if (!alternative.reduced.empty())
+            inputs.push_back(alternative.reduced);
     using enum report::ResultFolder::IfExists;
     report::ResultFolder folder(claim_folder(options.folder, console), options.force ? replace : refuse, inputs);
     const auto model = fs::path(file.options.reduced).filename().string();
     if (options.plan) {
-        auto plan = study::plan_calibration(file, press, threads, console);
+        auto plan = study::plan_calibration(file, press, others, threads, console);
         plan.reduced_file = model;
         console.finish();
         report::write_plan_files(folder.path(), plan);
@@ -99,7 +113,7 @@ int calibrate(const CalibrateOptions& options, const OnRanks& ranks)
                   page.string());
         return 0;
     }
-    auto result = study::calibrate(file, press, threads, console);
+    auto result = study::calibrate(file, press, others, threads, console);
     result.reduced_file = model;
     if (options.full_run)
         result.full_run = check_by_full_run(options, file, press, result, console);

@@ -17,29 +17,6 @@ double rms(const VectorXd& values)
 
 namespace {
 
-// Amplitude and correlation time of a slow course on top of the noise, by likelihood on a grid of 12 x 5.
-void estimate_course(const Curve& curve, const VectorXd& residual, CurveResidual& result)
-{
-    const double span = curve.time.size() > 1 ? curve.time[curve.time.size() - 1] - curve.time[0] : 0;
-    const double size = rms(residual);
-    if (!(span > 0) || curve.time.size() < 5 || !(size > 0))
-        return;
-    Noise noise = curve.noise;
-    noise.model_error = 0;
-    double likeliest = log_likelihood(noise, curve.time, residual);
-    for (const double time : {0.05, 0.1, 0.3, 1.0, 3.0})
-        for (int k = 0; k < 12; ++k) {
-            noise.model_time = time * span;
-            noise.model_error = size * std::pow(10.0, -1.0 + 1.5 * k / 11.0);
-            const double found = log_likelihood(noise, curve.time, residual);
-            if (found > likeliest) {
-                likeliest = found;
-                result.model_error = noise.model_error;
-                result.model_time = noise.model_time;
-            }
-        }
-}
-
 double neighbour_correlation(const VectorXd& white)
 {
     const auto count = white.size();
@@ -60,9 +37,7 @@ CurveResidual residual_of(const Curve& curve, const VectorXd& residual)
                          residual.mean(),
                          white.squaredNorm() / count,
                          neighbour_correlation(white),
-                         1,
-                         0,
-                         0};
+                         1};
     const boost::math::normal normal;
     const boost::math::chi_squared squares(count);
     double least = cdf(complement(squares, white.squaredNorm()));
@@ -74,7 +49,6 @@ CurveResidual residual_of(const Curve& curve, const VectorXd& residual)
         least = std::min(least, 2 * cdf(complement(normal, std::abs(white.mean()) * std::sqrt(count))));
     }
     result.probability = std::min(1.0, 3 * least);
-    estimate_course(curve, residual, result);
     return result;
 }
 

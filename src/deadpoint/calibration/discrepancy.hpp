@@ -17,8 +17,6 @@ struct CurveResidual {
     double chi_square = 0;   ///< sum of whitened squares over their number
     double lag_one = 0;      ///< correlation of neighbouring whitened residuals
     double probability = 1;  ///< of residuals as unlike noise as these, by the least of the three tests, times three
-    double model_error = 0;  ///< likeliest amplitude of a slow course in the residuals, in the curve's unit
-    double model_time = 0;   ///< its correlation time [s]
 };
 
 /// @param residual  measured - predicted

@@ -51,20 +51,6 @@ TEST_CASE("figures of a curve's residuals are those of their definition")
     CHECK(found.probability == Approx(3 * 1.694e-5).epsilon(1e-3));
 }
 
-TEST_CASE("a slow course in residuals is found with its size")
-{
-    const VectorXd time = even_times(120);
-    VectorXd residual = 0.05 * draw(120, 9);
-    for (Index k = 0; k < 120; ++k)
-        residual[k] += 0.5 * std::sin(2 * 3.14159265 * time[k] / 7200);
-    const auto found = residual_of({"c", time, residual, {0.05, 0, 0, 1}}, residual);
-    CHECK(found.model_error > 0.2);  // rms of the sine: 0.35
-    CHECK(found.model_error < 0.8);
-    CHECK(found.model_time > 500);
-    const auto none = residual_of({"c", time, residual, {0.05, 0, 0, 1}}, 0.05 * draw(120, 9));
-    CHECK(none.model_error < 0.02);
-}
-
 TEST_CASE("a regular course far below the stated errors is no wrong model, one of their size is")
 {
     const VectorXd time = even_times(60);

@@ -181,6 +181,26 @@ TEST_CASE("mistakes in parameters, runs and candidates are told with their place
             "there is no run 's'"));
 }
 
+TEST_CASE("an alternative has the case of each run with its own laws, and its mistakes have a place")
+{
+    const std::string other = "[[alternatives]]\nname = \"warm air\"\n";
+    const auto file = read(head + film + run + "set = [\"operation.0.speed=90 rpm\"]\n" + sensor + other +
+                           "set = [\"surfaces.air_frame.film.coefficient=8 W/m^2/K\"]\n");
+    CHECK(file.alternatives.front().place.find("c.toml:15") != std::string::npos);
+    REQUIRE(file.runs.front().alternatives.size() == 1);
+    const auto& with = *file.runs.front().alternatives.front();
+    CHECK(std::get<casefile::FilmCoefficient>(with.surfaces.at("air_frame").film->law).value == 8);
+    CHECK(with.operation.front().speed == Approx(90 * 2 * M_PI / 60));
+    CHECK(has(error_of(head + film + run + sensor + other), "the alternative is the case itself"));
+    const std::string oil = "set = [\"oil.pins=1 W/m^2/K\"]\n";
+    CHECK(has(error_of(head + film + run + sensor + other + oil + other + oil),
+              "two alternatives are called 'warm air'"));
+    const auto set = error_of(head + film + run + sensor + other + "set = [\"surfaces.air_frame.film.coeff=8\"]\n");
+    CHECK(has(set, "c.toml:15:"));
+    CHECK(has(set, "the case refuses this setting"));
+    CHECK(has(error_of(head + film + run + sensor + other + "reduced = \"log.csv\"\n" + oil), "give `share`"));
+}
+
 TEST_CASE("shifts have the unit of their keys, limits count from the case's value")
 {
     const auto file =

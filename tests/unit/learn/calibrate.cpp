@@ -102,7 +102,7 @@ const ReducedPress& exact_press()
 Calibration calibrated(const CalibrationFile& file)
 {
     Observer quiet;
-    return calibrate(file, exact_press(), 2, quiet);
+    return calibrate(file, exact_press(), {}, 2, quiet);
 }
 
 }  // namespace
@@ -192,6 +192,65 @@ TEST_CASE("a model error that is stated beforehand widens intervals although the
         CHECK(careful.parameters[k].deviation > 3 * perfect.parameters[k].deviation);
 }
 
+namespace {
+
+/// Data with other laws, and a calibration that allows for them by an alternative of this share.
+CalibrationFile with_alternative(double share)
+{
+    const std::vector<std::string> laws{"oil.pins=3000 W/m^2/K", "oil.gibs=2000 W/m^2/K"};
+    auto file = two_unknowns();
+    file.runs.push_back(measured(file, {}, {0.1, 0.1}, {"slide", "bearing_front", "upright"}, 4, laws));
+    file.alternatives = {{"more oil", "", laws, share, "c.toml:20"}};
+    file.runs.back().alternatives = {std::make_shared<casefile::Case>(starter_press::input(laws))};
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("an alternative takes up what the model lacks, and says so, in place of the unknowns")
+{
+    auto file = with_alternative(0);
+    const auto found = calibrated(file);
+    CHECK_FALSE(found.model_differs);
+    REQUIRE(found.parameters.size() == 3);
+    const auto& share = found.parameters[2];
+    CHECK(share.kind == FittedParameter::Kind::alternative);
+    // The data have all of the difference: a share of 1, and the unknowns are right.
+    CHECK(std::abs(share.theta - 1) < 4 * share.deviation);
+    CHECK(share.deviation < 0.2);
+    for (std::size_t k = 0; k < 2; ++k)
+        CHECK(std::abs(found.parameters[k].theta - 0.1) < 4 * found.parameters[k].deviation);
+    // The predicted course has the share in it, as the measured values have.
+    const auto& slide = found.predictions.front().curves;
+    const auto at = std::ranges::find(slide, found.curves.front().output, &PredictedCurve::output);
+    CHECK(std::abs(at->value.back() - found.curves.front().measured.back()) < 5 * noise);
+    // Half of the share's deviation: the same error is twice as many of them.
+    file = with_alternative(0.5);
+    CHECK(calibrated(file).parameters[2].theta == Approx(2 * share.theta).epsilon(0.1));
+}
+
+TEST_CASE("the error of a mesh is by the cell sizes of two: of first order")
+{
+    auto file = with_alternative(0);
+    auto coarser = std::make_shared<ReducedPress>(exact_press());
+    coarser->cells = exact_press().cells * 8 / 27;  // cells of one and a half times the size: h / (1.5 h - h) = 2
+    Observer quiet;
+    const auto found = calibrate(file, exact_press(), {coarser}, 2, quiet);
+    CHECK(found.parameters[2].theta == Approx(0.5).epsilon(0.1));  // twice the difference, of which the data have one
+    coarser->cells = exact_press().cells * 9 / 10;
+    CHECK_THROWS_WITH_AS((void)calibrate(file, exact_press(), {coarser}, 2, quiet),
+                         doctest::Contains("c.toml:20: the alternative 'more oil' has nearly the same mesh"),
+                         InputError);
+}
+
+TEST_CASE("an alternative that changes nothing is refused with its place")
+{
+    auto file = with_alternative(0);
+    file.runs.back().alternatives = {file.runs.back().input};
+    CHECK_THROWS_WITH_AS(calibrated(file),
+                         doctest::Contains("c.toml:20: the alternative 'more oil' changes no measured"), InputError);
+}
+
 TEST_CASE("a parameter without influence is refused with its place")
 {
     auto file = two_unknowns();
@@ -230,7 +289,7 @@ TEST_CASE("a plan foretells what the fit then determines, and what a further sen
     twice.input = std::make_shared<casefile::Case>(starter_press::input({"operation.0.speed=90 rpm"}));
     file.candidates = {bearing, twice};
     Observer quiet;
-    const auto plan = plan_calibration(file, exact_press(), 2, quiet);
+    const auto plan = plan_calibration(file, exact_press(), {}, 2, quiet);
     const auto fit = calibrated(file);
     for (std::size_t k = 0; k < 2; ++k)
         CHECK(plan.parameters[k].shrinkage == Approx(fit.parameters[k].expected).epsilon(1e-9));
@@ -246,7 +305,7 @@ TEST_CASE("a plan foretells what the fit then determines, and what a further sen
         curve.time.push_back(600.0 * k);
     run.curves = {curve};
     more.runs.push_back(run);
-    const auto with = plan_calibration(more, exact_press(), 2, quiet);
+    const auto with = plan_calibration(more, exact_press(), {}, 2, quiet);
     const auto log_det = [](const CalibrationPlan& of) {
         double sum = 0;
         for (const auto& c : of.combinations)

@@ -72,6 +72,38 @@ TEST_CASE("the text says what the data determine, what is prior only, and that t
     CHECK(has(report::calibration_text(right), "the data do not contradict the model"));
 }
 
+TEST_CASE("shares of alternatives are told apart from unknowns: those that the data need, and those that they do not")
+{
+    auto found = calibration_of_all();
+    auto mesh = factor_of("coarser mesh", 0.2, 0.95), films = factor_of("films by law", 0.9, 0.95);
+    for (auto* p : {&mesh, &films}) {
+        p->kind = study::FittedParameter::Kind::alternative;
+        p->unit = "share";
+    }
+    mesh.lower = -0.3;
+    mesh.upper = 0.7;
+    films.lower = 0.8;
+    films.upper = 1;
+    found.parameters = {factor_of("pins", 1.1, 0.95), mesh, films};
+    const auto text = report::calibration_text(found);
+    CHECK(has(text, "Known by the data: pins.\n"));
+    CHECK(has(text, "The data ask for 0.900 (0.800 to 1.00) times the error that 'films by law' allows for"));
+    CHECK(has(text,
+              "Model errors that were allowed for, and of which the data need none: coarser mesh (-0.300 to 0.700)."));
+}
+
+TEST_CASE("a page of a plan holds its figures and, without scripts, its text")
+{
+    const ScratchFolder folder;
+    report::write_plan_page(folder.path / "report.html", plan_of_all());
+    const auto page = content(folder.path / "report.html");
+    CHECK(has(page, "sensor at gib"));
+    CHECK(has(page, "\"information_nat\":1.5"));
+    CHECK(has(page, "Most would be gained by"));
+    report::write_plan_files(folder.path, plan_of_all());
+    CHECK(has(content(folder.path / "candidates.csv"), "sensor at gib,1.5,gibs,0.3"));
+}
+
 TEST_CASE("a plan says what would help most")
 {
     const auto text = report::calibration_text(plan_of_all());

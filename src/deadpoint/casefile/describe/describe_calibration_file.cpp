@@ -30,6 +30,8 @@ void describe(Visitor& v, CalibrationFile& f)
     v.list({"runs", "the measured or planned runs", required}, f.runs);
     v.list({"sensors", "how exact the sensors are", required}, f.sensors);
     v.list({"candidates", "for --plan: what could be measured besides; default: each probe, and E_SW"}, f.candidates);
+    v.list({"alternatives", "other models of the same press, whose difference is what the model may be off"},
+           f.alternatives);
     v.table({"options", "how the fit is made"}, f.options);
     v.expect(!f.parameters.empty() && !f.runs.empty() && !f.sensors.empty(), "", "there is nothing to calibrate",
              "add [[parameters]], [[runs]] and [[sensors]]");
@@ -120,6 +122,30 @@ void describe(Visitor& v, CalibrationCandidate& c)
     v.expect(c.run.empty() || c.set.empty(), "set", "the candidate has both `run` and `set`",
              "give `run` for sensors of a planned run, `set` for a further run");
     expect_settings(v, c.set);
+}
+
+void describe(Visitor& v, CalibrationAlternative& a)
+{
+    v.about("Another model of the same press that may be as good as that of the case: of another mesh, or with other "
+            "laws. Its "
+            "difference from the case's model is what the model may be off: a share of it is added to every "
+            "prediction, the "
+            "same in all runs, and fitted with the unknowns.");
+    v.text({"name", "name in reports", required}, a.name);
+    v.path({"reduced", "its reduced model, such as one built with `deadpoint reduce --size 1.5`; default: that of the "
+                       "calibration"},
+           a.reduced);
+    v.texts({"set", "other laws, each as for --set"}, a.set);
+    v.number(
+        {"share",
+         "standard deviation of the share; 1: the other model is as likely as this one. By default 1 for other laws; "
+         "for another mesh h / |h' - h| with both cell sizes h, the error of a method of first order"},
+        a.share, {0, 100, true});
+    v.expect(!a.reduced.empty() || !a.set.empty(), "", "the alternative is the case itself",
+             "give `reduced`, a model of another mesh, or `set`, other laws");
+    v.expect(a.reduced.empty() || a.set.empty() || a.share > 0, "", "another mesh with other laws has no usual share",
+             "give `share`, or make two alternatives of it");
+    expect_settings(v, a.set);
 }
 
 void describe(Visitor& v, CalibrationOptions& o)

@@ -75,12 +75,13 @@ struct CalibrationRun {
     std::string time_column = "time";
     Shows shows = Shows::temperature;
     Gaps gaps = Gaps::refuse;
-    std::vector<std::string> ignore;    ///< patterns of columns that are not used
-    std::optional<double> until;        ///< [s]
-    std::optional<double> interval;     ///< between values that are used [s]
-    std::vector<std::string> measure;   ///< planned: probes and dimensions
-    std::shared_ptr<const Case> input;  ///< after reading
-    std::vector<MeasuredCurve> curves;  ///< after reading
+    std::vector<std::string> ignore;                        ///< patterns of columns that are not used
+    std::optional<double> until;                            ///< [s]
+    std::optional<double> interval;                         ///< between values that are used [s]
+    std::vector<std::string> measure;                       ///< planned: probes and dimensions
+    std::shared_ptr<const Case> input;                      ///< after reading
+    std::vector<MeasuredCurve> curves;                      ///< after reading
+    std::vector<std::shared_ptr<const Case>> alternatives;  ///< after reading: its case in each alternative
 };
 
 /// A further sensor or run that could be planned.
@@ -90,6 +91,16 @@ struct CalibrationCandidate {
     std::vector<std::string> set;       ///< of a new run
     std::vector<std::string> measure;   ///< probes and dimensions; of a new run by default all that are measured
     std::shared_ptr<const Case> input;  ///< after reading: of a new run
+    std::vector<std::shared_ptr<const Case>> alternatives;  ///< after reading: the same in each alternative
+};
+
+/// Another model of the same press that may be as good. Its difference from the case's model counts as model error.
+struct CalibrationAlternative {
+    std::string name;
+    std::string reduced;           ///< file of its reduced model; empty: that of the calibration
+    std::vector<std::string> set;  ///< its differences from the case
+    double share = 0;   ///< standard deviation of the error, as a multiple of the difference; 0: by the meshes
+    std::string place;  ///< after reading: "file:line"
 };
 
 struct CalibrationOptions {
@@ -109,6 +120,7 @@ struct CalibrationFile {
     std::vector<CalibrationRun> runs;
     std::vector<CalibrationSensor> sensors;
     std::vector<CalibrationCandidate> candidates;
+    std::vector<CalibrationAlternative> alternatives;
     CalibrationOptions options;
     std::vector<std::string> notes;  ///< after reading: what was not used, and why
 };
@@ -125,6 +137,7 @@ void describe(Visitor& v, CalibrationParameter& p);
 void describe(Visitor& v, CalibrationRun& r);
 void describe(Visitor& v, CalibrationSensor& s);
 void describe(Visitor& v, CalibrationCandidate& c);
+void describe(Visitor& v, CalibrationAlternative& a);
 void describe(Visitor& v, CalibrationOptions& o);
 
 /// Values of a curve beyond this number are left out evenly: its covariance is a full matrix.

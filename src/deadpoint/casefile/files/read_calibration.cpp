@@ -50,6 +50,9 @@ public:
         unique("parameters", file_.parameters);
         unique("runs", file_.runs);
         unique("candidates", file_.candidates);
+        unique("alternatives", file_.alternatives);
+        for (std::size_t k = 0; k < file_.alternatives.size(); ++k)
+            file_.alternatives[k].place = place_text(fmt::format("alternatives.{}.name", k));
         for (std::size_t k = 0; k < file_.parameters.size(); ++k)
             check_parameter(k);
         for (std::size_t k = 0; k < file_.sensors.size(); ++k)
@@ -211,9 +214,12 @@ private:
 
     // ---------------------------------------------------------------- runs
 
-    std::shared_ptr<const Case> read_with(const std::vector<std::string>& set, const std::string& at)
+    /// @param before  settings ahead of these that are known to be right
+    std::shared_ptr<const Case> read_with(const std::vector<std::string>& set, const std::string& at,
+                                          const std::vector<std::string>& before = {})
     {
         auto overrides = of_.overrides;
+        overrides.insert(overrides.end(), before.begin(), before.end());
         overrides.insert(overrides.end(), set.begin(), set.end());
         Diagnostics found;
         auto value = std::make_shared<Case>();
@@ -226,6 +232,15 @@ private:
                        fmt::format("the case refuses this setting: {}", d.message), d.help);
             }
         return found.error_count() == 0 ? value : nullptr;
+    }
+
+    /// The case of a run in each alternative.
+    std::vector<std::shared_ptr<const Case>> read_alternatives(const std::vector<std::string>& set)
+    {
+        std::vector<std::shared_ptr<const Case>> result;
+        for (std::size_t k = 0; k < file_.alternatives.size(); ++k)
+            result.push_back(read_with(file_.alternatives[k].set, fmt::format("alternatives.{}.set", k), set));
+        return result;
     }
 
     RunReport reporter(const std::string& at)
@@ -241,6 +256,7 @@ private:
         run.input = read_with(run.set, at + ".set");
         if (!run.input)
             return;
+        run.alternatives = read_alternatives(run.set);
         const bool has_values = !run.reference.empty() || !run.data.empty();
         if (has_values)
             run.curves = measured_curves(run, file_.sensors, reporter(at), file_.notes);
@@ -280,6 +296,8 @@ private:
         CalibrationRun probe;
         probe.input = c.set.empty() ? std::make_shared<Case>(base_) : read_with(c.set, at + ".set");
         c.input = c.set.empty() ? nullptr : probe.input;
+        if (c.input)
+            c.alternatives = read_alternatives(c.set);
         if (probe.input)
             (void)planned_curves(c.measure, probe, file_.sensors, reporter(at));
     }

@@ -35,6 +35,8 @@ const char* kind_of(const FittedParameter& p)
         return "shift";
     case FittedParameter::Kind::bias:
         return "bias";
+    case FittedParameter::Kind::alternative:
+        return "alternative";
     default:
         return "lag";
     }

@@ -35,6 +35,8 @@ std::string interval(const FittedParameter& p)
                        number(p, p.upper));
 }
 
+bool is_alternative(const FittedParameter& p) { return p.kind == FittedParameter::Kind::alternative; }
+
 std::vector<std::string> words_of(const std::vector<KnownCombination>& combinations, bool by_data)
 {
     std::vector<std::string> result;
@@ -64,6 +66,8 @@ void add_parameters(const std::vector<FittedParameter>& parameters, std::vector<
 {
     std::vector<std::string> well, poor;
     for (const auto& p : parameters) {
+        if (is_alternative(p))
+            continue;
         if (p.shrinkage >= well_known)
             well.push_back(p.name);
         else if (p.shrinkage < hardly_known)
@@ -73,6 +77,25 @@ void add_parameters(const std::vector<FittedParameter>& parameters, std::vector<
         lines.push_back(fmt::format("Known by the data: {}.", fmt::join(well, ", ")));
     if (!poor.empty())
         lines.push_back(fmt::format("Prior only, that is as uncertain as before: {}.", fmt::join(poor, ", ")));
+}
+
+/// Which shares of the alternatives' differences the data ask for.
+void add_alternatives(const std::vector<FittedParameter>& parameters, std::vector<std::string>& lines)
+{
+    std::vector<std::string> open;
+    for (const auto& p : parameters) {
+        if (!is_alternative(p))
+            continue;
+        if (p.lower <= 0 && p.upper >= 0)
+            open.push_back(fmt::format("{} ({})", p.name, interval(p)));
+        else
+            lines.push_back(fmt::format("The data ask for {} ({}) times the error that '{}' allows for: that model, or "
+                                        "one like it, lies nearer to the press.",
+                                        number(p, p.estimate), interval(p), p.name));
+    }
+    if (!open.empty())
+        lines.push_back(fmt::format("Model errors that were allowed for, and of which the data need none: {}.",
+                                    fmt::join(open, ", ")));
 }
 
 double shown(const FittedCurve& curve, double value) { return value * (curve.of_gap ? micrometre : 1); }
@@ -156,6 +179,7 @@ std::vector<std::string> conclusions(const Calibration& result)
 {
     std::vector<std::string> lines;
     add_parameters(result.parameters, lines);
+    add_alternatives(result.parameters, lines);
     add_combinations(result.after, "determine", "leave", lines);
     add_model(result, lines);
     add_held_out(result, lines);

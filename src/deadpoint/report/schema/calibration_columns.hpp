@@ -7,9 +7,12 @@
 /// The columns of the tables of a calibration.
 namespace deadpoint::report::schema::calibration {
 
-inline constexpr Column parameter{"parameter", "unknown", "", "of the calibration file, or bias or lag of a sensor"};
-inline constexpr Column kind{"kind", "kind", "", "factor, shift, bias or lag"};
-inline constexpr Column unit{"unit", "unit", "", "of the values; empty: a factor"};
+inline constexpr Column parameter{"parameter", "unknown", "",
+                                  "of the calibration file, or bias or lag of a sensor, or an alternative"};
+inline constexpr Column kind{"kind", "kind", "", "factor, shift, bias, lag or alternative"};
+inline constexpr Column unit{
+    "unit", "unit", "",
+    "of the values; empty: a factor; share: a multiple of the error that an alternative allows for"};
 inline constexpr Column estimate{"estimate", "value", "", "likeliest value"};
 inline constexpr Column lower{"lower", "lower", "", "lower end of the interval with the stated probability"};
 inline constexpr Column upper{"upper", "upper", "", "upper end of it"};
@@ -42,7 +45,7 @@ inline constexpr Column held_out{"held_out", "held out", "", "yes: predicted, no
 inline constexpr Column time{"time", "time", "s", "since the start of the run"};
 inline constexpr Column measured{"measured", "measured", "", "in the unit of the row; temperatures in kelvin"};
 inline constexpr Column predicted{"predicted", "calibrated", "",
-                                  "by the calibrated case, with bias and lag of the sensor"};
+                                  "by the calibrated case, with bias and lag of the sensor and shares of alternatives"};
 inline constexpr Column before{"before", "before", "", "by the case as it was"};
 inline constexpr Column band_lower{"band_lower", "lower", "",
                                    "lower end of the band in which measured values are expected"};
@@ -50,7 +53,8 @@ inline constexpr Column band_upper{"band_upper", "upper", "", "upper end of it"}
 inline constexpr std::array residuals{run,      quantity,  unit,   held_out,   time,
                                       measured, predicted, before, band_lower, band_upper};
 
-inline constexpr Column prediction{"prediction", "{quantity}", "{unit}", "by the calibrated case"};
+inline constexpr Column prediction{"prediction", "{quantity}", "{unit}",
+                                   "by the calibrated case, with shares of alternatives"};
 inline constexpr Column prediction_lower{"prediction_lower", "{quantity} lower", "{unit}",
                                          "lower end of the band of the true value"};
 inline constexpr Column prediction_upper{"prediction_upper", "{quantity} upper", "{unit}", "upper end of it"};

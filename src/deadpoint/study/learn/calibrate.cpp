@@ -1,5 +1,6 @@
 #include "deadpoint/study/learn/calibrate.hpp"
 
+#include "deadpoint/calibration/course.hpp"
 #include "deadpoint/calibration/discrepancy.hpp"
 #include "deadpoint/calibration/sample.hpp"
 #include "deadpoint/calibration/surrogate.hpp"
@@ -31,12 +32,15 @@ constexpr double no_influence = 1e-6;  // standard deviations of noise per one o
 constexpr Index few_values = 5;        // a curve with fewer shows no course
 constexpr double far_from_prior = 3;   // standard deviations
 constexpr int most_refits = 4;
+constexpr double significant_probability = 0.05;
 
 /// The fit with all that follows from it.
 class Calibrating {
 public:
-    Calibrating(const casefile::CalibrationFile& file, const ReducedPress& press, int threads, Observer& observer)
-        : file_(file), press_(press), observer_(observer), runs_(file, press, threads), problem_(runs_.problem(false))
+    Calibrating(const casefile::CalibrationFile& file, const ReducedPress& press, const OtherPresses& others,
+                int threads, Observer& observer)
+        : file_(file), press_(press), observer_(observer), runs_(file, press, others, threads),
+          problem_(runs_.problem(false))
     {}
 
     Calibration run()
@@ -45,6 +49,7 @@ public:
         observer_.stage("fit");
         const auto start = std::chrono::steady_clock::now();
         fit_all();
+        turn_alternatives();
         correct_correlation();
         correct_model();
         result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -86,6 +91,11 @@ private:
     {
         for (Index k = 0; k < size(); ++k) {
             const auto& parameter = result_.parameters[static_cast<std::size_t>(k)];
+            if (known.influence[k] < no_influence && parameter.kind == FittedParameter::Kind::alternative)
+                throw InputError(
+                    fmt::format("{}: the alternative '{}' changes no measured value\n  help: remove it, or "
+                                "correct its `set` or `reduced`",
+                                parameter.place, parameter.name));
             if (known.influence[k] < no_influence)
                 throw InputError(fmt::format("{}: the parameter '{}' has no influence on any measured value\n  help: "
                                              "remove it, correct its keys, or measure what depends on it (--plan says "
@@ -120,6 +130,15 @@ private:
         result_.evaluations += fit_.evaluations;
     }
 
+    // Their differences are those at the fit.
+    void turn_alternatives()
+    {
+        if (file_.alternatives.empty())
+            return;
+        runs_.turn_to(fit_.theta);
+        refit();
+    }
+
     [[nodiscard]] VectorXd residual(std::size_t curve) const
     {
         const auto first = problem_.starts();
@@ -145,18 +164,22 @@ private:
             refit();
     }
 
-    // Adds what the model is off to the noise, until the residuals are like it.
+    // Adds what the model is off to the noise, if the residuals are unlike the stated errors.
     void correct_model()
     {
         const auto test = calibration::test_model(problem_, fit_.prediction);
-        result_.model_differs = test.differs;
-        result_.model_probability = test.probability;
         tests_ = test.curves;
-        if (!test.differs)
+        group_curves();
+        auto courses = find_courses();
+        result_.model_probability =
+            courses.empty() ? test.probability
+                            : std::min(1.0, 2 * std::min(test.probability, calibration::course_probability(courses)));
+        result_.model_differs = result_.model_probability < significant_probability;
+        if (!result_.model_differs)
             return;
         const auto stated = problem_.curves;
         for (int k = 0; k < most_refits; ++k) {
-            find_model_errors();
+            take_model_errors(courses);
             for (std::size_t c = 0; c < stated.size(); ++c) {
                 auto& noise = problem_.curves[c].noise;
                 const double rom = stated[c].noise.model_error, more = errors_[output(c)];
@@ -164,7 +187,31 @@ private:
                 noise.model_time = std::max(stated[c].noise.model_time, times_[output(c)]);
             }
             refit();
+            auto with = problem_.curves;
+            problem_.curves = stated;
+            courses = find_courses();
+            problem_.curves = std::move(with);
         }
+    }
+
+    // Curves of an output share their course; too few values show none.
+    void group_curves()
+    {
+        for (std::size_t c = 0; c < problem_.curves.size(); ++c) {
+            const auto known = std::ranges::find(outputs_, output(c));
+            const bool has_course = problem_.curves[c].time.size() >= few_values;
+            if (has_course && known == outputs_.end())
+                outputs_.push_back(output(c));
+        }
+        for (std::size_t c = 0; c < problem_.curves.size(); ++c)
+            groups_.push_back(problem_.curves[c].time.size() >= few_values
+                                  ? static_cast<std::size_t>(std::ranges::find(outputs_, output(c)) - outputs_.begin())
+                                  : outputs_.size());
+    }
+
+    [[nodiscard]] std::vector<calibration::Course> find_courses() const
+    {
+        return calibration::find_courses(problem_, fit_.prediction, fit_.theta, groups_, outputs_.size());
     }
 
     [[nodiscard]] const std::string& output(std::size_t curve) const
@@ -172,17 +219,13 @@ private:
         return runs_.curves(false)[curve].second->measured->output;
     }
 
-    // By output the largest course of its curves; for values without a course what all of them need together.
-    void find_model_errors()
+    // By output its course; for values without a course what all of them need together.
+    void take_model_errors(const std::vector<calibration::Course>& courses)
     {
         errors_.clear();
-        for (std::size_t c = 0; c < problem_.curves.size(); ++c) {
-            const auto found = calibration::residual_of(problem_.curves[c], residual(c));
-            auto& error = errors_[output(c)];
-            if (found.model_error > error) {
-                error = found.model_error;
-                times_[output(c)] = found.model_time;
-            }
+        for (std::size_t g = 0; g < outputs_.size(); ++g) {
+            errors_[outputs_[g]] = courses[g].amplitude;
+            times_[outputs_[g]] = courses[g].time;
         }
         for (const bool gap : {false, true}) {
             const double common = common_error(gap);
@@ -390,15 +433,18 @@ private:
     Fit fit_;
     ModelErrors errors_;
     std::map<std::string, double> times_;
+    std::vector<std::string> outputs_;  ///< with curves of enough values for a course
+    std::vector<std::size_t> groups_;   ///< of each curve: place of its output there
     std::vector<calibration::CurveResidual> tests_;
     Calibration result_;
 };
 
 }  // namespace
 
-Calibration calibrate(const casefile::CalibrationFile& file, const ReducedPress& press, int threads, Observer& observer)
+Calibration calibrate(const casefile::CalibrationFile& file, const ReducedPress& press, const OtherPresses& others,
+                      int threads, Observer& observer)
 {
-    return Calibrating(file, press, threads, observer).run();
+    return Calibrating(file, press, others, threads, observer).run();
 }
 
 }  // namespace deadpoint::study

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/study/learn/calibration_result.hpp"
+#include "deadpoint/study/learn/other_presses.hpp"
 
 namespace deadpoint {
 class Observer;
@@ -21,11 +22,11 @@ struct ReducedPress;
 /// curves, and the fit is repeated, so that intervals and bands are as wide as the model is wrong.
 ///
 /// @throws InputError if a parameter has no influence on any measured value, with its place
-Calibration calibrate(const casefile::CalibrationFile& file, const ReducedPress& press, int threads,
-                      Observer& observer);
+Calibration calibrate(const casefile::CalibrationFile& file, const ReducedPress& press, const OtherPresses& others,
+                      int threads, Observer& observer);
 
 /// What planned runs can determine, and what candidates would add, by derivatives at the prior's centre.
-CalibrationPlan plan_calibration(const casefile::CalibrationFile& file, const ReducedPress& press, int threads,
-                                 Observer& observer);
+CalibrationPlan plan_calibration(const casefile::CalibrationFile& file, const ReducedPress& press,
+                                 const OtherPresses& others, int threads, Observer& observer);
 
 }  // namespace deadpoint::study

@@ -27,18 +27,6 @@ double error_of(const ModelErrors& errors, const std::string& output)
     return found == errors.end() ? 0 : found->second;
 }
 
-double linear(const std::vector<double>& x, const std::vector<double>& y, double at)
-{
-    const auto upper = std::ranges::upper_bound(x, at);
-    if (upper == x.begin())
-        return y.front();
-    if (upper == x.end())
-        return y.back();
-    const auto k = static_cast<std::size_t>(upper - x.begin());
-    const double s = (at - x[k - 1]) / (x[k] - x[k - 1]);
-    return (1 - s) * y[k - 1] + s * y[k];
-}
-
 // What a curve shows of nothing that changes: the temperature at the start, or no rise, no change.
 double unchanged(const ModelledRun& run, const CurveOfRun& curve)
 {
@@ -133,7 +121,7 @@ void add_mean_baseline(std::vector<FittedCurve>& curves)
         for (std::size_t k = 0; k < curve.time.size(); ++k) {
             double mean = 0;
             for (const auto* other : fitted)
-                mean += linear(other->time, other->measured, curve.time[k]) / static_cast<double>(fitted.size());
+                mean += value_at(other->time, other->measured, curve.time[k]) / static_cast<double>(fitted.size());
             square += std::pow(curve.measured[k] - mean, 2);
         }
         curve.rms_mean = std::sqrt(square / static_cast<double>(curve.time.size()));
@@ -144,29 +132,32 @@ std::vector<PredictedRun> predicted_runs(const MeasuredRuns& runs, const Fit& fi
                                          double level)
 {
     const double wide = quantile_of(level);
-    const auto of_case = static_cast<Index>(runs.case_parameters());
-    const MatrixXd covariance = fit.covariance.topLeftCorner(of_case, of_case);
     std::vector<PredictedRun> result;
     for (const auto& run : runs.runs()) {
         Observer silent;
         const auto after = run.model->run(runs.theta_of_case(fit.theta), true, silent);
+        const auto others = runs.differences(run, fit.theta, after);
         const auto before = run.model->run(std::vector<double>(runs.case_parameters(), 0.0), false, silent);
         PredictedRun of{run.run->name, run.run->hold_out, after.time, {}};
         for (std::size_t o = 0; o < run.model->outputs().size(); ++o) {
             const auto& output = run.model->outputs()[o];
             if (output.kind == ForwardOutput::Kind::corner)
                 continue;
-            PredictedCurve curve{output.name, output.kind == ForwardOutput::Kind::dimension, {}, after.value[o], {},
-                                 {}};
+            PredictedCurve curve{output.name, output.kind == ForwardOutput::Kind::dimension, {}, {}, {}, {}};
             const double error = error_of(errors, output.name);
             for (std::size_t row = 0; row < after.time.size(); ++row) {
-                curve.before.push_back(linear(before.time, before.value[o], after.time[row]));
-                VectorXd slope(of_case);
-                for (Index k = 0; k < of_case; ++k)
-                    slope[k] = after.derivative[static_cast<std::size_t>(k)][o][row];
-                const double half = wide * std::sqrt(std::max(slope.dot(covariance * slope), 0.0) + error * error);
-                curve.lower.push_back(after.value[o][row] - half);
-                curve.upper.push_back(after.value[o][row] + half);
+                curve.before.push_back(value_at(before.time, before.value[o], after.time[row]));
+                VectorXd slope = VectorXd::Zero(fit.theta.size());  // no sensor: biases and lags do not act
+                for (std::size_t k = 0; k < runs.case_parameters(); ++k)
+                    slope[static_cast<Index>(k)] = after.derivative[k][o][row];
+                for (std::size_t k = 0; k < others.size(); ++k)
+                    slope[runs.first_alternative() + static_cast<Index>(k)] = others[k][o][row];
+                const auto shares = static_cast<Index>(others.size());
+                const double value = after.value[o][row] + slope.tail(shares).dot(fit.theta.tail(shares));
+                const double half = wide * std::sqrt(std::max(slope.dot(fit.covariance * slope), 0.0) + error * error);
+                curve.value.push_back(value);
+                curve.lower.push_back(value - half);
+                curve.upper.push_back(value + half);
             }
             of.curves.push_back(std::move(curve));
         }
@@ -186,8 +177,8 @@ std::pair<double, double> change_by_steps(const MeasuredRuns& runs, const Reduce
         for (const auto& curve : run.curves) {
             auto& largest = curve.measured->of_gap ? result.second : result.first;
             for (const double time : curve.measured->time)
-                largest = std::max(largest, std::abs(linear(with.time, with.value[curve.output], time) -
-                                                     linear(without.time, without.value[curve.output], time)));
+                largest = std::max(largest, std::abs(value_at(with.time, with.value[curve.output], time) -
+                                                     value_at(without.time, without.value[curve.output], time)));
         }
     }
     return result;

@@ -16,10 +16,10 @@ struct ChangedKey {
 
 /// An unknown. Its estimate and limits are factors, or shifts in SI units.
 struct FittedParameter {
-    enum class Kind { factor, shift, bias, lag };  ///< the last two belong to sensors
+    enum class Kind { factor, shift, bias, lag, alternative };  ///< bias and lag belong to sensors
     std::string name;
     Kind kind = Kind::factor;
-    std::string unit;   ///< SI unit of a shift or bias; empty: a factor
+    std::string unit;   ///< SI unit of a shift or bias; "share" of an alternative's difference; empty: a factor
     std::string place;  ///< in the calibration file
     std::vector<ChangedKey> values;
     double prior = 0;                             ///< standard deviation of theta before

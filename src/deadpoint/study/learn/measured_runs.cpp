@@ -3,6 +3,7 @@
 #include "deadpoint/calibration/curves.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/calibration_file.hpp"
+#include "deadpoint/casefile/files/numbers.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/parallel/in_parallel.hpp"
@@ -24,12 +25,35 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double least_model_time = 600;  // [s], correlation time of the reduced model's error
+constexpr double least_change_of_size = 0.1;  // of cells between meshes, relative; below it a difference shows nothing
+constexpr double least_model_time = 600;      // [s], correlation time of the reduced model's error
 
 VectorXd as_vector(const std::vector<double>& values)
 {
     return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
 }
+
+/// How the sensor of a curve sees an output: with its lag, at the times of the values.
+class Sensor {
+public:
+    Sensor(const CurveOfRun& curve, const std::vector<double>& rows, const VectorXd& theta)
+        : rows_(rows), weights_(calibration::interpolation(rows, curve.measured->time)),
+          constant_(curve.time_constant * (curve.lag >= 0 ? std::exp(theta[curve.lag]) : 1))
+    {}
+    [[nodiscard]] VectorXd shows(const VectorXd& values) const
+    {
+        return weights_ * (constant_ > 0 ? calibration::lagged(rows_, values, constant_).value : values);
+    }
+    [[nodiscard]] VectorXd by_log_constant(const VectorXd& values) const
+    {
+        return weights_ * calibration::lagged(rows_, values, constant_).by_log_constant;
+    }
+
+private:
+    const std::vector<double>& rows_;
+    MatrixXd weights_;
+    double constant_;
+};
 
 /// What the sensor of a curve shows of an output with its derivatives by all unknowns.
 struct Shown {
@@ -39,25 +63,32 @@ struct Shown {
 
 Shown shown(const CurveOfRun& curve, const Forecast& forecast, const VectorXd& theta, bool jacobian)
 {
-    const auto& times = curve.measured->time;
-    const MatrixXd weights = calibration::interpolation(forecast.time, times);
-    VectorXd rows = as_vector(forecast.value[curve.output]);
-    const double constant = curve.time_constant * (curve.lag >= 0 ? std::exp(theta[curve.lag]) : 1);
-    const auto lag = [&](const VectorXd& of) {
-        return constant > 0 ? calibration::lagged(forecast.time, of, constant).value : of;
-    };
-    Shown result{weights * lag(rows), MatrixXd()};
+    const Sensor sensor(curve, forecast.time, theta);
+    const VectorXd rows = as_vector(forecast.value[curve.output]);
+    Shown result{sensor.shows(rows), MatrixXd()};
     result.value.array() += (curve.bias >= 0 ? theta[curve.bias] : 0) - curve.start;
     if (!jacobian)
         return result;
     result.jacobian = MatrixXd::Zero(result.value.size(), theta.size());
     for (std::size_t k = 0; k < forecast.derivative.size(); ++k)
-        result.jacobian.col(static_cast<Index>(k)) = weights * lag(as_vector(forecast.derivative[k][curve.output]));
+        result.jacobian.col(static_cast<Index>(k)) = sensor.shows(as_vector(forecast.derivative[k][curve.output]));
     if (curve.bias >= 0)
         result.jacobian.col(curve.bias).setOnes();
     if (curve.lag >= 0)
-        result.jacobian.col(curve.lag) = weights * calibration::lagged(forecast.time, rows, constant).by_log_constant;
+        result.jacobian.col(curve.lag) = sensor.by_log_constant(rows);
     return result;
+}
+
+// Adds the alternatives, whose shares are unknowns from `first` on.
+void add_shares(const ModelledRun& run, std::size_t curve, Index first, const VectorXd& theta, Shown& to)
+{
+    for (std::size_t k = 0; k < run.alternatives.size(); ++k) {
+        const Index at = first + static_cast<Index>(k);
+        const auto& difference = run.alternatives[k].difference[curve];
+        to.value += theta[at] * difference;
+        if (to.jacobian.size() > 0)
+            to.jacobian.col(at) = difference;
+    }
 }
 
 FittedParameter unknown_of_case(const casefile::CalibrationParameter& from)
@@ -76,6 +107,18 @@ std::string sensor_place(std::size_t sensor, const std::string& output) { return
 
 }  // namespace
 
+double value_at(const std::vector<double>& x, const std::vector<double>& y, double at)
+{
+    const auto upper = std::ranges::upper_bound(x, at);
+    if (upper == x.begin())
+        return y.front();
+    if (upper == x.end())
+        return y.back();
+    const auto k = static_cast<std::size_t>(upper - x.begin());
+    const double s = (at - x[k - 1]) / (x[k] - x[k - 1]);
+    return (1 - s) * y[k - 1] + s * y[k];
+}
+
 std::pair<double, double> stated_errors(const ReducedPress& press)
 {
     std::pair<double, double> result{0, 0};
@@ -84,9 +127,11 @@ std::pair<double, double> stated_errors(const ReducedPress& press)
     return result;
 }
 
-MeasuredRuns::MeasuredRuns(const casefile::CalibrationFile& file, const ReducedPress& press, int threads)
-    : file_(file), press_(press), threads_(threads)
+MeasuredRuns::MeasuredRuns(const casefile::CalibrationFile& file, const ReducedPress& press, OtherPresses others,
+                           int threads)
+    : file_(file), press_(press), others_(std::move(others)), threads_(threads)
 {
+    others_.resize(file.alternatives.size());
     std::tie(reduced_temperature_, reduced_gap_) = stated_errors(press);
     for (const auto& from : file.parameters) {
         const bool factor = from.kind == casefile::CalibrationParameter::Kind::factor;
@@ -102,8 +147,24 @@ MeasuredRuns::MeasuredRuns(const casefile::CalibrationFile& file, const ReducedP
     }
     of_case_ = parameters_.size();
     add_sensor_unknowns();
+    add_alternative_unknowns();
     for (const auto& run : file.runs)
         runs_.push_back(modelled(run));
+}
+
+void MeasuredRuns::add_alternative_unknowns()
+{
+    first_alternative_ = static_cast<Index>(unknowns_.size());
+    for (const auto& alternative : file_.alternatives) {
+        FittedParameter unknown;
+        unknown.name = alternative.name;
+        unknown.kind = FittedParameter::Kind::alternative;
+        unknown.unit = "share";
+        unknown.place = alternative.place;
+        unknown.prior = 1;
+        unknowns_.push_back(unknown);
+        priors_.push_back({alternative.name, 1});
+    }
 }
 
 void MeasuredRuns::add_sensor_unknowns()
@@ -150,12 +211,103 @@ ModelledRun MeasuredRuns::modelled(const CalibrationRun& run) const
     options.threads = threads_;
     try {
         result.model = std::make_unique<ForwardModel>(*run.input, press_, parameters_, options);
+        add_alternatives(result, options);
     } catch (const InputError& error) {
         throw InputError(fmt::format("the run '{}': {}", run.name, error.what()));
     }
     for (const auto& curve : run.curves)
         add_curve(result, curve);
+    take_differences(result, VectorXd::Zero(static_cast<Index>(priors_.size())));
     return result;
+}
+
+// Cell sizes of both meshes from their numbers of cells. With errors of first order, error(h) = h / (h' - h) times the
+// difference.
+double MeasuredRuns::share_of(std::size_t alternative) const
+{
+    const auto& of = file_.alternatives[alternative];
+    const auto& other = others_[alternative];
+    if (of.share > 0)
+        return of.share;
+    if (!other)
+        return 1;
+    const double ratio = std::cbrt(static_cast<double>(press_.cells) / static_cast<double>(other->cells));
+    if (std::abs(ratio - 1) < least_change_of_size)
+        throw InputError(
+            fmt::format("{}: the alternative '{}' has nearly the same mesh ({} and {} cells), so that their "
+                        "difference does not show the error of the mesh\n  help: build its model with "
+                        "'deadpoint reduce --size' one and a half times as large, or state `share`",
+                        of.place, of.name, other->cells, press_.cells));
+    return 1 / std::abs(ratio - 1);
+}
+
+void MeasuredRuns::add_alternatives(ModelledRun& to, const ForwardOptions& options) const
+{
+    for (std::size_t k = 0; k < file_.alternatives.size(); ++k) {
+        const auto& input = *to.run->alternatives.at(k);
+        AlternativeRun alternative;
+        alternative.share = share_of(k);
+        std::vector<CaseParameter> known;
+        const auto numbers = casefile::numbers_of(input);
+        for (std::size_t p = 0; p < of_case_; ++p) {
+            auto parameter = parameters_[p];
+            std::erase_if(parameter.keys, [&](const auto& key) {
+                return std::ranges::find(numbers, key, &casefile::CaseNumber::path) == numbers.end();
+            });
+            if (parameter.keys.empty())
+                continue;
+            known.push_back(std::move(parameter));
+            alternative.unknowns.push_back(p);
+        }
+        const auto& press = others_[k] ? *others_[k] : press_;
+        try {
+            alternative.model = std::make_unique<ForwardModel>(input, press, std::move(known), options);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("the alternative '{}': {}", file_.alternatives[k].name, error.what()));
+        }
+        to.alternatives.push_back(std::move(alternative));
+    }
+}
+
+std::vector<Differences> MeasuredRuns::differences(const ModelledRun& run, const VectorXd& theta,
+                                                   const Forecast& own) const
+{
+    std::vector<Differences> result;
+    for (const auto& alternative : run.alternatives) {
+        std::vector<double> known;
+        for (const auto k : alternative.unknowns)
+            known.push_back(theta[static_cast<Index>(k)]);
+        Observer silent;
+        const auto other = alternative.model->run(known, false, silent);
+        auto& of = result.emplace_back();
+        for (std::size_t o = 0; o < own.value.size(); ++o) {
+            auto& rows = of.emplace_back(own.value[o]);
+            for (std::size_t row = 0; row < rows.size(); ++row)
+                rows[row] = alternative.share * (value_at(other.time, other.value[o], own.time[row]) - rows[row]);
+        }
+    }
+    return result;
+}
+
+void MeasuredRuns::take_differences(ModelledRun& of, const VectorXd& theta) const
+{
+    if (of.alternatives.empty())
+        return;
+    Observer silent;
+    const auto own = of.model->run(theta_of_case(theta), false, silent);
+    const auto all = differences(of, theta, own);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        of.alternatives[k].difference.clear();
+        for (const auto& curve : of.curves)
+            of.alternatives[k].difference.push_back(
+                Sensor(curve, own.time, theta).shows(as_vector(all[k][curve.output])));
+    }
+}
+
+void MeasuredRuns::turn_to(const VectorXd& theta)
+{
+    for (auto& run : runs_)
+        take_differences(run, theta);
 }
 
 void MeasuredRuns::add_curve(ModelledRun& to, const MeasuredCurve& measured) const
@@ -240,8 +392,10 @@ Prediction MeasuredRuns::predict(const std::vector<const ModelledRun*>& runs, co
     reduce::in_parallel(threads_, runs.size(), [&](std::size_t r) {
         Observer silent;
         const auto forecast = runs[r]->model->run(of_case, jacobian, silent);
-        for (const auto& curve : runs[r]->curves)
-            parts[r].push_back(shown(curve, forecast, theta, jacobian));
+        for (std::size_t c = 0; c < runs[r]->curves.size(); ++c) {
+            parts[r].push_back(shown(runs[r]->curves[c], forecast, theta, jacobian));
+            add_shares(*runs[r], c, first_alternative_, theta, parts[r].back());
+        }
     });
     Index count = 0;
     for (const auto& run : parts)

@@ -3,6 +3,7 @@
 #include "deadpoint/calibration/problem.hpp"
 #include "deadpoint/study/learn/calibration_result.hpp"
 #include "deadpoint/study/learn/forward.hpp"
+#include "deadpoint/study/learn/other_presses.hpp"
 
 #include <memory>
 #include <string>
@@ -26,20 +27,35 @@ struct CurveOfRun {
     double start = 0;                  ///< subtracted from values, for rises
 };
 
+/// A run in another model of the press. Its difference from the run's own model, times the share's standard deviation,
+/// is a direction in which predictions may be off; the amount along it is an unknown of unit variance.
+struct AlternativeRun {
+    std::unique_ptr<ForwardModel> model;
+    std::vector<std::size_t> unknowns;  ///< those of the case's that its laws have, by place
+    double share = 1;
+    std::vector<Eigen::VectorXd> difference;  ///< by curve of the run, at the values of the last turn_to()
+};
+
+/// What an alternative adds to a run by one standard deviation of its share: [output][row].
+using Differences = std::vector<std::vector<double>>;
+
 /// A run with its model.
 struct ModelledRun {
     const casefile::CalibrationRun* run = nullptr;
     std::unique_ptr<ForwardModel> model;
     std::vector<CurveOfRun> curves;
+    std::vector<AlternativeRun> alternatives;
 };
 
-/// All runs of a calibration file. The unknowns of the case come first, then those of sensors.
+/// All runs of a calibration file. The unknowns of the case come first, then those of sensors, then alternatives.
 class MeasuredRuns {
 public:
-    /// @param file   must outlive this
-    /// @param press  must outlive this
-    /// @throws InputError if a run is not of that press, or if a parameter changes what a reduced model cannot
-    MeasuredRuns(const casefile::CalibrationFile& file, const ReducedPress& press, int threads);
+    /// @param file    must outlive this
+    /// @param press   must outlive this
+    /// @param others  of the file's alternatives
+    /// @throws InputError if a run is not of that press, if a parameter changes what a reduced model cannot, or if the
+    ///         mesh of an alternative is too much like that of the press
+    MeasuredRuns(const casefile::CalibrationFile& file, const ReducedPress& press, OtherPresses others, int threads);
 
     /// The fitted runs (or the held-out ones) as a problem. It refers to this object.
     [[nodiscard]] calibration::Problem problem(bool hold_out) const;
@@ -47,10 +63,18 @@ public:
     [[nodiscard]] calibration::Problem problem_of(const ModelledRun& run) const;
     /// A run that the file does not have, with its curves; not kept.
     [[nodiscard]] ModelledRun modelled(const casefile::CalibrationRun& run) const;
+    /// Takes the differences of the alternatives at these values. They change little with them, and problems hold them
+    /// fixed in between.
+    void turn_to(const Eigen::VectorXd& theta);
+    /// By alternative, at the rows of the run's own forecast.
+    [[nodiscard]] std::vector<Differences> differences(const ModelledRun& run, const Eigen::VectorXd& theta,
+                                                       const Forecast& own) const;
 
     /// Unknowns without estimates.
     [[nodiscard]] const std::vector<FittedParameter>& unknowns() const { return unknowns_; }
     [[nodiscard]] std::size_t case_parameters() const { return of_case_; }
+    /// Place of the first alternative's share among the unknowns.
+    [[nodiscard]] Eigen::Index first_alternative() const { return first_alternative_; }
     [[nodiscard]] const std::vector<ModelledRun>& runs() const { return runs_; }
     /// Only those of the case, as ForwardModel takes them.
     [[nodiscard]] std::vector<double> theta_of_case(const Eigen::VectorXd& theta) const;
@@ -62,19 +86,28 @@ private:
                                                   const Eigen::VectorXd& theta, bool jacobian) const;
     void add_curve(ModelledRun& to, const casefile::MeasuredCurve& measured) const;
     void add_sensor_unknowns();
+    void add_alternative_unknowns();
+    void add_alternatives(ModelledRun& to, const ForwardOptions& options) const;
+    [[nodiscard]] double share_of(std::size_t alternative) const;
+    void take_differences(ModelledRun& of, const Eigen::VectorXd& theta) const;
     [[nodiscard]] Eigen::Index unknown_of(FittedParameter::Kind kind, const std::string& place) const;
     [[nodiscard]] calibration::Problem problem_of(std::vector<const ModelledRun*> runs) const;
 
     const casefile::CalibrationFile& file_;
     const ReducedPress& press_;
+    OtherPresses others_;
     int threads_ = 1;
     double reduced_temperature_ = 0, reduced_gap_ = 0;
     std::vector<CaseParameter> parameters_;
     std::vector<FittedParameter> unknowns_;
     std::vector<calibration::Parameter> priors_;
     std::size_t of_case_ = 0;
+    Eigen::Index first_alternative_ = 0;
     std::vector<ModelledRun> runs_;
 };
+
+/// A value of a curve of points between them, linear; beyond its ends that of the end.
+double value_at(const std::vector<double>& x, const std::vector<double>& y, double at);
 
 /// Errors that a reduced press states, the largest of all: of temperatures [K] and of the gap [m].
 std::pair<double, double> stated_errors(const ReducedPress& press);

@@ -28,8 +28,9 @@ constexpr double poor = 0.1;  // shrinkage below which the data tell nearly noth
 /// Adds up what planned runs tell, by the whitened Jacobian at the prior's centre.
 class Planning {
 public:
-    Planning(const casefile::CalibrationFile& file, const ReducedPress& press, int threads, Observer& observer)
-        : file_(file), observer_(observer), runs_(file, press, threads)
+    Planning(const casefile::CalibrationFile& file, const ReducedPress& press, const OtherPresses& others, int threads,
+             Observer& observer)
+        : file_(file), observer_(observer), runs_(file, press, others, threads)
     {}
 
     CalibrationPlan run()
@@ -103,7 +104,7 @@ private:
         for (const auto& output : runs_.runs().front().model->outputs()) {
             const bool usual = output.kind == ForwardOutput::Kind::probe || output.name == "E_SW";
             if (usual && !measured.contains(output.name) && sensor_for(output) < file_.sensors.size())
-                result.push_back({"sensor at " + output.name, "", {}, {output.name}, nullptr});
+                result.push_back({"sensor at " + output.name, "", {}, {output.name}, nullptr, {}});
         }
         return result;
     }
@@ -155,6 +156,7 @@ private:
             CalibrationRun run;
             run.name = candidate.name;
             run.input = candidate.input;
+            run.alternatives = candidate.alternatives;
             added.push_back(run_of(run, candidate.measure.empty() ? all_measured() : candidate.measure));
         } else {
             for (const auto& run : file_.runs)
@@ -200,10 +202,10 @@ private:
 
 }  // namespace
 
-CalibrationPlan plan_calibration(const casefile::CalibrationFile& file, const ReducedPress& press, int threads,
-                                 Observer& observer)
+CalibrationPlan plan_calibration(const casefile::CalibrationFile& file, const ReducedPress& press,
+                                 const OtherPresses& others, int threads, Observer& observer)
 {
-    return Planning(file, press, threads, observer).run();
+    return Planning(file, press, others, threads, observer).run();
 }
 
 }  // namespace deadpoint::study
