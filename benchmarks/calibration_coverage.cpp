@@ -7,23 +7,27 @@
 #include "deadpoint/study/reduce/reduced_press.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <random>
 #include <string>
 
 // Whether intervals of calibrate hold the truth as often as they say, and whether it notices a wrong model:
-//   benchmark_calibration_coverage case.toml model.rom finer.rom draws [line]
-// The truths are drawn from the prior and computed on the reduced press of a finer mesh. Each is fitted by the first
-// one to a warm-up, which then predicts a duty cycle of other speeds and stops that was held out.
+//   benchmark_calibration_coverage CASE MODEL.rom COARSER.rom DRAWS LINE FINER.rom...
+// The truths are drawn from the prior and computed on reduced presses of finer meshes, each in turn. Each is fitted by
+// MODEL.rom to a warm-up, which then predicts a duty cycle of other speeds and stops that was held out.
 //   same laws:    the truth has the model's laws
-//   other films:  natural convection and radiation by law in place of the model's constant films
+//   other films:  natural convection by law in place of constant films
 //   wrong law:    oil takes heat from pins and guides, which the model's press does not have
-// Prints for each the share of true values in their 90 % intervals, how often the model was called wrong, and how far
-// the duty cycles are off: temperatures [K], and the gap as a share of its range over each cycle, root mean squares
-// over all draws.
+// The model errors that a line allows for are alternatives of the calibration file: the coarser mesh, and films by a
+// law (which is not that of the truth). Prints an object of JSON for the line: for each unknown the share of true
+// values in their 90 % intervals and their ranks in ten classes, how often the model was called wrong, and how far the
+// duty cycles are off: temperatures [K], and the gap as a share of its range over each cycle, root mean squares over
+// all draws.
 
 namespace {
 
@@ -52,6 +56,39 @@ casefile::CalibrationParameter unknown(const casefile::Case& input, const std::s
     return result;
 }
 
+/// What a line varies.
+struct Line {
+    const char* name;
+    std::vector<std::string> laws;  ///< of the truth
+    bool films_known;               ///< whether the truth has the factor on both films
+    std::vector<std::string> alternatives;
+    double model_error;  ///< stated for all sensors [K]; a kelvin is 10 um of the gap
+};
+
+const std::vector<std::string> constant_films{R"(surfaces.air_frame.film.coefficient="3.1 W/m^2/K")",
+                                              R"(surfaces.air_moving.film.coefficient="3.5 W/m^2/K")"};
+const std::vector<std::string> films_by_law{
+    R"(surfaces.air_frame.film={law="vertical", length="1 m", emissivity=0.6})",
+    R"(surfaces.air_moving.film={law="vertical", length="0.4 m", emissivity=0.6})"};
+/// Alternatives by name. Their law of films is not that of the truth.
+const std::map<std::string, std::vector<std::string>> sets_of_alternatives{
+    {"mesh", {}},
+    {"frame film", {R"(surfaces.air_frame.film={law="horizontal_up", length="0.3 m", emissivity=0.6})"}},
+    {"moving film", {R"(surfaces.air_moving.film={law="horizontal_up", length="0.3 m", emissivity=0.6})"}}};
+const std::vector<std::string> mesh_and_films{"mesh", "frame film", "moving film"};
+const std::vector<std::string> oil{"oil.pins=300 W/m^2/K", "oil.gibs=300 W/m^2/K"};
+const std::vector<Line> lines{
+    {"same laws, no model error", {}, true, {}, 0},
+    {"same laws, coarser mesh", {}, true, {"mesh"}, 0},
+    {"same laws, coarser mesh and other films", {}, true, mesh_and_films, 0},
+    {"other films, coarser mesh", films_by_law, false, {"mesh"}, 0},
+    {"other films, coarser mesh and other films", films_by_law, false, mesh_and_films, 0},
+    {"wrong law, no model error", oil, true, {}, 0},
+    {"wrong law, coarser mesh", oil, true, {"mesh"}, 0},
+    {"wrong law, coarser mesh and other films", oil, true, mesh_and_films, 0},
+    {"wrong law, model error 0.2 K and 2 um stated", oil, true, {}, 0.2},
+};
+
 CalibrationFile file_of(const casefile::Case& input)
 {
     CalibrationFile file;
@@ -77,51 +114,94 @@ CalibrationFile file_of(const casefile::Case& input)
 /// Sums over all draws of one kind of truth.
 struct Tally {
     int draws = 0, flagged = 0;
-    std::vector<int> inside;          ///< by unknown
-    double temperature = 0, gap = 0;  ///< sums of mean squares of held-out curves [K^2], [1]
-    int temperatures = 0, gaps = 0;   ///< how many curves
+    std::vector<int> inside;                 ///< by unknown
+    std::vector<std::array<int, 10>> ranks;  ///< by unknown
+    double temperature = 0, gap = 0;         ///< sums of mean squares of held-out curves [K^2], [1]
+    int temperatures = 0, gaps = 0;          ///< how many curves
 };
 
 constexpr study::ForwardOptions steps{120, 1, nullptr};
 
+std::vector<std::string> joined(std::vector<std::string> some, const std::vector<std::string>& more)
+{
+    some.insert(some.end(), more.begin(), more.end());
+    return some;
+}
+
 class Study {
 public:
-    Study(std::string path, const study::ReducedPress& model, const study::ReducedPress& finer)
-        : path_(std::move(path)), input_(casefile::read_case(path_).value), model_(model), finer_(finer)
+    Study(std::string path, const study::ReducedPress& model, std::shared_ptr<const study::ReducedPress> coarser,
+          const std::vector<study::ReducedPress>& truths)
+        : path_(std::move(path)), input_(read({})), model_(model), coarser_(std::move(coarser)), truths_(truths)
     {}
 
-    void run(const char* name, const std::vector<std::string>& laws, bool films_known, int draws, double model_error)
+    void run(const Line& line, int draws)
     {
         auto file = file_of(input_);
         for (auto& sensor : file.sensors)
-            sensor.model_sigma = sensor.dimension == Dimension::length ? 1e-5 * model_error : model_error;
+            sensor.model_sigma = sensor.dimension == Dimension::length ? 1e-5 * line.model_error : line.model_error;
+        study::OtherPresses others;
+        for (const auto& name : line.alternatives) {
+            file.alternatives.push_back({name, "", sets_of_alternatives.at(name), 0, "coverage"});
+            others.push_back(name == "mesh" ? coarser_ : nullptr);
+        }
         std::vector<study::CaseParameter> parameters;
         for (const auto& p : file.parameters)
-            if (films_known || p.name != "films")
+            if (line.films_known || p.name != "films")
                 parameters.push_back(
                     {p.name, p.keys,
                      p.name == "room" ? study::CaseParameter::Kind::shift : study::CaseParameter::Kind::factor});
-        const study::ForwardModel warm_up(casefile::read_case(path_, laws).value, finer_, parameters, steps);
-        auto with_cycle = laws;
-        with_cycle.emplace_back(duty_cycle);
-        const study::ForwardModel cycle(casefile::read_case(path_, with_cycle).value, finer_, parameters, steps);
+        std::vector<study::ForwardModel> warm_up, cycle;
+        for (const auto& press : truths_) {
+            warm_up.emplace_back(read(line.laws), press, parameters, steps);
+            cycle.emplace_back(read(joined(line.laws, {duty_cycle})), press, parameters, steps);
+        }
         Tally tally;
         tally.inside.assign(file.parameters.size() + 1, 0);
-        for (; tally.draws < draws; ++tally.draws)
-            one(file, warm_up, cycle, tally);
-        std::printf("%s: %d draws, called wrong %d; held out: %.2f K, gap %.1f %%; in the interval:", name, draws,
-                    tally.flagged, std::sqrt(tally.temperature / tally.temperatures),
-                    100 * std::sqrt(tally.gap / tally.gaps));
-        for (std::size_t k = 0; k < tally.inside.size(); ++k)
-            if (films_known || k != 4)
-                std::printf(" %s %.1f %%", k < file.parameters.size() ? file.parameters[k].name.c_str() : "bias",
-                            100.0 * tally.inside[k] / draws);
-        std::printf("\n");
-        std::fflush(stdout);
+        tally.ranks.assign(file.parameters.size() + 1, {});
+        for (; tally.draws < draws; ++tally.draws) {
+            const auto of = static_cast<std::size_t>(tally.draws) % truths_.size();
+            one(file, others, warm_up[of], cycle[of], tally);
+        }
+        print(line, file, tally);
     }
 
 private:
-    void one(CalibrationFile file, const study::ForwardModel& warm_up, const study::ForwardModel& cycle, Tally& tally)
+    [[nodiscard]] casefile::Case read(const std::vector<std::string>& set) const
+    {
+        return casefile::read_case(path_, joined(constant_films, set)).value;
+    }
+
+    static void print(const Line& line, const CalibrationFile& file, const Tally& tally)
+    {
+        std::printf(R"({"name": "%s", "draws": %d, "wrong": %d, "temperature": %.3f, "gap": %.4f, "unknowns": [)",
+                    line.name, tally.draws, tally.flagged, std::sqrt(tally.temperature / tally.temperatures),
+                    std::sqrt(tally.gap / tally.gaps));
+        const char* comma = "";
+        for (std::size_t k = 0; k < tally.inside.size(); ++k) {
+            const auto name = k < file.parameters.size() ? file.parameters[k].name : "bias";
+            if (name == "films" && !line.films_known)
+                continue;
+            std::printf(R"(%s{"name": "%s", "inside": %d, "ranks": [)", comma, name.c_str(), tally.inside[k]);
+            for (std::size_t r = 0; r < 10; ++r)
+                std::printf("%s%d", r == 0 ? "" : ", ", tally.ranks[k][r]);
+            std::printf("]}");
+            comma = ", ";
+        }
+        std::printf("]}\n");
+        std::fflush(stdout);
+    }
+
+    [[nodiscard]] casefile::CalibrationRun with_alternatives(casefile::CalibrationRun run, const CalibrationFile& file,
+                                                             const std::vector<std::string>& set) const
+    {
+        for (const auto& alternative : file.alternatives)
+            run.alternatives.push_back(std::make_shared<casefile::Case>(read(joined(set, alternative.set))));
+        return run;
+    }
+
+    void one(CalibrationFile file, const study::OtherPresses& others, const study::ForwardModel& warm_up,
+             const study::ForwardModel& cycle, Tally& tally)
     {
         std::mt19937 random(static_cast<unsigned>(tally.draws));
         std::normal_distribution<double> normal;
@@ -131,18 +211,38 @@ private:
         theta.push_back(file.sensors[1].bias_sigma * normal(random));
         const auto noisy = [&](double sigma) { return sigma * normal(random); };
         const auto exact = [](double) { return 0.0; };
-        file.runs = {measured("warm-up", input_, file, warm_up, theta, noisy),
-                     measured("duty cycle", casefile::read_case(path_, {duty_cycle}).value, file, cycle, theta, exact)};
+        file.runs = {with_alternatives(measured("warm-up", input_, file, warm_up, theta, noisy), file, {}),
+                     with_alternatives(measured("duty cycle", read({duty_cycle}), file, cycle, theta, exact), file,
+                                       {duty_cycle})};
         file.runs.back().hold_out = true;
-        const auto result = study::calibrate(file, model_, 2, observer_);
+        const auto result = study::calibrate(file, model_, others, 1, observer_);
         for (std::size_t k = 0; k < theta.size(); ++k) {
             const auto& p = result.parameters[k];
-            tally.inside[k] += std::abs(p.theta - theta[k]) < 1.6449 * p.deviation ? 1 : 0;
+            const double off = (theta[k] - p.theta) / p.deviation;
+            tally.inside[k] += std::abs(off) < 1.6449 ? 1 : 0;
+            const double rank = 0.5 * std::erfc(-off / std::sqrt(2.0));
+            ++tally.ranks[k][static_cast<std::size_t>(std::min(9.0, 10 * rank))];
         }
         tally.flagged += result.model_differs ? 1 : 0;
         for (const auto& curve : result.curves)
             if (curve.hold_out)
                 add(curve, tally);
+        if (std::getenv("COVERAGE_TRACE"))
+            trace(result, theta);
+    }
+
+    static void trace(const study::Calibration& result, const std::vector<double>& theta)
+    {
+        std::fprintf(stderr, "p %.2g:", result.model_probability);
+        for (std::size_t k = 0; k < result.parameters.size(); ++k) {
+            const auto& p = result.parameters[k];
+            std::fprintf(stderr, " %s %.3f+-%.3f", p.name.c_str(), p.theta, p.deviation);
+            if (k < theta.size())
+                std::fprintf(stderr, " (%+.2f)", (theta[k] - p.theta) / p.deviation);
+        }
+        for (const auto& curve : result.curves)
+            std::fprintf(stderr, " | %s %.3g %.3g", curve.output.c_str(), curve.rms, curve.model_error);
+        std::fprintf(stderr, "\n");
     }
 
     static void add(const study::FittedCurve& curve, Tally& tally)
@@ -188,7 +288,8 @@ private:
     std::string path_;
     casefile::Case input_;
     const study::ReducedPress& model_;
-    const study::ReducedPress& finer_;
+    std::shared_ptr<const study::ReducedPress> coarser_;
+    const std::vector<study::ReducedPress>& truths_;
     Observer observer_;
 };
 
@@ -196,28 +297,21 @@ private:
 
 int main(int argc, char** argv)
 {
-    if (argc != 5 && argc != 6) {
-        std::fprintf(stderr, "usage: benchmark_calibration_coverage CASE MODEL.rom FINER.rom DRAWS [LINE]\n");
+    const auto count = static_cast<int>(lines.size());
+    const int line = argc > 6 ? std::atoi(argv[5]) : 0;
+    if (line < 1 || line > count) {
+        std::fprintf(stderr,
+                     "usage: benchmark_calibration_coverage CASE MODEL.rom COARSER.rom DRAWS LINE FINER.rom...\n");
+        for (int k = 0; k < count; ++k)
+            std::fprintf(stderr, "LINE %d: %s\n", k + 1, lines[static_cast<std::size_t>(k)].name);
         return 2;
     }
-    const auto model = study::read_reduced(argv[2]), finer = study::read_reduced(argv[3]);
-    const int draws = std::atoi(argv[4]);
-    Study study(argv[1], model, finer);
-    const std::vector<std::string> films{
-        R"(surfaces.air_frame.film={law="vertical", length="1 m", emissivity=0.6})",
-        R"(surfaces.air_moving.film={law="vertical", length="0.4 m", emissivity=0.6})"};
-    const std::vector<std::string> oil{"oil.pins=300 W/m^2/K", "oil.gibs=300 W/m^2/K"};
-    const int only = argc == 6 ? std::atoi(argv[5]) : 0;
-    const auto wanted = [&](int number) { return only == 0 || only == number; };
-    if (wanted(1))
-        study.run("same laws", {}, true, draws, 0);
-    if (wanted(2))
-        study.run("same laws, model error 0.2 K and 2 um stated", {}, true, draws, 0.2);
-    if (wanted(3))
-        study.run("other films, model error 0.2 K and 2 um stated", films, false, draws, 0.2);
-    if (wanted(4))
-        study.run("wrong law", oil, true, std::min(draws, 20), 0);
-    if (wanted(5))
-        study.run("wrong law, model error 0.2 K and 2 um stated", oil, true, std::min(draws, 20), 0.2);
+    const auto model = study::read_reduced(argv[2]);
+    auto coarser = std::make_shared<study::ReducedPress>(study::read_reduced(argv[3]));
+    std::vector<study::ReducedPress> truths;
+    for (int k = 6; k < argc; ++k)
+        truths.push_back(study::read_reduced(argv[k]));
+    Study(argv[1], model, std::move(coarser), truths)
+        .run(lines[static_cast<std::size_t>(line - 1)], std::atoi(argv[4]));
     return 0;
 }
