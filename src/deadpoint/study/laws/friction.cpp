@@ -234,6 +234,26 @@ std::vector<RubbingJoint> FrictionLaws::rubbing_joints(const std::string& row, c
     return result;
 }
 
+LoadRatio FrictionLaws::load_ratio(const std::string& row, const casefile::Segment& segment,
+                                   const casefile::CalibratedFriction& friction)
+{
+    const KeptFriction::Key key{
+        row,
+        {segment.speed, segment.force},
+        {friction.reference_speed, *friction.reference_force, friction.reference_stiffness.value_or(0)}};
+    if (laws_)
+        if (const auto found = laws_->kept->ratio(key))
+            return *found;
+    const auto& at_reference = reference(friction);
+    const auto then = rubbing_joints(row, at_reference);
+    LoadRatio result{1, carries_nothing(then, at_reference)};
+    if (!result.unloaded)
+        result.ratio = load_duty(rubbing_joints(row, loads(segment)), friction.kind) / load_duty(then, friction.kind);
+    if (laws_)
+        laws_->kept->keep(key, result);
+    return result;
+}
+
 FrictionHeat FrictionLaws::calibrated(const std::string& row, const casefile::Segment& segment)
 {
     const auto& friction = input_.friction.at(row);
@@ -249,13 +269,10 @@ FrictionHeat FrictionLaws::calibrated(const std::string& row, const casefile::Se
     FrictionHeat result;
     auto ratio = tribology::speed_ratio(law, segment.speed);
     if (given.reference_force && segment.speed > 0) {
-        const auto& at_reference = reference(given);
-        const auto then = rubbing_joints(row, at_reference);
-        result.unloaded = carries_nothing(then, at_reference);
-        if (!result.unloaded) {
-            ratio.load = load_duty(rubbing_joints(row, loads(segment)), law.kind) / load_duty(then, law.kind);
-            result.load_ratio = ratio.load;
-        }
+        const auto found = load_ratio(row, segment, given);
+        result.unloaded = found.unloaded;
+        if (!found.unloaded)
+            result.load_ratio = ratio.load = found.ratio;
     }
     tribology::ViscosityLaw viscosity;
     if (!friction.lubricant.empty())
@@ -285,7 +302,7 @@ FrictionHeat FrictionLaws::heat(const std::string& row, const casefile::Segment&
     if (!laws_)
         return computed_heat(row, segment);
     const KeptFriction::Key key{row, {segment.speed, segment.force}, laws_->values(row)};
-    if (auto found = laws_->kept->find(key))
+    if (auto found = laws_->kept->heat(key))
         return *std::move(found);
     auto result = computed_heat(row, segment);
     result.table = LawTable(result.heat);

@@ -31,6 +31,7 @@ namespace deadpoint::study {
 class LoadsCache;
 struct FrictionHeat;
 struct KnownLaws;
+struct LoadRatio;
 struct FrictionSummary;
 struct RubbingJoint;
 
@@ -80,6 +81,8 @@ private:
     void keep_warnings(const LoadsResult& loads, bool at_reference);
     [[nodiscard]] std::vector<RubbingJoint> rubbing_joints(const std::string& row, const LoadsResult& loads) const;
     FrictionHeat computed_heat(const std::string& row, const casefile::Segment& segment);
+    LoadRatio load_ratio(const std::string& row, const casefile::Segment& segment,
+                         const casefile::CalibratedFriction& friction);
     FrictionHeat calibrated(const std::string& row, const casefile::Segment& segment);
     FrictionHeat physical(const std::string& row, const casefile::Segment& segment);
     void contrast_bearings(FrictionSummary& result, const LoadsResult& loads);

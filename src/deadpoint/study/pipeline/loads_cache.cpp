@@ -19,6 +19,7 @@ std::string loads_part(const casefile::Case& input, int segment)
     read.lubricants.clear();
     read.friction.clear();
     read.oil.clear();
+    read.oil_with_speed.clear();
     read.oil_circuits.clear();
     for (auto& [name, joint] : read.joints) {
         joint.friction.clear();
