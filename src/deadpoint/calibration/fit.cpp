@@ -6,6 +6,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
+#include <optional>
 
 namespace deadpoint::calibration {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+constexpr double rough_step = 0.05;  // FitOptions::step while minima are sought
 
 /// Largest distance of a point from a fit, in the fit's standard deviations.
 double distance(const Fit& from, const VectorXd& theta)
@@ -70,6 +73,15 @@ private:
                                    "parameters, and look at 'deadpoint run' of the case");
         return trial;
     }
+    // Nothing where a step went so far that the model cannot be computed.
+    std::optional<Trial> attempt(const VectorXd& theta)
+    {
+        try {
+            return evaluate(theta);
+        } catch (const Error&) {
+            return std::nullopt;
+        }
+    }
     void take(Trial trial)
     {
         result_.theta = std::move(trial.theta);
@@ -117,10 +129,10 @@ private:
             result_.converged = true;
             return;
         }
-        auto trial = evaluate(theta);
-        if (trial.cost < result_.cost) {
-            result_.converged = result_.cost - trial.cost < 1e-6 * (1e-3 + trial.cost);
-            take(std::move(trial));
+        auto trial = attempt(theta);
+        if (trial && trial->cost < result_.cost) {
+            result_.converged = result_.cost - trial->cost < 1e-6 * (1e-3 + trial->cost);
+            take(*std::move(trial));
             result_.converged =
                 result_.converged || (options_.known && distance(*options_.known, result_.theta) < same_minimum);
             damping_ = std::max(damping_ / 10, 1e-8);
@@ -164,15 +176,30 @@ std::vector<VectorXd> prior_points(const Problem& problem, int count)
     return result;
 }
 
-std::vector<Fit> fit_from_many(const Problem& problem, int points, const FitOptions& options)
+std::vector<Fit> fit_from_many(const Problem& problem, const Problem& search, int points, const FitOptions& options)
 {
-    std::vector<Fit> result{fit(problem, VectorXd::Zero(static_cast<Index>(problem.parameters.size())), options)};
-    const Fit first = result.front();
+    const VectorXd centre = VectorXd::Zero(static_cast<Index>(problem.parameters.size()));
+    if (points == 0)
+        return {fit(problem, centre, options)};
     FitOptions others = options;
+    others.step = rough_step;
+    std::vector<Fit> minima{fit(search, centre, others)};
+    const Fit first = minima.front();
+    int evaluations = first.evaluations;
     others.known = &first;
-    for (const auto& start : prior_points(problem, points))
-        result.push_back(fit(problem, start, others));
+    for (const auto& start : prior_points(problem, points)) {
+        auto found = fit(search, start, others);
+        evaluations += found.evaluations;
+        if (std::ranges::all_of(minima, [&](const Fit& other) { return distance(other, found.theta) > same_minimum; }))
+            minima.push_back(std::move(found));
+    }
+    std::vector<Fit> result;
+    for (const auto& minimum : minima) {
+        result.push_back(fit(problem, minimum.theta, options));
+        evaluations += result.back().evaluations;
+    }
     std::ranges::stable_sort(result, {}, &Fit::cost);
+    result.front().evaluations = evaluations;
     return result;
 }
 

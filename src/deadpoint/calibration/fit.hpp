@@ -29,12 +29,18 @@ struct FitOptions {
 inline constexpr double same_minimum = 0.3;
 
 /// Levenberg and Marquardt's method with projection onto the limits (Nocedal, Wright, Numerical Optimization, ch. 10).
-/// @throws ConvergenceError if the model yields values that are not finite
+/// Steps to values at which the model cannot be computed are shortened.
+/// @throws Error if it cannot be computed at the start
 Fit fit(const Problem& problem, const Eigen::VectorXd& start, const FitOptions& options = {});
 
-/// Fits from the prior's centre and from Sobol' points of the prior; the best first. A descent that comes to the
-/// minimum of the first one ends there. @param points beside the centre
-std::vector<Fit> fit_from_many(const Problem& problem, int points, const FitOptions& options = {});
+/// Minima that are found from the prior's centre and from Sobol' points of the prior; the best first. A descent that
+/// comes to the minimum of the first one ends there. Fit::evaluations of the first counts all.
+/// @param search  a quicker model of the same unknowns and curves, on which the descents run; from each of its minima
+/// one
+///                fit leads to that of the problem
+/// @param points  beside the centre
+std::vector<Fit> fit_from_many(const Problem& problem, const Problem& search, int points,
+                               const FitOptions& options = {});
 
 /// Points of the prior: a Sobol' sequence through the quantile of the normal distribution, within the limits.
 std::vector<Eigen::VectorXd> prior_points(const Problem& problem, int count);

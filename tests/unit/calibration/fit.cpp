@@ -110,6 +110,21 @@ TEST_CASE("the profile of a linear model is its marginal: 1.645 standard deviati
     }
 }
 
+TEST_CASE("a step to values at which the model fails is shortened")
+{
+    // The first step from 0 to a value of 50 would go to theta = 49, beyond what the model can take.
+    Problem of;
+    of.parameters = {{"power", 100}};
+    of.curves = {{"c", VectorXd::Zero(1), VectorXd::Constant(1, 50), {0.01, 0, 0, 1}}};
+    of.model = [](const VectorXd& theta, bool) {
+        if (theta[0] > 10)
+            throw deadpoint::ConvergenceError("too hot");
+        return Prediction{VectorXd::Constant(1, std::exp(theta[0])), MatrixXd::Constant(1, 1, std::exp(theta[0]))};
+    };
+    CHECK(fit(of, VectorXd::Zero(1)).theta[0] == Approx(std::log(50)).epsilon(1e-3));
+    CHECK_THROWS_AS(fit(of, VectorXd::Constant(1, 11)), deadpoint::ConvergenceError);
+}
+
 TEST_CASE("a limit holds a parameter, and is said")
 {
     auto of = problem(pair(0.5, -0.3), {0.05, 0, 0, 1}, 2);
@@ -133,10 +148,18 @@ TEST_CASE("points of the prior have its standard deviation, and two minima are t
     of.model = [](const VectorXd& theta, bool) {
         return Prediction{VectorXd::Constant(1, theta[0] * theta[0] + 1), MatrixXd::Constant(1, 1, 2 * theta[0])};
     };
-    const auto fits = fit_from_many(of, 10);
+    const auto fits = fit_from_many(of, of, 10);
     REQUIRE(!other_minima(fits).empty());
     CHECK(std::abs(fits.front().theta[0]) == Approx(1).epsilon(1e-3));
-    CHECK(other_minima(fit_from_many(problem(pair(0.5, -0.3), {0.05, 0, 0, 1}, 2), 10)).empty());
+    // The search runs on a model that is a little off; the minima are those of the problem.
+    auto near = of;
+    near.model = [](const VectorXd& theta, bool) {
+        return Prediction{VectorXd::Constant(1, 1.1 * theta[0] * theta[0] + 1),
+                          MatrixXd::Constant(1, 1, 2.2 * theta[0])};
+    };
+    CHECK(std::abs(fit_from_many(of, near, 10).front().theta[0]) == Approx(1).epsilon(1e-3));
+    const auto linear_one = problem(pair(0.5, -0.3), {0.05, 0, 0, 1}, 2);
+    CHECK(other_minima(fit_from_many(linear_one, linear_one, 10)).empty());
 }
 
 TEST_CASE("a product is known and its ratio is not")

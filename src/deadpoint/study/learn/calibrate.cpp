@@ -31,6 +31,7 @@ namespace {
 constexpr double no_influence = 1e-6;  // standard deviations of noise per one of the prior
 constexpr Index few_values = 5;        // a curve with fewer shows no course
 constexpr double far_from_prior = 3;   // standard deviations
+constexpr double coarser_search = 5;   // factor on time steps while minima are sought
 constexpr int most_refits = 4;
 constexpr double significant_probability = 0.05;
 
@@ -108,11 +109,10 @@ private:
 
     void fit_all()
     {
-        auto fits = calibration::fit_from_many(problem_, file_.options.starts);
+        auto fits = calibration::fit_from_many(problem_, runs_.problem(false, coarser_search), file_.options.starts);
         for (const auto& other : calibration::other_minima(fits))
             note_minimum(fits.front(), other);
-        for (const auto& each : fits)
-            result_.evaluations += each.evaluations;
+        result_.evaluations += fits.front().evaluations;
         fit_ = std::move(fits.front());
     }
 
@@ -400,11 +400,11 @@ private:
             warn("the fit did not converge in 40 steps; add starts, or narrow the limits");
         for (const auto& p : result_.parameters)
             warn_of(p);
-        if (!result_.other_minima.empty())
-            warn(
-                fmt::format("{} of {} starting points end at other values; the least cost of them is {:.3g} above that "
-                            "of the fit: the data allow both if that is below 2",
-                            result_.other_minima.size(), result_.starts, result_.other_minima.front().first));
+        if (const auto others = result_.other_minima.size(); others > 0)
+            warn(fmt::format(
+                "{} starting points lead to {} other minim{}; the least cost of them is {:.3g} above that of the "
+                "fit: the data allow both if that is below 2",
+                result_.starts, others, others == 1 ? "um" : "a", result_.other_minima.front().first));
         if (!result_.outside.empty())
             warn(fmt::format("the reduced model was not built for the calibrated case: {} coefficient{} outside of its "
                              "range, such as {}; build it with wider ranges, or check the result with --full-run",

@@ -296,11 +296,13 @@ double ForwardModel::start_of(const ForwardOutput& output) const
     return output.kind == ForwardOutput::Kind::probe ? parts_->input.machine.initial_temperature : 0;
 }
 
-Forecast ForwardModel::run(const std::vector<double>& theta, bool derivatives, Observer& observer) const
+Forecast ForwardModel::run(const std::vector<double>& theta, bool derivatives, Observer& observer, double coarser) const
 {
     Observer silent;
-    const auto run = reduce::record_run(parts_->press->terms, parts_->problem(theta, observer),
-                                        parts_->input.machine.initial_temperature, silent);
+    auto problem = parts_->problem(theta, observer);
+    problem.fixed_step *= coarser;
+    const auto run =
+        reduce::record_run(parts_->press->terms, std::move(problem), parts_->input.machine.initial_temperature, silent);
     const auto play = parts_->input.chain ? crank_play(parts_->input) : drift::BearingPlay{};
     Forecast result;
     parts_->add_values(run, play, result);

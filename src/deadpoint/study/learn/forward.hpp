@@ -73,8 +73,10 @@ public:
     /// Temperature from which a probe's rise counts [K].
     [[nodiscard]] double start_of(const ForwardOutput& output) const;
 
+    /// @param coarser  factor on ForwardOptions::fixed_step, for a quick look
     /// @throws InputError, CaseError as a run
-    [[nodiscard]] Forecast run(const std::vector<double>& theta, bool derivatives, Observer& observer) const;
+    [[nodiscard]] Forecast run(const std::vector<double>& theta, bool derivatives, Observer& observer,
+                               double coarser = 1) const;
     /// Coefficients at theta outside of the range for which the press was reduced, as text.
     [[nodiscard]] std::vector<std::string> outside(const std::vector<double>& theta) const;
 

@@ -211,10 +211,10 @@ ModelledRun MeasuredRuns::modelled(const CalibrationRun& run) const
     options.threads = threads_;
     try {
         result.model = std::make_unique<ForwardModel>(*run.input, press_, parameters_, options);
-        add_alternatives(result, options);
     } catch (const InputError& error) {
         throw InputError(fmt::format("the run '{}': {}", run.name, error.what()));
     }
+    add_alternatives(result, options);
     for (const auto& curve : run.curves)
         add_curve(result, curve);
     take_differences(result, VectorXd::Zero(static_cast<Index>(priors_.size())));
@@ -263,7 +263,8 @@ void MeasuredRuns::add_alternatives(ModelledRun& to, const ForwardOptions& optio
         try {
             alternative.model = std::make_unique<ForwardModel>(input, press, std::move(known), options);
         } catch (const InputError& error) {
-            throw InputError(fmt::format("the alternative '{}': {}", file_.alternatives[k].name, error.what()));
+            throw InputError(fmt::format("{}: the alternative '{}': {}", file_.alternatives[k].place,
+                                         file_.alternatives[k].name, error.what()));
         }
         to.alternatives.push_back(std::move(alternative));
     }
@@ -329,7 +330,7 @@ void MeasuredRuns::add_curve(ModelledRun& to, const MeasuredCurve& measured) con
     to.curves.push_back(curve);
 }
 
-Problem MeasuredRuns::problem_of(std::vector<const ModelledRun*> runs) const
+Problem MeasuredRuns::problem_of(std::vector<const ModelledRun*> runs, double coarser) const
 {
     Problem result;
     result.parameters = priors_;
@@ -349,24 +350,24 @@ Problem MeasuredRuns::problem_of(std::vector<const ModelledRun*> runs) const
                 of.measured = VectorXd::Zero(of.time.size());
             result.curves.push_back(std::move(of));
         }
-    result.model = [this, all = std::move(runs)](const VectorXd& theta, bool jacobian) {
-        return predict(all, theta, jacobian);
+    result.model = [this, coarser, all = std::move(runs)](const VectorXd& theta, bool jacobian) {
+        return predict(all, theta, jacobian, coarser);
     };
     return result;
 }
 
 Problem MeasuredRuns::problem_of(const ModelledRun& run) const
 {
-    return problem_of(std::vector<const ModelledRun*>{&run});
+    return problem_of(std::vector<const ModelledRun*>{&run}, 1);
 }
 
-Problem MeasuredRuns::problem(bool hold_out) const
+Problem MeasuredRuns::problem(bool hold_out, double coarser) const
 {
     std::vector<const ModelledRun*> wanted;
     for (const auto& run : runs_)
         if (run.run->hold_out == hold_out && !run.curves.empty())
             wanted.push_back(&run);
-    return problem_of(std::move(wanted));
+    return problem_of(std::move(wanted), coarser);
 }
 
 std::vector<std::pair<const ModelledRun*, const CurveOfRun*>> MeasuredRuns::curves(bool hold_out) const
@@ -384,14 +385,14 @@ std::vector<double> MeasuredRuns::theta_of_case(const VectorXd& theta) const
     return {theta.data(), theta.data() + of_case_};
 }
 
-Prediction MeasuredRuns::predict(const std::vector<const ModelledRun*>& runs, const VectorXd& theta,
-                                 bool jacobian) const
+Prediction MeasuredRuns::predict(const std::vector<const ModelledRun*>& runs, const VectorXd& theta, bool jacobian,
+                                 double coarser) const
 {
     std::vector<std::vector<Shown>> parts(runs.size());
     const auto of_case = theta_of_case(theta);
     reduce::in_parallel(threads_, runs.size(), [&](std::size_t r) {
         Observer silent;
-        const auto forecast = runs[r]->model->run(of_case, jacobian, silent);
+        const auto forecast = runs[r]->model->run(of_case, jacobian, silent, coarser);
         for (std::size_t c = 0; c < runs[r]->curves.size(); ++c) {
             parts[r].push_back(shown(runs[r]->curves[c], forecast, theta, jacobian));
             add_shares(*runs[r], c, first_alternative_, theta, parts[r].back());

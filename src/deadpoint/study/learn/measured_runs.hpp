@@ -58,7 +58,8 @@ public:
     MeasuredRuns(const casefile::CalibrationFile& file, const ReducedPress& press, OtherPresses others, int threads);
 
     /// The fitted runs (or the held-out ones) as a problem. It refers to this object.
-    [[nodiscard]] calibration::Problem problem(bool hold_out) const;
+    /// @param coarser  factor on the time step
+    [[nodiscard]] calibration::Problem problem(bool hold_out, double coarser = 1) const;
     /// A further problem of other curves of a run, with the same unknowns.
     [[nodiscard]] calibration::Problem problem_of(const ModelledRun& run) const;
     /// A run that the file does not have, with its curves; not kept.
@@ -83,7 +84,7 @@ public:
 
 private:
     [[nodiscard]] calibration::Prediction predict(const std::vector<const ModelledRun*>& runs,
-                                                  const Eigen::VectorXd& theta, bool jacobian) const;
+                                                  const Eigen::VectorXd& theta, bool jacobian, double coarser) const;
     void add_curve(ModelledRun& to, const casefile::MeasuredCurve& measured) const;
     void add_sensor_unknowns();
     void add_alternative_unknowns();
@@ -91,7 +92,7 @@ private:
     [[nodiscard]] double share_of(std::size_t alternative) const;
     void take_differences(ModelledRun& of, const Eigen::VectorXd& theta) const;
     [[nodiscard]] Eigen::Index unknown_of(FittedParameter::Kind kind, const std::string& place) const;
-    [[nodiscard]] calibration::Problem problem_of(std::vector<const ModelledRun*> runs) const;
+    [[nodiscard]] calibration::Problem problem_of(std::vector<const ModelledRun*> runs, double coarser) const;
 
     const casefile::CalibrationFile& file_;
     const ReducedPress& press_;
