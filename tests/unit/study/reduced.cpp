@@ -1,5 +1,6 @@
 /// Requirement: a problem split by part is the same problem; the box of a reduced model names what is free, and a case
 /// outside of it is told so.
+#include "../../scratch_folder.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <doctest/doctest.h>
+#include <filesystem>
 
 using namespace deadpoint;
 using doctest::Approx;
@@ -235,4 +237,20 @@ TEST_CASE("only what a model cannot change makes a case another press")
     REQUIRE(found.size() == 2);
     CHECK(found[0] == "only in this case: [parts.bed] material = \"steel\"");
     CHECK(found[1] == "only in the model: [parts.bed] material = \"cast_iron\"");
+}
+
+TEST_CASE("a drawing is told by its content, wherever it lies")
+{
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder.path / "one");
+    std::filesystem::create_directories(folder.path / "two");
+    const auto case_with = [&](const std::string& name, const std::string& text) {
+        auto input = press();
+        input.parts.begin()->second.step = folder.file(name, text).string();
+        return study::fixed_part(input);
+    };
+    const auto first = case_with("one/bed.step", "ISO-10303-21; a");
+    CHECK(case_with("two/bed.step", "ISO-10303-21; a") == first);
+    CHECK(case_with("one/bed.step", "ISO-10303-21; b") != first);
+    CHECK(first.find("bed.step with content ") != std::string::npos);
 }

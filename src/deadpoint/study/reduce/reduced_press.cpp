@@ -2,15 +2,18 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/core/hash.hpp"
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/bare_machine.hpp"
 #include "deadpoint/io/binary_file.hpp"
+#include "deadpoint/io/read_file.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
 #include "deadpoint/reduce/online/terms_file.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <tuple>
 
 namespace deadpoint {
@@ -135,6 +138,16 @@ bool coefficient_fits(const reduce::FreeCoefficient& one, const heat::Functional
            (one.kind != oil || below(layout.interfaces));
 }
 
+// Its name and a hash of its bytes: a copy of the case in another folder has the same form, a changed drawing has not.
+std::string form_in_file(const std::string& file)
+{
+    if (file.empty())
+        return file;
+    StableHash hash;
+    read_pieces(file, [&](std::string_view bytes) { hash.add(bytes); });
+    return fmt::format("{} with content {:016x}", std::filesystem::path(file).filename().string(), hash.value());
+}
+
 // A file with a right checksum may still not be what this program writes.
 bool is_sound(const ReducedPress& press)
 {
@@ -195,6 +208,10 @@ std::string fixed_part(const casefile::Case& input)
     fixed.machine.name.clear();
     fixed.machine.description.clear();
     fixed.machine.ambient = fixed.machine.initial_temperature = casefile::MachineSection{}.ambient;
+    for (auto& [name, part] : fixed.parts) {
+        part.step = form_in_file(part.step);
+        part.mesh = form_in_file(part.mesh);
+    }
     for (auto& [name, joint] : fixed.joints) {
         joint.friction.clear();
         joint.oil_temperature = casefile::Joint{}.oil_temperature;

@@ -54,7 +54,8 @@ struct ReducedPress {
 };
 
 /// What a reduced model cannot change of a case, as text: its bodies, parts, materials, contacts, surfaces, probes and
-/// chain, other heat. Operating points, loads, friction, oil, conductances and convection may differ.
+/// chain, other heat. Operating points, loads, friction, oil, conductances and convection may differ. STEP and mesh
+/// files are in it by name and content. @throws IoError if such a file cannot be read
 std::string fixed_part(const casefile::Case& input);
 
 /// The file beside that of a reduced press with the fields of its states: press.rom, press.fields.rom.
