@@ -40,7 +40,8 @@ struct RunOptions : ResultOptions {
     std::string reduce;    ///< file of a reduced model to build after the run
     bool sensitivities = false;
     bool full_run = false;  ///< computes the case in full too, for the error of the reduced run
-    bool certify = false;   ///< bounds the error of the reduced run
+    bool certify = false;   ///< bounds the error of the reduced run, or makes what that needs
+    bool fields = false;    ///< also stores the fields of the reduced model's states
     CheckpointOptions checkpoints;
 };
 
@@ -294,6 +295,10 @@ int build_after(study::RefinedRun& run, const BuildFolder& build, const RunOptio
     auto wanted = wanted_reduction(run.press->input(), usual_full_runs);
     wanted.checkpoint = build.checkpoint();
     wanted.run = options.from.empty() ? &run.result.thermal : nullptr;
+    wanted.build.certificate = options.certify;
+    if (options.fields) {
+        wanted.fields_file = study::fields_file(options.reduce).string();
+    }
     const auto again = fmt::format("'deadpoint reduce' of this case with -o {} --resume", options.reduce);
     return build.finish(run.press->reduce(wanted, ranks.console), wanted, again, ranks);
 }
@@ -303,8 +308,9 @@ int run_case(RunOptions options, const OnRanks& ranks)
     if (!options.reduced.empty()) {
         return run_reduced_case(options, ranks);
     }
-    if (options.certify) {
-        throw InputError("--certify bounds the error of a reduced run\n  help: give it with --reduced FILE");
+    if (options.certify && options.reduce.empty()) {
+        throw InputError("--certify bounds the error of a reduced run\n  help: give it with --reduced FILE, or with "
+                         "--reduce FILE to write what that needs");
     }
     auto& console = ranks.console;
     if (!options.accuracy.empty()) {
@@ -377,11 +383,17 @@ void add_run(CLI::App& app, int& exit_code)
                         ->add_option("--reduced", options->reduced,
                                      "compute with a reduced model that 'deadpoint reduce' built, without a mesh")
                         ->type_name("FILE");
+    auto* reduce = command
+                       ->add_option("--reduce", options->reduce,
+                                    "after the run, also build the reduced model that 'deadpoint reduce' builds, on "
+                                    "its mesh")
+                       ->type_name("FILE")
+                       ->excludes(reduced);
     command
-        ->add_option("--reduce", options->reduce,
-                     "after the run, also build the reduced model that 'deadpoint reduce' builds, on its mesh")
-        ->type_name("FILE")
-        ->excludes(reduced);
+        ->add_flag("--fields", options->fields,
+                   "with --reduce: also store the fields of the states, as 'deadpoint "
+                   "reduce --fields' does")
+        ->needs(reduce);
     command
         ->add_flag("--sensitivities", options->sensitivities,
                    "with --reduced: also derive the gap and the probes at the end by every free coefficient")
@@ -390,10 +402,9 @@ void add_run(CLI::App& app, int& exit_code)
         ->add_flag("--full-run", options->full_run,
                    "with --reduced: also compute the case in full, for the error of this very run")
         ->needs(reduced);
-    command
-        ->add_flag("--certify", options->certify,
-                   "with --reduced: bound the error at the end of the run; needs 'deadpoint reduce --certify'")
-        ->needs(reduced);
+    command->add_flag("--certify", options->certify,
+                      "with --reduced: bound the error at the end of the run; needs 'deadpoint reduce --certify'. With "
+                      "--reduce: write what that needs");
     add_checkpoint_options(*command, options->checkpoints);
     command->callback([options, &exit_code] {
         exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return run_case(*options, ranks); });
