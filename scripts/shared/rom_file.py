@@ -4,7 +4,7 @@ import struct
 from array import array
 
 KIND = b"deadpoint reduced press 2\n"
-CERTIFICATE_KIND = b"deadpoint certificate 1\n"
+CERTIFICATE_KIND = b"deadpoint certificate 2\n"
 FIELDS_KIND = b"deadpoint fields of a reduced press 1\n"
 
 
@@ -157,12 +157,13 @@ def check_certificate(path, rom):
     """Reads a certificate of the large model, and checks that its numbers fit each other and the model."""
     r = opened(path, CERTIFICATE_KIND)
     found = r.fields(version="text", model="text", states="u64", functionals="u64", observed="u64",
-                     factors=lambda: r.list(r.matrix), kept=lambda: r.list(r.u64), lowest=lambda: r.list(r.f64),
-                     root=lambda: r.numbers("f"), products=r.matrix)
-    check_end(r, checksum=False)  # of 35 MB, which takes Python half a minute
-    vectors = 2 * found["states"] + sum(found["kept"]) + found["functionals"] + found["observed"]
-    terms = len(rom["joint_terms"]) + len(rom["films"])
-    if len(found["root"]) != vectors * (vectors + 1) // 2 or {len(found[k]) for k in ("factors", "kept", "lowest")} != {terms}:
+                     first=lambda: r.list(r.u64), factors=r.matrix, lowest=lambda: r.list(r.f64),
+                     highest=lambda: r.list(r.f64), remainder=r.matrix, root=lambda: r.numbers("f"), products=r.matrix)
+    check_end(r, checksum=False)  # of some 20 MB, which takes Python a quarter of a minute
+    vectors = found["states"] + found["factors"]["columns"] + found["functionals"] + found["observed"]
+    terms = len(rom["joint_terms"]) + len(rom["films"]) + 1
+    if (len(found["root"]) != vectors * (vectors + 1) // 2 or {len(found[k]) for k in ("lowest", "highest")} != {terms}
+            or len(found["first"]) != terms + 1 or found["first"][-1] != found["factors"]["columns"]):
         raise ValueError("a certificate has another number of values than vectors or terms")
     if int(found["model"], 16) != fnv1a(rom["functionals"]["entries"].tobytes()):
         raise ValueError("the certificate belongs to another model")

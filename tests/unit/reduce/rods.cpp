@@ -108,35 +108,36 @@ Eigen::MatrixXd RodModel::gram() { return basis.transpose() * basis; }
 
 DenseTerms RodModel::project(const Truncation& truncation) { return combined(terms_, basis, truncation); }
 
-ResidualTerms RodModel::residual(const HeatProblem& lowest, const ResidualCut& cut)
+ResidualTerms RodModel::residual(const ResidualTask& task)
 {
     ResidualTerms result;
     result.states = basis.cols();
-    result.lowest = coefficients_of(lowest, deadpoint::HeatSegment{});
-    Eigen::MatrixXd vectors(basis.rows(), 2 * basis.cols());
-    vectors << basis, terms_.solid * basis;
+    result.lowest = coefficients_of(task.lowest, deadpoint::HeatSegment{});
+    auto terms = terms_in_order();
+    const LowRankTerm solid{factor_of(terms_.solid, 1e-14)};
+    terms.push_back(&solid);
+    std::vector<Eigen::MatrixXd> factors;
+    for (const auto* term : terms) {
+        const Eigen::MatrixXd seen =
+            term->is_missing() ? Eigen::MatrixXd(basis.cols(), 0) : Eigen::MatrixXd(basis.transpose() * term->factor);
+        factors.push_back(low_rank_factor(
+            [&](const Eigen::MatrixXd& columns) { return Eigen::MatrixXd(seen * (seen.transpose() * columns)); },
+            basis.cols(), task.cut.further));
+    }
+    const auto combinations = choose_directions(factors, task, result);
+    Eigen::MatrixXd vectors = basis;
     const auto add = [&](const Eigen::MatrixXd& columns) {
         vectors.conservativeResize(Eigen::NoChange, vectors.cols() + columns.cols());
         vectors.rightCols(columns.cols()) = columns;
     };
-    for (const auto* term : terms_in_order()) {
-        auto& reduced = result.terms.emplace_back();
-        if (term->is_missing())
-            continue;
-        const Eigen::MatrixXd seen = basis.transpose() * term->factor;
-        reduced.factor = low_rank_factor(
-            [&](const Eigen::MatrixXd& columns) { return Eigen::MatrixXd(seen * (seen.transpose() * columns)); },
-            basis.cols(), cut.further);
-        const Eigen::VectorXd sizes = reduced.factor.colwise().squaredNorm().transpose();
-        reduced.kept = (sizes.array() > cut.kept * sizes.maxCoeff()).count();
-        add(term->factor * (seen.transpose() * reduced.kept_factor()) *
-            sizes.head(reduced.kept).cwiseInverse().asDiagonal());
-    }
+    for (std::size_t q = 0; q < terms.size(); ++q)
+        if (combinations[q].cols() > 0)
+            add(terms[q]->factor * (terms[q]->factor.transpose() * (basis * combinations[q])));
     add(terms_.functionals.transpose());
     add(terms_.observed.transpose());
     result.functionals = terms_.functionals.rows();
     result.observed = terms_.observed.rows();
-    const Eigen::LLT<Eigen::MatrixXd> factor(terms_.solid + conduction_of(lowest));
+    const Eigen::LLT<Eigen::MatrixXd> factor(terms_.solid + conduction_of(task.lowest));
     result.root = residual_root(vectors.transpose() * factor.solve(vectors));
     set_products(result);
     return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../heat/lumps.hpp"
+#include "deadpoint/reduce/certificate/directions.hpp"
 #include "deadpoint/reduce/certificate/residual_root.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
 #include "deadpoint/reduce/offline/build.hpp"
@@ -44,7 +45,7 @@ public:
     [[nodiscard]] deadpoint::heat::HeatGeometry geometry() const override;
     [[nodiscard]] Eigen::MatrixXd gram() override;
     [[nodiscard]] DenseTerms project(const Truncation& truncation) override;
-    [[nodiscard]] ResidualTerms residual(const HeatProblem& lowest, const ResidualCut& cut) override;
+    [[nodiscard]] ResidualTerms residual(const ResidualTask& task) override;
     void combine(const Eigen::MatrixXd& combinations) override;
     void correct(const Eigen::MatrixXd& combinations) override;
     [[nodiscard]] const Ranks& ranks() const override { return ranks_; }

@@ -66,6 +66,16 @@ Eigen::VectorXd BasisFields::combination(const Eigen::VectorXd& weights) const
     return result;
 }
 
+Eigen::MatrixXd BasisFields::combinations(const Eigen::MatrixXd& weights) const
+{
+    Eigen::MatrixXd result(rows_, weights.cols());
+    for (Eigen::Index row = 0; row < rows_; row += rows_at_a_time) {
+        const auto rows = std::min(rows_at_a_time, rows_ - row);
+        result.middleRows(row, rows) = combined(block(row, rows, 0), weights);
+    }
+    return result;
+}
+
 void BasisFields::combine(const Eigen::MatrixXd& combinations)
 {
     for (Eigen::Index row = 0; row < rows_; row += rows_at_a_time) {

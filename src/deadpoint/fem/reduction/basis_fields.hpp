@@ -33,6 +33,8 @@ public:
     [[nodiscard]] Eigen::VectorXd evaluate(const SparseFunctional& functional) const;
     /// A combination of the fields.
     [[nodiscard]] Eigen::VectorXd combination(const Eigen::VectorXd& weights) const;
+    /// Combinations of the fields, a column for each.
+    [[nodiscard]] Eigen::MatrixXd combinations(const Eigen::MatrixXd& weights) const;
     /// Replaces the fields by combinations of them. @param combinations  a column for each, at most count()
     void combine(const Eigen::MatrixXd& combinations);
 

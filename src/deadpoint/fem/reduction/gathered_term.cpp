@@ -106,8 +106,6 @@ GatheredTerm::GatheredTerm(const Discretisation& space, const TermSum& sum, cons
     : unknowns_(unknowns_of(sum)), rows_(rows_on(owner, space, unknowns_, fields)), matrix_(matrix_of(sum, unknowns_))
 {}
 
-void GatheredTerm::combine(const Eigen::MatrixXd& combinations) { rows_ = combined(rows_, combinations); }
-
 Eigen::MatrixXd GatheredTerm::product(const Eigen::MatrixXd& columns) const
 {
     return product_of_transposed(rows_, image(columns));

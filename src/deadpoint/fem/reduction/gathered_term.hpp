@@ -19,8 +19,6 @@ class GatheredTerm {
 public:
     /// Collective. @param owner  the rank that has all of it afterwards; the others have nothing
     GatheredTerm(const Discretisation& space, const TermSum& sum, const BasisFields& fields, int owner);
-    /// Replaces the fields by combinations of them, on the owner.
-    void combine(const Eigen::MatrixXd& combinations);
     /// fields^T A fields columns, on the owner.
     [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& columns) const;
     /// A fields columns on the term's unknowns, on the owner.

@@ -282,22 +282,23 @@ reduce::DenseTerms HeatProjector::project(const reduce::Truncation& truncation)
     return terms;
 }
 
-reduce::ResidualTerms HeatProjector::residual(const HeatProblem& lowest, const reduce::ResidualCut& cut)
+reduce::ResidualTerms HeatProjector::residual(const reduce::ResidualTask& task)
 {
     auto& it = *parts_;
     if (it.space.total > largest_heat_factor || it.ranks.count() > 1)
         throw InputError(fmt::format("a certificate is made by one process, for at most {} temperatures; this press "
                                      "has {}, on {} processes\n  help: leave out --certify, or enlarge the cells",
                                      largest_heat_factor, it.space.total, it.ranks.count()));
-    const auto problem = with_constant_films(lowest);
+    const auto problem = with_constant_films(task.lowest);
     auto& matrices = it.system.matrices();
     matrices.adopt(problem);
     matrices.set_laws(problem.interfaces);
     Eigen::MatrixXd observed(it.fields.rows(), static_cast<Eigen::Index>(it.observed.adjoints.size()));
     for (std::size_t k = 0; k < it.observed.adjoints.size(); ++k)
         observed.col(static_cast<Eigen::Index>(k)) = it.adjoint(k);
-    auto result = residual_terms({it.space, it.system, it.fields, it.correction, observed}, cut);
+    auto result = residual_terms({it.space, it.system, it.fields, it.correction, observed}, task);
     result.lowest = reduce::coefficients_of(problem, HeatSegment{});
+    reduce::set_products(result);
     return result;
 }
 

@@ -46,7 +46,7 @@ public:
     void correct(const Eigen::MatrixXd& combinations) override;
     [[nodiscard]] heat::HeatGeometry geometry() const override;
     [[nodiscard]] reduce::DenseTerms project(const reduce::Truncation& truncation) override;
-    [[nodiscard]] reduce::ResidualTerms residual(const HeatProblem& lowest, const reduce::ResidualCut& cut) override;
+    [[nodiscard]] reduce::ResidualTerms residual(const reduce::ResidualTask& task) override;
     [[nodiscard]] const reduce::Ranks& ranks() const override;
     /// A text that identifies mesh, elements and unknowns; the same on any number of ranks.
     [[nodiscard]] std::string mesh() const;

@@ -7,6 +7,7 @@
 #include "deadpoint/fem/reduction/block_solver.hpp"
 #include "deadpoint/fem/reduction/columns.hpp"
 #include "deadpoint/fem/reduction/gathered_term.hpp"
+#include "deadpoint/reduce/certificate/directions.hpp"
 #include "deadpoint/reduce/certificate/residual_root.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
 #include "deadpoint/reduce/offline/low_rank.hpp"
@@ -58,93 +59,122 @@ struct SparseColumns {
     }
 };
 
-/// The vectors of a residual. Those of M V and K_0 V are M and K_0 times the fields, which the correction combines.
+/// The vectors of a residual. Those of M V are M times the fields, which the correction combines.
 class Vectors {
 public:
     explicit Vectors(const ProjectedMachine& machine) : it_(machine), matrices_(machine.system.matrices()) {}
 
-    /// Adds the terms' kept vectors. @return the terms on the basis
-    std::vector<reduce::ResidualTerm> add_terms(const reduce::ResidualCut& cut)
+    /// Adds the terms' vectors.
+    void add_terms(const reduce::ResidualTask& task, reduce::ResidualTerms& result)
     {
-        std::vector<reduce::ResidualTerm> result;
-        for (const auto& sum : all_terms(matrices_)) {
-            auto& reduced = result.emplace_back();
-            if (sum.empty())
+        const auto terms = all_terms(matrices_);
+        const auto& correction = it_.correction;
+        std::vector<MatrixXd> factors;
+        for (const auto& sum : terms)
+            factors.push_back(factor_of(sum, task.cut.further));
+        const MatrixXd solid = correction.transpose() * projected(matrices_.solid(), it_.fields) * correction;
+        factors.push_back(reduce::factor_of((solid + solid.transpose()) / 2, task.cut.further));
+        const auto combinations = reduce::choose_directions(factors, task, result);
+        for (std::size_t q = 0; q < terms.size(); ++q) {
+            if (combinations[q].cols() == 0)
                 continue;
-            GatheredTerm term(it_.space, sum, it_.fields, 0);
-            term.combine(it_.correction);
-            reduced.factor = reduce::low_rank_factor([&](const MatrixXd& columns) { return term.product(columns); },
-                                                     it_.correction.cols(), cut.further);
-            const Eigen::VectorXd sizes = reduced.factor.colwise().squaredNorm().transpose();
-            reduced.kept = sizes.size() == 0 ? 0 : (sizes.array() > cut.kept * sizes.maxCoeff()).count();
-            const MatrixXd scaled =
-                reduced.factor.leftCols(reduced.kept) * sizes.head(reduced.kept).cwiseInverse().asDiagonal();
-            sparse_.push_back({{term.unknowns().begin(), term.unknowns().end()}, term.image(scaled)});
+            const GatheredTerm term(it_.space, terms[q], it_.fields, 0);
+            sparse_.push_back(
+                {{term.unknowns().begin(), term.unknowns().end()}, term.image(correction * combinations[q])});
         }
-        return result;
+        of_solid_ = correction * combinations.back();
     }
 
     void add_functionals()
     {
         for (std::size_t k = 0; k < it_.system.geometry().layout.count(); ++k) {
             const auto& [local, weight] = it_.system.functionals()[k];
-            sparse_.push_back({{local.begin(), local.end()},
-                               Eigen::Map<const Eigen::VectorXd>(weight.data(), static_cast<Index>(weight.size()))});
+            further_.push_back({{local.begin(), local.end()},
+                                Eigen::Map<const Eigen::VectorXd>(weight.data(), static_cast<Index>(weight.size()))});
         }
     }
 
-    [[nodiscard]] Index dense_count() const { return 2 * it_.fields.count(); }
+    [[nodiscard]] Index states() const { return it_.fields.count(); }
     [[nodiscard]] Index count() const
     {
-        Index sum = dense_count() + it_.observed.cols();
-        for (const auto& columns : sparse_)
-            sum += columns.values.cols();
+        Index sum = states() + of_solid_.cols() + it_.observed.cols();
+        for (const auto* list : {&sparse_, &further_})
+            for (const auto& columns : *list)
+                sum += columns.values.cols();
         return sum;
     }
 
-    /// Calls visit(first, block) for blocks of all columns, in order.
+    /// Calls visit(first, dense, block) for blocks of all columns, in order.
     template <class Visit>
     void for_each_block(const Visit& visit) const
     {
         Index at = 0;
-        const auto in_blocks = [&](Index columns, const auto& block_of) {
+        const auto in_blocks = [&](Index columns, bool dense, const auto& block_of) {
             for (Index first = 0; first < columns; first += block_size) {
                 const Index size = std::min(block_size, columns - first);
-                visit(at, MatrixXd(block_of(first, size)));
+                visit(at, dense, MatrixXd(block_of(first, size)));
                 at += size;
             }
         };
-        for (const Mat matrix : {matrices_.mass(), matrices_.solid()})
-            in_blocks(it_.fields.count(),
-                      [&](Index first, Index size) { return times(matrix, it_.fields.columns(first, size)); });
-        for (const auto& columns : sparse_)
-            in_blocks(columns.values.cols(),
-                      [&](Index first, Index size) { return columns.block(it_.fields.rows(), first, size); });
-        in_blocks(it_.observed.cols(), [&](Index first, Index size) { return it_.observed.middleCols(first, size); });
+        const auto rows = it_.fields.rows();
+        const auto in_sparse_blocks = [&](const std::vector<SparseColumns>& list) {
+            for (const auto& columns : list)
+                in_blocks(columns.values.cols(), false,
+                          [&](Index first, Index size) { return columns.block(rows, first, size); });
+        };
+        in_blocks(states(), true,
+                  [&](Index first, Index size) { return times(matrices_.mass(), it_.fields.columns(first, size)); });
+        in_sparse_blocks(sparse_);
+        in_blocks(of_solid_.cols(), true, [&](Index first, Index size) {
+            return times(matrices_.solid(), it_.fields.combinations(of_solid_.middleCols(first, size)));
+        });
+        in_sparse_blocks(further_);
+        in_blocks(it_.observed.cols(), false,
+                  [&](Index first, Index size) { return it_.observed.middleCols(first, size); });
     }
 
     /// Products of all vectors with columns; of the dense ones only if asked for, else zero.
     [[nodiscard]] MatrixXd products(const MatrixXd& columns, bool with_dense) const
     {
         MatrixXd result = MatrixXd::Zero(count(), columns.cols());
-        const Index n = it_.fields.count();
+        Index at = states();
+        const auto add = [&](const std::vector<SparseColumns>& list) {
+            for (const auto& one : list) {
+                result.middleRows(at, one.values.cols()) = one.times(columns);
+                at += one.values.cols();
+            }
+        };
+        add(sparse_);
         if (with_dense) {
-            result.topRows(n) = it_.fields.inner_products(times(matrices_.mass(), columns));
-            result.middleRows(n, n) = it_.fields.inner_products(times(matrices_.solid(), columns));
+            result.topRows(states()) = it_.fields.inner_products(times(matrices_.mass(), columns));
+            result.middleRows(at, of_solid_.cols()) =
+                of_solid_.transpose() * it_.fields.inner_products(times(matrices_.solid(), columns));
         }
-        Index at = dense_count();
-        for (const auto& one : sparse_) {
-            result.middleRows(at, one.values.cols()) = one.times(columns);
-            at += one.values.cols();
-        }
+        at += of_solid_.cols();
+        add(further_);
         result.bottomRows(it_.observed.cols()) = it_.observed.transpose() * columns;
         return result;
     }
 
 private:
+    // Of a term on the basis.
+    [[nodiscard]] MatrixXd factor_of(const TermSum& sum, double tolerance) const
+    {
+        const auto& correction = it_.correction;
+        if (sum.empty())
+            return {correction.cols(), 0};
+        const GatheredTerm term(it_.space, sum, it_.fields, 0);
+        return reduce::low_rank_factor(
+            [&](const MatrixXd& columns) {
+                return MatrixXd(correction.transpose() * term.product(correction * columns));
+            },
+            correction.cols(), tolerance);
+    }
+
     const ProjectedMachine& it_;
     HeatMatrices& matrices_;
-    std::vector<SparseColumns> sparse_;
+    std::vector<SparseColumns> sparse_, further_;  ///< of terms, and of functionals
+    MatrixXd of_solid_;                            ///< K_0 times the fields times these are the vectors of K_0
 };
 
 // K'^-1 block. One step of refinement: a machine that is nearly insulated magnifies rounding by the heat that it
@@ -156,49 +186,48 @@ MatrixXd refined(BlockSolver& solver, Mat matrix, const MatrixXd& block)
     return solution;
 }
 
-// The products of all vectors, those of the fields instead of the basis.
+// The products of all vectors, those of M times the fields instead of the basis.
 MatrixXd products_of_fields(const Vectors& vectors, HeatMatrices& matrices)
 {
     BlockSolver solver(matrices.stiffness());
     solver.set(matrices.stiffness(), 0, matrices.mass());
-    MatrixXd gram(vectors.count(), vectors.count());
-    vectors.for_each_block([&](Index first, const MatrixXd& block) {
+    const Index count = vectors.count();
+    MatrixXd gram(count, count);
+    std::vector<bool> is_dense(static_cast<std::size_t>(count), false);
+    vectors.for_each_block([&](Index first, bool dense, const MatrixXd& block) {
         const MatrixXd solved = refined(solver, matrices.stiffness(), block);
-        gram.middleCols(first, block.cols()) = vectors.products(solved, first < vectors.dense_count());
+        gram.middleCols(first, block.cols()) = vectors.products(solved, dense);
+        std::fill_n(is_dense.begin() + first, block.cols(), dense);
     });
-    const Index dense = vectors.dense_count(), others = vectors.count() - dense;
-    gram.topRightCorner(dense, others) = gram.bottomLeftCorner(others, dense).transpose();
+    for (Index j = 0; j < count; ++j)
+        for (Index i = 0; i < count; ++i)
+            if (is_dense[static_cast<std::size_t>(i)] && !is_dense[static_cast<std::size_t>(j)])
+                gram(i, j) = gram(j, i);
     return gram;
 }
 
 void correct(MatrixXd& gram, const MatrixXd& correction)
 {
     const Index n = correction.rows();
-    for (const Index first : {Index(0), n}) {
-        gram.middleRows(first, n) = (correction.transpose() * gram.middleRows(first, n)).eval();
-        gram.middleCols(first, n) = (gram.middleCols(first, n) * correction).eval();
-    }
+    gram.topRows(n) = (correction.transpose() * gram.topRows(n)).eval();
+    gram.leftCols(n) = (gram.leftCols(n) * correction).eval();
 }
 
 }  // namespace
 
-reduce::ResidualTerms residual_terms(const ProjectedMachine& machine, const reduce::ResidualCut& cut)
+reduce::ResidualTerms residual_terms(const ProjectedMachine& machine, const reduce::ResidualTask& task)
 {
     const auto& correction = machine.correction;
     Vectors vectors(machine);
     reduce::ResidualTerms result;
     result.states = correction.cols();
-    result.terms = vectors.add_terms(cut);
+    vectors.add_terms(task, result);
     vectors.add_functionals();
     result.functionals = static_cast<Index>(machine.system.geometry().layout.count());
     result.observed = machine.observed.cols();
     auto gram = products_of_fields(vectors, machine.system.matrices());
     correct(gram, correction);
-    // the first field is uniform: K_0 of it is rounding
-    gram.col(result.states).setZero();
-    gram.row(result.states).setZero();
     result.root = reduce::residual_root(gram);
-    reduce::set_products(result);
     return result;
 }
 

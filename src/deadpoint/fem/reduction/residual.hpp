@@ -3,10 +3,6 @@
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
 
 /// Internal to fem/: products of a residual's vectors in the inverse of a conduction matrix.
-namespace deadpoint::reduce {
-struct ResidualCut;
-}
-
 namespace deadpoint::fem {
 
 class BasisFields;
@@ -22,8 +18,8 @@ struct ProjectedMachine {
     const Eigen::MatrixXd& observed;    ///< the observed functionals, a column for each
 };
 
-/// ResidualTerms but for the coefficients of K', which is the present conduction matrix of the system. Solves with a
-/// sparse factor of it.
-reduce::ResidualTerms residual_terms(const ProjectedMachine& machine, const reduce::ResidualCut& cut);
+/// ResidualTerms but for products and the coefficients of K', which is the present conduction matrix of the system.
+/// Solves with a sparse factor of it.
+reduce::ResidualTerms residual_terms(const ProjectedMachine& machine, const reduce::ResidualTask& task);
 
 }  // namespace deadpoint::fem

@@ -77,9 +77,12 @@ Wanted wanted_factors(const HeatMatrices& matrices, const reduce::Truncation& tr
     return wanted;
 }
 
-Eigen::MatrixXd factor_of(const GatheredTerm& term, const WantedFactor& wanted, const Eigen::VectorXd& uniform)
+Eigen::MatrixXd factor_of(const GatheredTerm& term, const WantedFactor& wanted, const Eigen::MatrixXd& correction,
+                          const Eigen::VectorXd& uniform)
 {
-    const auto product = [&](const Eigen::MatrixXd& columns) { return term.product(columns); };
+    const auto product = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
+        return correction.transpose() * term.product(correction * columns);
+    };
     return wanted.load.size() == 0 ? reduce::low_rank_factor(product, uniform.size(), wanted.tolerance)
                                    : reduce::low_rank_factor(product, wanted.load, uniform, wanted.tolerance);
 }
@@ -103,8 +106,7 @@ void project_surfaces(const Discretisation& space, const HeatMatrices& matrices,
         }
         if (!mine)
             continue;
-        mine->combine(correction);
-        *list[first + own].factor = factor_of(*mine, list[first + own], terms.uniform);
+        *list[first + own].factor = factor_of(*mine, list[first + own], correction, terms.uniform);
     }
     for (std::size_t k = 0; k < list.size(); ++k)
         ranks.share(*list[k].factor, static_cast<int>(k % count));

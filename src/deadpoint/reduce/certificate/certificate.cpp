@@ -7,6 +7,7 @@
 #include "deadpoint/heat/stage_solver.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
 #include "deadpoint/reduce/online/dense_system.hpp"
+#include "deadpoint/reduce/online/tridiagonal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,17 +103,22 @@ public:
         }
     }
 
-    /// A column for each step. @param weights  of the states after the last one
-    [[nodiscard]] Eigen::MatrixXd dual(const Eigen::VectorXd& weights)
+    /// Of each output a matrix with a column for each step. @param weights  of the states after the last step, a column
+    /// for each output
+    [[nodiscard]] std::vector<Eigen::MatrixXd> duals(const Eigen::MatrixXd& weights)
     {
-        Eigen::MatrixXd result(weights.size(), static_cast<Eigen::Index>(levels_.size()));
-        Eigen::VectorXd right = weights, solution = weights;
-        for (auto k = static_cast<Eigen::Index>(levels_.size()) - 1; k >= 0; --k) {
-            const auto& level = levels_[static_cast<std::size_t>(k)];
-            enter(level.step.segment);
-            system_.build(level.step.duration, right, {});
-            system_.solve(right, solution, {level.slopes, {}}, {}, "the dual of an output");
-            result.col(k) = right = solution;
+        const auto outputs = weights.cols();
+        std::vector<Eigen::MatrixXd> result(static_cast<std::size_t>(outputs),
+                                            Eigen::MatrixXd(weights.rows(), static_cast<Eigen::Index>(levels_.size())));
+        Eigen::MatrixXd right = weights;
+        for (auto end = static_cast<Eigen::Index>(levels_.size()); end > 0;) {
+            const auto first = first_of_segment(end);
+            const Eigen::MatrixXd found = duals_in_segment(first, end, right);
+            for (Eigen::Index k = first; k < end; ++k)
+                for (Eigen::Index i = 0; i < outputs; ++i)
+                    result[static_cast<std::size_t>(i)].col(k) = found.col((k - first) * outputs + i);
+            right = found.leftCols(outputs);
+            end = first;
         }
         return result;
     }
@@ -130,6 +136,55 @@ public:
     [[nodiscard]] const std::vector<Level>& levels() const { return levels_; }
 
 private:
+    [[nodiscard]] const Level& level(Eigen::Index k) const { return levels_[static_cast<std::size_t>(k)]; }
+    [[nodiscard]] Eigen::Index first_of_segment(Eigen::Index end) const
+    {
+        auto first = end - 1;
+        while (first > 0 && level(first - 1).step.segment == level(end - 1).step.segment)
+            --first;
+        return first;
+    }
+
+    // The outputs' columns of each step of [first, end), all of one segment, in the basis in which K is tridiagonal:
+    //   (1 + d K - d b S b^T) z = right,   S the slopes of the sources' heat.
+    [[nodiscard]] Eigen::MatrixXd duals_in_segment(Eigen::Index first, Eigen::Index end, const Eigen::MatrixXd& right)
+    {
+        enter(level(first).step.segment);
+        system_.build(level(first).step.duration, level(first).state, {});
+        const auto form = system_.tridiagonal();
+        const Eigen::MatrixXd loads = form->basis.transpose() * load_states();
+        const auto outputs = right.cols();
+        Eigen::MatrixXd present = form->basis.transpose() * right, all(right.rows(), (end - first) * outputs);
+        for (auto k = end - 1; k >= first; --k) {
+            const auto& [step, before, state, watts, slopes, temperatures] = level(k);
+            const ShiftedFactor factor(*form, step.duration);
+            const Eigen::VectorXd scaled =
+                step.duration * Eigen::Map<const Eigen::VectorXd>(slopes.data(), loads.cols());
+            Eigen::MatrixXd solved = loads;
+            factor.solve_in_place(solved);
+            factor.solve_in_place(present);
+            Eigen::MatrixXd small = -(scaled.asDiagonal() * (loads.transpose() * solved));
+            small.diagonal().array() += 1;
+            const Eigen::MatrixXd heat = scaled.asDiagonal() * (loads.transpose() * present);
+            present += solved * small.partialPivLu().solve(heat);
+            all.middleCols((k - first) * outputs, outputs) = present;
+        }
+        return form->basis * all;
+    }
+
+    // The load of one watt of each source of the present segment.
+    [[nodiscard]] Eigen::MatrixXd load_states() const
+    {
+        const auto& functionals = system_.parts().functionals;
+        Eigen::MatrixXd result =
+            Eigen::MatrixXd::Zero(functionals.cols(), static_cast<Eigen::Index>(problem_->sources.size()));
+        for (std::size_t r = 0; r < problem_->sources.size(); ++r)
+            for (const auto& [functional, weight] : sources_.joints.source_load(r))
+                result.col(static_cast<Eigen::Index>(r)) +=
+                    weight * functionals.row(static_cast<Eigen::Index>(functional)).transpose();
+        return result;
+    }
+
     void enter(std::size_t segment)
     {
         if (present_ == segment)
@@ -185,23 +240,27 @@ public:
             norms_.emplace_back(residual_, uniform_, coefficients_of(problem_, problem_.segments[steps.segment]));
             loads_.push_back(source_columns(steps.segment));
         }
-        primal_ = sum_of_squares(primal_residual(), states());
+        remainders_ = remainders(states());
+        primal_ = sum_of_squares(primal_residual(), remainders_);
         look_at_laws();
     }
 
     /// Not positive: the sources may feed an error.
     [[nodiscard]] double kappa() const { return kappa_; }
 
-    [[nodiscard]] double bound(std::size_t output)
+    /// @param outputs  as of certify()
+    [[nodiscard]] std::vector<double> bounds(const std::vector<std::size_t>& outputs)
     {
-        const auto functionals = static_cast<std::size_t>(terms_.functionals.rows());
-        const bool is_observed = output >= functionals;
-        const Eigen::VectorXd weights = (is_observed ? terms_.observed : terms_.functionals)
-                                            .row(static_cast<Eigen::Index>(is_observed ? output - functionals : output))
-                                            .transpose();
-        const auto duals = run_.dual(weights);
-        const double dual = sum_of_squares(dual_residual(duals, output), duals);
-        return std::sqrt(primal_ * dual) / kappa_ + consistency(duals) + curvature(duals);
+        Eigen::MatrixXd weights(terms_.uniform.size(), static_cast<Eigen::Index>(outputs.size()));
+        for (std::size_t k = 0; k < outputs.size(); ++k)
+            weights.col(static_cast<Eigen::Index>(k)) = weights_of(outputs[k]);
+        const auto duals = run_.duals(weights);
+        std::vector<double> result;
+        for (std::size_t k = 0; k < outputs.size(); ++k) {
+            const double dual = sum_of_squares(dual_residual(duals[k], outputs[k]), remainders(duals[k]));
+            result.push_back(std::sqrt(primal_ * dual) / kappa_ + consistency(duals[k]) + curvature(duals[k]));
+        }
+        return result;
     }
 
 private:
@@ -210,6 +269,16 @@ private:
         return run_.levels()[static_cast<std::size_t>(step)].step.duration;
     }
     [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(run_.levels().size()); }
+
+    // Of an output, on the states.
+    [[nodiscard]] Eigen::VectorXd weights_of(std::size_t output) const
+    {
+        const auto functionals = static_cast<std::size_t>(terms_.functionals.rows());
+        const bool is_observed = output >= functionals;
+        return (is_observed ? terms_.observed : terms_.functionals)
+            .row(static_cast<Eigen::Index>(is_observed ? output - functionals : output))
+            .transpose();
+    }
 
     [[nodiscard]] Eigen::MatrixXd states() const
     {
@@ -282,26 +351,36 @@ private:
                (terms_.functionals * states);
     }
 
-    // Sum of dt |residual|^2. @param states  whose conduction has remainders
-    [[nodiscard]] double sum_of_squares(const Eigen::MatrixXd& residuals, const Eigen::MatrixXd& states) const
+    // Sizes of what conduction of states leaves out of the residual's vectors, for each step.
+    [[nodiscard]] Eigen::VectorXd remainders(const Eigen::MatrixXd& columns) const
+    {
+        Eigen::VectorXd result(columns.cols());
+        for (std::size_t s = 0; s < segments_.size(); ++s)
+            result.segment(segments_[s].first, segments_[s].count) =
+                norms_[s].remainder_squares(columns.middleCols(segments_[s].first, segments_[s].count)).cwiseSqrt();
+        return result;
+    }
+
+    // Sum of dt |residual|^2. @param rest  sizes of their remainders
+    [[nodiscard]] double sum_of_squares(const Eigen::MatrixXd& residuals, const Eigen::VectorXd& rest) const
     {
         double sum = 0;
         for (std::size_t s = 0; s < segments_.size(); ++s) {
             const auto [segment, first, steps] = segments_[s];
             const Eigen::VectorXd main = norms_[s].squares(residuals.middleCols(first, steps));
-            const Eigen::VectorXd rest = norms_[s].remainder_squares(states.middleCols(first, steps));
             for (Eigen::Index k = 0; k < steps; ++k) {
-                const double size = std::sqrt(main[k]) + std::sqrt(rest[k]);
+                const double size = std::sqrt(main[k]) + rest[first + k];
                 sum += duration(first + k) * size * size;
             }
         }
         return sum;
     }
 
-    // |sum dt z . V^T residual|: zero but for cut terms and for the tolerance of Newton's method.
+    // |sum dt z . V^T residual|: zero but for cut terms, remainders, and for the tolerance of Newton's method.
     [[nodiscard]] double consistency(const Eigen::MatrixXd& duals) const
     {
-        double sum = 0;
+        const Eigen::VectorXd of_duals = remainders(duals);
+        double sum = 0, rest = 0;
         for (std::size_t s = 0; s < segments_.size(); ++s)
             for (Eigen::Index k = segments_[s].first; k < segments_[s].first + segments_[s].count; ++k) {
                 const auto& level = run_.levels()[static_cast<std::size_t>(k)];
@@ -312,27 +391,39 @@ private:
                 sum += level.step.duration *
                        (duals.col(k).dot(rate) -
                         norms_[s].conduction_between(duals.col(k), level.state, terms_.functionals * duals.col(k)));
+                rest += level.step.duration * of_duals[k] * remainders_[k];
             }
-        return std::abs(sum);
+        return std::abs(sum) + rest;
     }
 
-    // Sets kappa and, for each step and source, max |H''| |b|^2.
+    // Sets kappa, |H''| of each source and step, and products of the sources' loads.
     void look_at_laws()
     {
         const auto sources = static_cast<Eigen::Index>(problem_.sources.size());
         curvatures_ = Eigen::MatrixXd::Zero(sources, count());
         kappa_ = 1;
         for (std::size_t s = 0; s < segments_.size(); ++s) {
-            const Eigen::VectorXd sizes = norms_[s].squares(loads_[s]);
+            load_products_.push_back(norms_[s].products(loads_[s]));
             Eigen::VectorXd rising = Eigen::VectorXd::Zero(sources);
             for (Eigen::Index k = segments_[s].first; k < segments_[s].first + segments_[s].count; ++k)
                 for (Eigen::Index r = 0; r < sources; ++r) {
                     const auto shape = shape_of(run_.levels()[static_cast<std::size_t>(k)], r);
                     rising[r] = std::max(rising[r], shape.largest_slope);
-                    curvatures_(r, k) = shape.curvature * sizes[r];
+                    curvatures_(r, k) = shape.curvature;
                 }
-            kappa_ = std::min(kappa_, 1 - rising.dot(sizes));
+            kappa_ = std::min(kappa_, 1 - largest_share(load_products_[s], rising));
         }
+    }
+
+    // Largest sum of weight_r (b_r . e)^2 for an error of |e|_K = 1. @param products  b_q . K^-1 b_r
+    [[nodiscard]] static double largest_share(const Eigen::MatrixXd& products, const Eigen::VectorXd& weights)
+    {
+        const Eigen::VectorXd root = weights.cwiseSqrt();
+        const Eigen::MatrixXd scaled = root.asDiagonal() * products * root.asDiagonal();
+        return scaled.size() == 0 ? 0
+                                  : Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
+                                        .eigenvalues()
+                                        .maxCoeff();
     }
 
     [[nodiscard]] LawShape shape_of(const EulerRun::Level& level, Eigen::Index source) const
@@ -357,12 +448,15 @@ private:
     // Of sum of dt z . (heat of the laws less that of their tangents).
     [[nodiscard]] double curvature(const Eigen::MatrixXd& duals) const
     {
-        Eigen::VectorXd largest = Eigen::VectorXd::Zero(curvatures_.rows());
-        for (std::size_t s = 0; s < segments_.size(); ++s)
+        double share = 0;
+        for (std::size_t s = 0; s < segments_.size(); ++s) {
+            Eigen::VectorXd largest = Eigen::VectorXd::Zero(curvatures_.rows());
             for (Eigen::Index k = segments_[s].first; k < segments_[s].first + segments_[s].count; ++k)
                 largest =
                     largest.cwiseMax(seen_by_sources(s, duals.col(k)).cwiseAbs().cwiseProduct(curvatures_.col(k)));
-        return largest.sum() / 2 * primal_ / (kappa_ * kappa_);
+            share = std::max(share, largest_share(load_products_[s], largest));
+        }
+        return share / 2 * primal_ / (kappa_ * kappa_);
     }
 
     const DenseTerms& terms_;
@@ -373,9 +467,11 @@ private:
     std::vector<SegmentSteps> segments_;
     std::vector<ResidualNorm> norms_;     ///< per entry of segments_
     std::vector<Eigen::MatrixXd> loads_;  ///< the same: a column for each source
+    Eigen::VectorXd remainders_;          ///< of each step's conduction
     double primal_ = 0;                   ///< sum of dt |r|^2
     double kappa_ = 1;
-    Eigen::MatrixXd curvatures_;  ///< per source and step: max |H''| |b|^2
+    Eigen::MatrixXd curvatures_;                  ///< per source and step: max |H''| [W/K2]
+    std::vector<Eigen::MatrixXd> load_products_;  ///< per entry of segments_: b_q . K^-1 b_r
 };
 
 }  // namespace
@@ -399,8 +495,7 @@ Certificate certify(const std::shared_ptr<const PreparedTerms>& terms, const Res
         result.refused = "friction heat rises with the temperature faster than heat may flow off";
         return result;
     }
-    for (const auto output : outputs)
-        result.bounds.push_back(certifier.bound(output));
+    result.bounds = certifier.bounds(outputs);
     return result;
 }
 

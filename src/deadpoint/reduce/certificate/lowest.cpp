@@ -73,28 +73,53 @@ InterfaceLaw star(double between, double to_oil_a, double to_oil_b, InterfaceLaw
     return law;
 }
 
+double share(double x, double y, double other) { return x > 0 && y > 0 ? x * y / (x + y + other) : 0; }
+
 InterfaceLaw lowest(const JointRanges& ranges, const InterfaceLaw& law)
 {
-    const auto share = [](double x, double y, double other) { return x > 0 && y > 0 ? x * y / (x + y + other) : 0; };
     const double between = ranges.changes_turning ? 0 : share(ranges.a.from, ranges.b.from, ranges.oil.to);
     return star(between, share(ranges.a.from, ranges.oil.from, ranges.b.to),
                 share(ranges.b.from, ranges.oil.from, ranges.a.to), law);
+}
+
+std::vector<JointRanges> ranges_in(const HeatProblem& base, const Box& box)
+{
+    auto ranges = ranges_of(base);
+    for (const auto& free : box)
+        apply(free, ranges);
+    return ranges;
 }
 
 }  // namespace
 
 HeatProblem lowest_conduction(const HeatProblem& base, const Box& box)
 {
-    auto ranges = ranges_of(base);
+    const auto ranges = ranges_in(base, box);
     auto result = base;
     result.segments.clear();
-    for (const auto& free : box) {
-        apply(free, ranges);
+    for (const auto& free : box)
         for (std::size_t k = 0; k < free.members.size() && free.kind == FreeCoefficient::Kind::film; ++k)
             result.surfaces[free.members[k]].coefficient = free.from * free.base[k];
-    }
     for (std::size_t i = 0; i < ranges.size(); ++i)
         result.interfaces[i] = lowest(ranges[i], result.interfaces[i]);
+    return result;
+}
+
+std::vector<double> highest_conduction(const HeatProblem& base, const Box& box)
+{
+    std::vector<double> result;
+    for (const auto& [a, b, oil, turns, changes] : ranges_in(base, box)) {
+        const double between = share(a.to, b.to, oil.from);
+        result.insert(result.end(), {share(a.to, oil.to, b.from), share(b.to, oil.to, a.from),
+                                     turns && !changes ? 0 : between, turns || changes ? between : 0});
+    }
+    const auto first_film = result.size();
+    for (const auto& condition : base.surfaces)
+        result.push_back(condition.kind == SurfaceCondition::Kind::film ? condition.coefficient : 0);
+    for (const auto& free : box)
+        for (std::size_t k = 0; k < free.members.size() && free.kind == FreeCoefficient::Kind::film; ++k)
+            result[first_film + free.members[k]] = free.to * free.base[k];
+    result.push_back(1);
     return result;
 }
 

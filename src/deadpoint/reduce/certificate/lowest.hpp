@@ -2,6 +2,8 @@
 
 #include "deadpoint/reduce/offline/box.hpp"
 
+#include <vector>
+
 namespace deadpoint::reduce {
 
 /// The problem with conduction coefficients that are, term by term, the smallest of all values of a box and of all
@@ -11,5 +13,7 @@ namespace deadpoint::reduce {
 /// and the law of the result has just these three (star of a triangle of conductances). Only its interfaces and
 /// surfaces count; it has no segments of other laws.
 HeatProblem lowest_conduction(const HeatProblem& base, const Box& box);
+/// The largest coefficient of each term in the box, in the order of coefficients_of().
+std::vector<double> highest_conduction(const HeatProblem& base, const Box& box);
 
 }  // namespace deadpoint::reduce

@@ -10,11 +10,11 @@ namespace {
 
 void require_fit(const StoredResidual& stored)
 {
-    const auto count = stored.factors.size();
-    bool fits = stored.kept.size() == count && stored.lowest.size() == count;
-    for (std::size_t q = 0; q < count && fits; ++q)
-        fits = stored.kept[q] <= stored.factors[q].columns &&
-               (stored.factors[q].columns == 0 || stored.factors[q].rows == stored.states);
+    const auto terms = stored.lowest.size();
+    const bool fits = terms > 0 && stored.highest.size() == terms && stored.first.size() == terms + 1 &&
+                      stored.first.front() == 0 && std::ranges::is_sorted(stored.first) &&
+                      stored.first.back() == stored.factors.columns && stored.factors.rows == stored.states &&
+                      (stored.remainder.rows == 0 || stored.remainder.columns == stored.states);
     if (!fits)
         throw InputError("a term of a certificate has another size than the others");
 }
@@ -38,11 +38,11 @@ StoredResidual stored(const ResidualTerms& terms)
     result.states = static_cast<std::uint64_t>(terms.states);
     result.functionals = static_cast<std::uint64_t>(terms.functionals);
     result.observed = static_cast<std::uint64_t>(terms.observed);
-    for (const auto& term : terms.terms) {
-        result.factors.push_back(as_stored(term.factor));
-        result.kept.push_back(static_cast<std::uint64_t>(term.kept));
-    }
+    result.first.assign(terms.first.begin(), terms.first.end());
+    result.factors = as_stored(terms.factors);
     result.lowest = terms.lowest;
+    result.highest = terms.highest;
+    result.remainder = as_stored(terms.remainder);
     for (Eigen::Index j = 0; j < terms.root.cols(); ++j)
         for (Eigen::Index i = 0; i <= j; ++i)
             result.root.push_back(static_cast<float>(terms.root(i, j)));
@@ -57,13 +57,17 @@ ResidualTerms restored(const StoredResidual& stored)
     result.states = static_cast<Eigen::Index>(stored.states);
     result.functionals = static_cast<Eigen::Index>(stored.functionals);
     result.observed = static_cast<Eigen::Index>(stored.observed);
-    for (std::size_t q = 0; q < stored.factors.size(); ++q)
-        result.terms.push_back({as_matrix(stored.factors[q]), static_cast<Eigen::Index>(stored.kept[q])});
+    result.first.assign(stored.first.begin(), stored.first.end());
+    result.factors = as_matrix(stored.factors);
     result.lowest = stored.lowest;
+    result.highest = stored.highest;
+    result.remainder = as_matrix(stored.remainder);
+    if (result.remainder.rows() == 0)
+        result.remainder.resize(0, result.states);
     result.root = upper_triangle(stored.root, result.count());
     result.products = as_matrix(stored.products);
     Eigen::Index corrections = 0;
-    for (std::size_t q = 0; q < result.terms.size(); ++q)
+    for (std::size_t q = 0; q < result.terms(); ++q)
         corrections += result.corrections(q);
     if (result.products.rows() != corrections || result.products.cols() != corrections)
         throw InputError("a certificate has another number of products than vectors");

@@ -22,15 +22,7 @@ void add_interface(const InterfaceLaw& law, std::vector<double>& sum)
 
 Eigen::Index ResidualTerms::corrections(std::size_t term) const
 {
-    return std::min(largest_correction, terms[term].kept);
-}
-
-Eigen::Index ResidualTerms::first_of_term(std::size_t term) const
-{
-    Eigen::Index first = 2 * states;
-    for (std::size_t q = 0; q < term; ++q)
-        first += terms[q].kept;
-    return first;
+    return term + 1 == terms() ? 0 : std::min(largest_correction, kept(term));
 }
 
 UniformLoads uniform_loads(const DenseTerms& terms)
@@ -45,6 +37,7 @@ UniformLoads uniform_loads(const DenseTerms& terms)
     }
     for (std::size_t s = 0; s < layout.surfaces; ++s)
         result.of_term.emplace_back(functional(layout.surface(s)), 1);
+    result.of_term.emplace_back(0, 0.0);
     return result;
 }
 
@@ -55,13 +48,14 @@ std::vector<double> coefficients_of(const HeatProblem& problem, const HeatSegmen
         add_interface(law, result);
     for (const auto& condition : problem.surfaces)
         result.push_back(condition.kind == SurfaceCondition::Kind::film ? condition.coefficient : 0);
+    result.push_back(1);
     return result;
 }
 
 bool covers(const ResidualTerms& terms, const std::vector<double>& coefficients)
 {
     for (std::size_t q = 0; q < terms.lowest.size(); ++q)
-        if (!(coefficients[q] >= (1 - rounding) * terms.lowest[q]))
+        if (!(coefficients[q] >= (1 - rounding) * terms.lowest[q]) || (coefficients[q] > 0 && terms.highest[q] == 0))
             return false;
     return true;
 }
@@ -69,7 +63,7 @@ bool covers(const ResidualTerms& terms, const std::vector<double>& coefficients)
 void set_products(ResidualTerms& terms)
 {
     std::vector<Eigen::Index> columns;
-    for (std::size_t q = 0; q < terms.terms.size(); ++q)
+    for (std::size_t q = 0; q < terms.terms(); ++q)
         for (Eigen::Index k = 0; k < terms.corrections(q); ++k)
             columns.push_back(terms.first_of_term(q) + k);
     const Eigen::MatrixXd first = terms.root(Eigen::all, columns);
@@ -83,8 +77,10 @@ ResidualNorm::ResidualNorm(const ResidualTerms& terms, const UniformLoads& loads
     std::vector<Eigen::Index> chosen, vectors;  // places in products, and among all vectors
     std::vector<double> inverse;
     Eigen::Index place = 0;
-    for (std::size_t q = 0; q < terms.terms.size(); ++q) {
+    for (std::size_t q = 0; q < terms.terms(); ++q) {
         const double difference = coefficients[q] - terms.lowest[q];
+        if (coefficients[q] > 0)
+            remainder_factor_ = std::max(remainder_factor_, coefficients[q] / terms.highest[q]);
         for (Eigen::Index k = 0; k < terms.corrections(q); ++k, ++place)
             if (difference > rounding * coefficients[q]) {
                 chosen.push_back(place);
@@ -105,6 +101,13 @@ Eigen::VectorXd ResidualNorm::squares(const Eigen::MatrixXd& columns) const
     return (seen.colwise().squaredNorm() - along.colwise().squaredNorm()).cwiseMax(0.0).transpose();
 }
 
+Eigen::MatrixXd ResidualNorm::products(const Eigen::MatrixXd& columns) const
+{
+    const Eigen::MatrixXd seen = terms_->root.triangularView<Eigen::Upper>() * columns;
+    const Eigen::MatrixXd along = correction_.matrixL().solve(directions_.transpose() * seen);
+    return seen.transpose() * seen - along.transpose() * along;
+}
+
 Eigen::RowVectorXd ResidualNorm::means(const Eigen::MatrixXd& states) const
 {
     return loads_->uniform.transpose() * states / loads_->uniform.squaredNorm();
@@ -117,17 +120,14 @@ Eigen::MatrixXd ResidualNorm::deviations(const Eigen::MatrixXd& states) const
 
 Eigen::MatrixXd ResidualNorm::conducted(const Eigen::MatrixXd& states) const
 {
-    const auto n = terms_->states;
-    const Eigen::MatrixXd away = deviations(states);
     const auto mean = means(states);
+    const Eigen::MatrixXd seen = terms_->factors.transpose() * deviations(states);
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(terms_->count(), states.cols());
-    result.middleRows(n, n) = away;
-    for (std::size_t q = 0; q < terms_->terms.size(); ++q) {
-        const auto& term = terms_->terms[q];
-        if (coefficients_[q] == 0 || term.factor.cols() == 0)
+    for (std::size_t q = 0; q < terms_->terms(); ++q) {
+        if (coefficients_[q] == 0)
             continue;
-        result.middleRows(terms_->first_of_term(q), term.kept).noalias() =
-            coefficients_[q] * (term.kept_factor().transpose() * away);
+        result.middleRows(terms_->first_of_term(q), terms_->kept(q)) =
+            coefficients_[q] * seen.middleRows(terms_->first[q], terms_->kept(q));
         const auto& [functional, factor] = loads_->of_term[q];
         result.row(terms_->first_functional() + functional) += coefficients_[q] * factor * mean;
     }
@@ -136,27 +136,21 @@ Eigen::MatrixXd ResidualNorm::conducted(const Eigen::MatrixXd& states) const
 
 Eigen::VectorXd ResidualNorm::remainder_squares(const Eigen::MatrixXd& states) const
 {
-    const Eigen::MatrixXd away = deviations(states);
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(states.cols());
-    for (std::size_t q = 0; q < terms_->terms.size(); ++q)
-        if (const auto& term = terms_->terms[q]; coefficients_[q] != 0 && term.factor.cols() > term.kept)
-            result += coefficients_[q] * (term.further_factor().transpose() * away).colwise().squaredNorm().transpose();
-    return result;
+    return remainder_factor_ * (terms_->remainder * deviations(states)).colwise().squaredNorm().transpose();
 }
 
 double ResidualNorm::conduction_between(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
                                         const Eigen::VectorXd& functionals_of_a) const
 {
     const double mean = means(b)[0];
-    const Eigen::VectorXd away = b - mean * loads_->uniform;
+    const Eigen::VectorXd of_a = terms_->factors.transpose() * a;
+    const Eigen::VectorXd of_b = terms_->factors.transpose() * (b - mean * loads_->uniform);
     double sum = 0;
-    for (std::size_t q = 0; q < terms_->terms.size(); ++q) {
-        const auto& factor = terms_->terms[q].factor;
-        if (coefficients_[q] == 0 || factor.cols() == 0)
-            continue;
+    for (std::size_t q = 0; q + 1 < terms_->terms(); ++q) {
+        const auto first = terms_->first[q], count = terms_->kept(q);
         const auto& [functional, load] = loads_->of_term[q];
-        sum += coefficients_[q] *
-               ((factor.transpose() * a).dot(factor.transpose() * away) + mean * load * functionals_of_a[functional]);
+        sum += coefficients_[q] * (of_a.segment(first, count).dot(of_b.segment(first, count)) +
+                                   mean * load * functionals_of_a[functional]);
     }
     return sum;
 }

@@ -20,48 +20,55 @@ struct UniformLoads {
     std::vector<std::pair<Eigen::Index, double>> of_term;
 };
 struct DenseTerms;
+struct ResidualCut;
 UniformLoads uniform_loads(const DenseTerms& terms);
 
-/// A term A >= 0 of the conduction matrix on a basis V: V^T A V = factor factor^T, its columns orthogonal, the largest
-/// first. The first `kept` have a vector of the full system, y_j = A V f_j / |f_j|^2, so that A V x is the sum of
-/// y_j (f_j . x) and a remainder whose size in A^-1 is that of the further f_j . x.
-struct ResidualTerm {
-    Eigen::MatrixXd factor;  ///< states x rank; without columns where there is no such term
-    Eigen::Index kept = 0;
-    [[nodiscard]] auto kept_factor() const { return factor.leftCols(kept); }
-    [[nodiscard]] auto further_factor() const { return factor.rightCols(factor.cols() - kept); }
-};
-
 /// The vectors u_k of the full system in which the residual of a reduced run lies, by their products in K'^-1. K' is a
-/// conduction matrix below those of all values of the box. In order: M V, K_0 V (a vector for each state), the kept
-/// y_j of each term, the functionals of the layout, the observed functionals.
+/// conduction matrix below those of all values of the box. In order: M V (a vector for each state), the y_j of each
+/// term, the functionals of the layout, the observed functionals.
+///
+/// For each term A >= 0 of the conduction matrix, K_0 included, A V x is the sum of y_j (f_j . x) and a remainder. The
+/// y_j are products of A^(1/2) with orthonormal columns, so that A >= Y Y^T.
 struct ResidualTerms {
     Eigen::Index states = 0;
-    std::vector<ResidualTerm> terms;  ///< in the order of PreparedTerms::packed
-    std::vector<double> lowest;       ///< the coefficient of each term in K' [W/m2/K]
+    std::vector<Eigen::Index> first;      ///< column of each term's first f_j in `factors`, and the end
+    Eigen::MatrixXd factors;              ///< the f_j of all terms, in the order of PreparedTerms::packed, then K_0
+    std::vector<double> lowest, highest;  ///< the coefficient of each term in K', and in the box at most [W/m2/K]
+    /// D with |remainder of x in K^-1|^2 <= max_q (coefficient / highest) |D x|^2
+    Eigen::MatrixXd remainder;
     Eigen::Index functionals = 0, observed = 0;
     Eigen::MatrixXd root;      ///< upper triangle R: u_i K'^-1 u_j = (R^T R)_ij
     Eigen::MatrixXd products;  ///< of the first y_j of each term, at most `corrections` of them
 
-    /// Number of the y_j of a term that make K larger than K'.
+    [[nodiscard]] std::size_t terms() const { return lowest.size(); }
+    [[nodiscard]] Eigen::Index kept(std::size_t term) const { return first[term + 1] - first[term]; }
+    /// Number of the y_j of a term that make K larger than K'; K_0 is the same in both.
     [[nodiscard]] Eigen::Index corrections(std::size_t term) const;
-    [[nodiscard]] Eigen::Index first_of_term(std::size_t term) const;
-    [[nodiscard]] Eigen::Index first_functional() const { return first_of_term(terms.size()); }
+    [[nodiscard]] Eigen::Index first_of_term(std::size_t term) const { return states + first[term]; }
+    [[nodiscard]] Eigen::Index first_functional() const { return states + factors.cols(); }
     [[nodiscard]] Eigen::Index first_observed() const { return first_functional() + functionals; }
     [[nodiscard]] Eigen::Index count() const { return first_observed() + observed; }
+};
+
+/// What ResidualTerms are to serve.
+struct ResidualTask {
+    const HeatProblem& lowest;    ///< with the coefficients of K'
+    std::vector<double> highest;  ///< coefficient of each term in the box at most, that of K_0 last
+    Eigen::MatrixXd typical;      ///< second moments of states, with the mean temperature taken out
+    const ResidualCut& cut;
 };
 
 /// Sets ResidualTerms::products from the root.
 void set_products(ResidualTerms& terms);
 
-/// Coefficient of each term in the conduction matrix of a segment, in the order of PreparedTerms::packed [W/m2/K].
-/// Films that follow the temperature have their constant one.
+/// Coefficient of each term in the conduction matrix of a segment, in the order of PreparedTerms::packed [W/m2/K], and
+/// 1 for K_0. Films that follow the temperature have their constant one.
 std::vector<double> coefficients_of(const HeatProblem& problem, const HeatSegment& segment);
-/// True if no coefficient is below that of K'.
+/// True if no coefficient is below that of K', and none is of a term that the box has not.
 bool covers(const ResidualTerms& terms, const std::vector<double>& coefficients);
 
-/// Sizes of vectors of the full system in K^-1, of a conduction matrix K = K' + sum of D_q A_q with D_q >= 0. With the
-/// kept vectors Y_q, for which A_q >= Y_q Y_q^T, K is at least K' + Y D Y^T, and a size in its inverse at most that of
+/// Sizes of vectors of the full system in K^-1, of a conduction matrix K = K' + sum of D_q A_q with D_q >= 0. Since
+/// A_q >= Y_q Y_q^T, K is at least K' + Y D Y^T, and a size in its inverse at most that of
 /// this sum's (Woodbury's formula).
 class ResidualNorm {
 public:
@@ -70,13 +77,15 @@ public:
 
     /// |u|^2 of a vector for each column: u = sum of the u_k with these coefficients.
     [[nodiscard]] Eigen::VectorXd squares(const Eigen::MatrixXd& columns) const;
+    /// Products of these vectors in the inverse of the sum.
+    [[nodiscard]] Eigen::MatrixXd products(const Eigen::MatrixXd& columns) const;
 
     /// The coefficients of K V x, column by column, without the remainders. Terms see the deviation of x from its mean
     /// temperature, and that mean by its loads, so that the absolute temperature is in no remainder.
     [[nodiscard]] Eigen::MatrixXd conducted(const Eigen::MatrixXd& states) const;
-    /// |remainder of K V x|^2 in K^-1, at most sum of theta_q |further products|^2, since K >= sum of theta_q A_q.
+    /// |remainder of K V x|^2 in K^-1, at most, since K >= sum of theta_q A_q, column by column.
     [[nodiscard]] Eigen::VectorXd remainder_squares(const Eigen::MatrixXd& states) const;
-    /// a . V^T (K - K_0) V b. @param functionals_of_a  of the layout
+    /// a . V^T (K - K_0) V b without the remainder. @param functionals_of_a  of the layout
     [[nodiscard]] double conduction_between(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
                                             const Eigen::VectorXd& functionals_of_a) const;
 
@@ -87,7 +96,8 @@ private:
     const ResidualTerms* terms_;
     const UniformLoads* loads_;
     std::vector<double> coefficients_;
-    Eigen::MatrixXd directions_;              ///< R Y of the kept vectors with D > 0
+    double remainder_factor_ = 0;             ///< largest coefficient / highest
+    Eigen::MatrixXd directions_;              ///< R Y of vectors with D > 0
     Eigen::LLT<Eigen::MatrixXd> correction_;  ///< of D^-1 + Y^T K'^-1 Y
 };
 

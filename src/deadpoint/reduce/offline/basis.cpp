@@ -9,6 +9,7 @@
 #include "deadpoint/reduce/offline/gram.hpp"
 #include "deadpoint/reduce/parallel/ranks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -71,6 +72,7 @@ bool add_fields(FullModel& full, const HeatProblem& base, const Box& box, const 
 {
     Draws draws(solve_seed);
     const auto loads = shuffled_loads(full, draws);
+    const std::size_t gap = full.geometry().layout.count() + options.dual_row;
     std::size_t next = 0;
     for (int set = 0; set < options.sets; ++set) {
         auto problem = base;
@@ -80,12 +82,14 @@ bool add_fields(FullModel& full, const HeatProblem& base, const Box& box, const 
         std::vector<std::size_t> chosen;
         for (int k = 0; k < options.loads_per_set; ++k)
             chosen.push_back(loads[next++ % loads.size()]);
+        if (options.has_dual && std::ranges::find(chosen, gap) == chosen.end())
+            chosen.push_back(gap);
         if (!add_kept(full, kept, set)) {
             const auto first = full.field_count();
             full.add_solutions(problem, shift_of(set), chosen);
             keep(full, kept, set, first);
         }
-        observer.progress((set + 1.0) / options.sets, fmt::format("{} fields", next));
+        observer.progress((set + 1.0) / options.sets, fmt::format("{} fields", full.field_count()));
         if (any(full.ranks(), observer.cancelled()))
             return false;
     }

@@ -14,8 +14,8 @@ class FullModel;
 struct BuildOptions;
 
 /// Adds the fields (shift M + K)^-1 load to the basis: sets of coefficients drawn from the box, the first ones those of
-/// the problem itself; shifts between 1e-7 and 0.5 1/s; one load after the other from a shuffled list of all. Sets that
-/// were kept are not solved again.
+/// the problem itself; shifts between 1e-7 and 0.5 1/s; one load after the other from a shuffled list of all, and that
+/// of E_SW in each set. Sets that were kept are not solved again.
 /// @return false after Observer::cancelled()
 bool add_fields(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
                 const BuildCheckpoint& kept, Observer& observer);

@@ -44,6 +44,36 @@ std::optional<Training> training_of(const Terms& large, const HeatProblem& base,
     return training;
 }
 
+// The heat that states give off, summed over their moments.
+double heat_of(const DenseTerms& terms, const std::vector<double>& coefficients, const Eigen::MatrixXd& moments)
+{
+    double sum = terms.solid.cwiseProduct(moments).sum();
+    auto coefficient = coefficients.begin();
+    const auto add = [&](const LowRankTerm& term) {
+        if (const double c = *coefficient++; !term.is_missing())
+            sum += c * term.factor.cwiseProduct(moments * term.factor).sum();
+    };
+    for (const auto& joint : terms.joints)
+        for (const auto* term : {&joint.aa, &joint.bb, &joint.between, &joint.turning})
+            add(*term);
+    for (const auto& film : terms.films)
+        add(film);
+    return sum;
+}
+
+// Of runs and dual problems, each with the heat 1.
+Eigen::MatrixXd typical_states(const DenseTerms& terms, const Training& training, const std::vector<double>& highest)
+{
+    const Eigen::VectorXd unit = terms.uniform.normalized();
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(unit.size(), unit.size());
+    for (const auto* moments : {&training.states, &training.duals}) {
+        const Eigen::MatrixXd away = deviations(*moments, unit);
+        if (const double heat = heat_of(terms, highest, away); heat > 0)
+            sum += away / heat;
+    }
+    return sum;
+}
+
 }  // namespace
 
 std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
@@ -73,8 +103,10 @@ std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const
     BuiltModels models{large, *std::move(small), {}};
     if (options.certificate) {
         observer.stage("certificate");
-        models.residual =
-            std::make_shared<const ResidualTerms>(full.residual(lowest_conduction(base, box), options.residual));
+        const auto lowest = lowest_conduction(base, box);
+        const auto highest = highest_conduction(base, box);
+        models.residual = std::make_shared<const ResidualTerms>(
+            full.residual({lowest, highest, typical_states(large->terms, *training, highest), options.residual}));
     }
     full.combine(combinations.leftCols(models.small.terms->terms.uniform.size()));
     return models;

@@ -10,16 +10,17 @@ struct Truncation {
     double others = 1e-3;  ///< films, and conduction from a joint's sides to its oil
 };
 
-/// What certificates keep of a term: eigenvalues above these shares of the largest over the states.
+/// What certificates keep of the terms (reduce/certificate/directions.hpp).
 struct ResidualCut {
-    double kept = 1e-6;      ///< as vectors of the full system
-    double further = 1e-12;  ///< as products with the states
+    double kept = 1e-9;      ///< eigenvalues of a term, of its largest, whose vectors may be vectors of the full system
+    double further = 1e-12;  ///< the same for products with the states
+    double left = 1e-8;      ///< share of the heat in typical states that is in no vector of the full system
 };
 
 /// How a reduced model is built. The numbers are those of a study on the shipped press (docs/reduced.md).
 struct BuildOptions {
-    int sets = 48;               ///< of coefficients that a basis field is solved for
-    int loads_per_set = 16;      ///< fields per set
+    int sets = 60;               ///< of coefficients that a basis field is solved for
+    int loads_per_set = 13;      ///< fields per set, besides that of E_SW
     double least = 2e-6;         ///< fields whose new share is smaller are dropped
     int training_runs = 250;     ///< of the large model
     int runs_per_dual = 3;       ///< dual states are those of one of so many training runs

@@ -12,7 +12,7 @@ struct HeatProblem;
 namespace deadpoint::reduce {
 
 class Ranks;
-struct ResidualCut;
+struct ResidualTask;
 struct ResidualTerms;
 struct Truncation;
 
@@ -50,8 +50,8 @@ public:
     /// The terms on the basis, which is orthonormal in M. All functionals are there.
     [[nodiscard]] virtual DenseTerms project(const Truncation& truncation) = 0;
     /// Products in K'^-1 of the vectors in which residuals of the present basis lie.
-    /// @param lowest  with the coefficients of K' @throws InputError if the machine is too large for that
-    [[nodiscard]] virtual ResidualTerms residual(const HeatProblem& lowest, const ResidualCut& cut) = 0;
+    /// @throws InputError if the machine is too large for that
+    [[nodiscard]] virtual ResidualTerms residual(const ResidualTask& task) = 0;
     /// The processes over which the machine is distributed.
     [[nodiscard]] virtual const Ranks& ranks() const = 0;
 };

@@ -69,6 +69,14 @@ Eigen::MatrixXd factor_above(const SymmetricProduct& product, Eigen::Index size,
 
 }  // namespace
 
+Eigen::MatrixXd factor_of(const Eigen::MatrixXd& matrix, double tolerance)
+{
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+    const auto& values = solver.eigenvalues();
+    return scaled({solver.eigenvectors().rowwise().reverse(), values.reverse().cwiseMax(0.0)},
+                  tolerance * values.maxCoeff());
+}
+
 Eigen::MatrixXd low_rank_factor(const SymmetricProduct& product, Eigen::Index size, double tolerance)
 {
     return factor_above(product, size, tolerance, 0);

@@ -15,6 +15,8 @@ using SymmetricProduct = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 /// smallest eigenvalue found is below the tolerance. Two calls give the same result.
 /// @throws ConvergenceError if the matrix is not positive semidefinite
 Eigen::MatrixXd low_rank_factor(const SymmetricProduct& product, Eigen::Index size, double tolerance);
+/// The same of a matrix that is at hand, by its eigenvectors. Columns are orthogonal, the largest first.
+Eigen::MatrixXd factor_of(const Eigen::MatrixXd& matrix, double tolerance);
 
 /// The same of a matrix that has this load on the uniform field u: A u = load. V keeps it exactly: its first column is
 /// load / sqrt(u . load), and what is left, A - load load^T / (u . load), is cut. A term of a film or of oil then takes

@@ -9,12 +9,10 @@
 namespace deadpoint::reduce {
 namespace {
 
-// Moments over their trace, without the uniform field.
+// Over their trace.
 Eigen::MatrixXd weighted(const Moments& moments, const Eigen::VectorXd& unit)
 {
-    Eigen::MatrixXd full = moments.sum().selfadjointView<Eigen::Lower>();
-    const Eigen::VectorXd along = full * unit;
-    full -= along * unit.transpose() + unit * along.transpose() - unit.dot(along) * unit * unit.transpose();
+    const Eigen::MatrixXd full = deviations(moments, unit);
     const double trace = full.trace();
     return trace > 0 ? Eigen::MatrixXd(full / trace) : full;
 }
@@ -32,6 +30,14 @@ LowRankTerm combined(const LowRankTerm& term, const Eigen::MatrixXd& combination
 void Moments::add(const Eigen::MatrixXd& states) { sum_.selfadjointView<Eigen::Lower>().rankUpdate(states); }
 
 void Moments::sum_over(const Ranks& ranks) { ranks.sum(sum_); }
+
+Eigen::MatrixXd deviations(const Moments& moments, const Eigen::VectorXd& unit)
+{
+    Eigen::MatrixXd full = moments.sum().selfadjointView<Eigen::Lower>();
+    const Eigen::VectorXd along = full * unit;
+    full -= along * unit.transpose() + unit * along.transpose() - unit.dot(along) * unit * unit.transpose();
+    return full;
+}
 
 Eigen::MatrixXd error_norm(const DenseTerms& terms, double readings)
 {

@@ -20,6 +20,9 @@ private:
     Eigen::MatrixXd sum_;  ///< lower triangle
 };
 
+/// The moments of the states' deviations from the uniform field. @param unit  that field, of length 1
+Eigen::MatrixXd deviations(const Moments& moments, const Eigen::VectorXd& unit);
+
 /// By what the states of a small model are chosen.
 struct StateWeights {
     Eigen::VectorXd uniform;  ///< states of a temperature of 1 K everywhere

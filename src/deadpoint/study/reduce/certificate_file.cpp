@@ -15,14 +15,14 @@
 namespace deadpoint::study {
 namespace {
 
-constexpr std::string_view kind = "deadpoint certificate 1\n";
+constexpr std::string_view kind = "deadpoint certificate 2\n";
 constexpr const char* help = "make it again with 'deadpoint reduce CASE -o FILE --certify'";
 
 bool fits(const reduce::ResidualTerms& residual, const ReducedPress& large)
 {
     const auto& terms = large.terms->terms;
     return residual.states == terms.uniform.size() &&
-           residual.terms.size() == 4 * terms.joints.size() + terms.films.size() &&
+           residual.terms() == 4 * terms.joints.size() + terms.films.size() + 1 &&
            residual.functionals == terms.functionals.rows() &&
            residual.observed == static_cast<Eigen::Index>(large.adjoints);
 }
