@@ -380,19 +380,23 @@ private:
     [[nodiscard]] double consistency(const Eigen::MatrixXd& duals) const
     {
         const Eigen::VectorXd of_duals = remainders(duals);
+        const Eigen::MatrixXd of_run = states();
         double sum = 0, rest = 0;
-        for (std::size_t s = 0; s < segments_.size(); ++s)
-            for (Eigen::Index k = segments_[s].first; k < segments_[s].first + segments_[s].count; ++k) {
-                const auto& level = run_.levels()[static_cast<std::size_t>(k)];
+        for (std::size_t s = 0; s < segments_.size(); ++s) {
+            const auto [segment, first, steps] = segments_[s];
+            const Eigen::MatrixXd z = duals.middleCols(first, steps);
+            const Eigen::VectorXd conducted =
+                norms_[s].conduction_between(z, of_run.middleCols(first, steps), terms_.functionals * z);
+            for (Eigen::Index k = 0; k < steps; ++k) {
+                const auto& level = run_.levels()[static_cast<std::size_t>(first + k)];
                 const Eigen::Map<const Eigen::VectorXd> watts(level.watts.data(), residual_.functionals);
                 const Eigen::VectorXd rate = terms_.functionals.transpose() * watts -
                                              (level.state - level.before) / level.step.duration -
                                              terms_.solid * level.state;
-                sum += level.step.duration *
-                       (duals.col(k).dot(rate) -
-                        norms_[s].conduction_between(duals.col(k), level.state, terms_.functionals * duals.col(k)));
-                rest += level.step.duration * of_duals[k] * remainders_[k];
+                sum += level.step.duration * (z.col(k).dot(rate) - conducted[k]);
+                rest += level.step.duration * of_duals[first + k] * remainders_[first + k];
             }
+        }
         return std::abs(sum) + rest;
     }
 

@@ -139,20 +139,20 @@ Eigen::VectorXd ResidualNorm::remainder_squares(const Eigen::MatrixXd& states) c
     return remainder_factor_ * (terms_->remainder * deviations(states)).colwise().squaredNorm().transpose();
 }
 
-double ResidualNorm::conduction_between(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
-                                        const Eigen::VectorXd& functionals_of_a) const
+Eigen::VectorXd ResidualNorm::conduction_between(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+                                                 const Eigen::MatrixXd& functionals_of_a) const
 {
-    const double mean = means(b)[0];
-    const Eigen::VectorXd of_a = terms_->factors.transpose() * a;
-    const Eigen::VectorXd of_b = terms_->factors.transpose() * (b - mean * loads_->uniform);
-    double sum = 0;
+    const Eigen::RowVectorXd mean = means(b);
+    const Eigen::MatrixXd of_a = terms_->factors.transpose() * a, of_b = terms_->factors.transpose() * deviations(b);
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(a.cols());
     for (std::size_t q = 0; q + 1 < terms_->terms(); ++q) {
         const auto first = terms_->first[q], count = terms_->kept(q);
         const auto& [functional, load] = loads_->of_term[q];
-        sum += coefficients_[q] * (of_a.segment(first, count).dot(of_b.segment(first, count)) +
-                                   mean * load * functionals_of_a[functional]);
+        sum += coefficients_[q] *
+               (of_a.middleRows(first, count).cwiseProduct(of_b.middleRows(first, count)).colwise().sum() +
+                load * mean.cwiseProduct(functionals_of_a.row(functional)));
     }
-    return sum;
+    return sum.transpose();
 }
 
 }  // namespace deadpoint::reduce

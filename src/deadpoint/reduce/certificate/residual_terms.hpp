@@ -85,9 +85,9 @@ public:
     [[nodiscard]] Eigen::MatrixXd conducted(const Eigen::MatrixXd& states) const;
     /// |remainder of K V x|^2 in K^-1, at most, since K >= sum of theta_q A_q, column by column.
     [[nodiscard]] Eigen::VectorXd remainder_squares(const Eigen::MatrixXd& states) const;
-    /// a . V^T (K - K_0) V b without the remainder. @param functionals_of_a  of the layout
-    [[nodiscard]] double conduction_between(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
-                                            const Eigen::VectorXd& functionals_of_a) const;
+    /// a_k . V^T (K - K_0) V b_k without the remainder, for columns k. @param functionals_of_a  of the layout
+    [[nodiscard]] Eigen::VectorXd conduction_between(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+                                                     const Eigen::MatrixXd& functionals_of_a) const;
 
 private:
     [[nodiscard]] Eigen::RowVectorXd means(const Eigen::MatrixXd& states) const;
