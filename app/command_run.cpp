@@ -324,7 +324,10 @@ int run_case(RunOptions options, const OnRanks& ranks)
     study::RunOptions wanted;
     plan_checkpoints(options.checkpoints, options.folder, options.force, input, ranks.first, wanted);
     std::unique_ptr<ResultFolder> folder;
-    const bool replaces = options.force || (wanted.resume && holds_interrupted(options.folder, input));
+    const bool continues = !wanted.resume_from.empty();
+    const bool replaces =
+        options.force ||
+        (continues && (holds_interrupted(options.folder, input) || holds_beginning(options.folder, input)));
     const auto start = [&] {
         using enum ResultFolder::IfExists;
         return std::make_unique<ResultFolder>(*std::move(claim), replaces ? replace : refuse, input_files(read));
@@ -337,6 +340,7 @@ int run_case(RunOptions options, const OnRanks& ranks)
         report::ResultFiles(options.from).check("state.bin");
     }
     wanted.state_file = state_in(path);
+    wanted.kept_checkpoint = kept_checkpoint_in(path, wanted);
     wanted.field_folder = input.output.fields ? path : std::string{};
     wanted.comments = file_comments(input, console);
     wanted.view = true;

@@ -5,8 +5,10 @@
 #include "deadpoint/core/quantity.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
-#include "deadpoint/io/binary_file.hpp"
+#include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/study/pipeline/run_mark.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
 #include "output.hpp"
 
@@ -38,16 +40,56 @@ double interval_of(const std::string& text)
     return interval > 0 ? interval : never;
 }
 
+constexpr const char* kept_checkpoint = "checkpoint.bin";
+
+bool is_result(const fs::path& folder) { return fs::exists(folder / "summary.json") && report::is_whole(folder); }
+
+/// The checkpoint in a folder of results from which a longer run of the case continues.
+/// @throws InputError if the folder keeps none, or holds another run
+fs::path kept_in(const fs::path& folder, const fem::RunMark& run)
+{
+    const report::ResultFiles files(folder);
+    if (!files.listed().contains(kept_checkpoint)) {
+        throw InputError(fmt::format(
+            "'{}' holds results without a checkpoint, so they cannot be prolonged: reduced runs, runs to an accuracy "
+            "and "
+            "runs with --checkpoint 0 keep none\n  help: continue into another folder with --from {}, or compute the "
+            "whole run anew with --force instead of --resume",
+            folder.string(), folder.string()));
+    }
+    files.check(kept_checkpoint);
+    const auto file = folder / kept_checkpoint;
+    const auto head = fem::checkpoint_head(file.string(), run);
+    if (run.end() <= head.run.end()) {
+        throw InputError(fmt::format("the run in '{}' ended at {:.2f} h, and this operation ends at {:.2f} h\n  help: "
+                                     "to prolong the run, state a "
+                                     "longer operation: a longer duration of the last segment, as --set "
+                                     "'operation.{}.duration=\"{:g} h\"', or a further segment",
+                                     folder.string(), head.run.end() / 3600, run.end() / 3600,
+                                     head.run.segments.size() - 1, 2 * head.run.durations.back() / 3600));
+    }
+    return file;
+}
+
+/// Says where a run begins.
+void say_start(const fs::path& file, const fem::RunMark& run)
+{
+    const double time = fem::checkpoint_head(file.string(), run).time;
+    print_out("continuing from {}, t = {:.2f} h\n", file.string(), time / 3600);
+}
+
 }  // namespace
 
 void add_checkpoint_options(CLI::App& command, CheckpointOptions& options)
 {
     command.add_flag(
         "--resume", options.resume,
-        "continue from the checkpoint DIR.checkpoint of a stopped run; without one, start at the beginning");
+        "continue a stopped run from DIR.checkpoint, or the finished run in DIR if the operation is longer now; "
+        "without either, start at the beginning");
     command
-        .add_option("--checkpoint", options.interval,
-                    "wall time between two checkpoints; 0: none, step: one after each time step")
+        .add_option(
+            "--checkpoint", options.interval,
+            "wall time between two checkpoints; 0: none, also not in the results; step: one after each time step")
         ->type_name("TIME")
         ->capture_default_str();
 }
@@ -72,28 +114,37 @@ void plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, 
         }
         return;
     }
-    const auto file = checkpoint_of(folder).string();
+    const auto file = checkpoint_of(folder);
     const bool there = fs::exists(file);
     if (there && !options.resume && !force) {
         throw IoError(fmt::format("'{}' is the checkpoint of a run that was stopped\n  help: continue from it with "
                                   "--resume, or discard it with --force",
-                                  file));
+                                  file.string()));
     }
-    wanted.resume = there && options.resume;
-    if (wanted.resume) {
-        fem::CheckpointHead head;
-        fem::open_checkpoint(file, casefile::case_hash(input), head);
-        if (first) {
-            print_out("continuing from {}, t = {:.2f} h\n", file, head.time / 3600);
+    if (options.resume) {
+        const auto run = study::run_mark(input);
+        if (there) {
+            wanted.resume_from = file.string();
+        } else if (is_result(folder) && !holds_interrupted(folder, input)) {
+            wanted.resume_from = kept_in(folder, run).string();
         }
-    } else if (options.resume && first) {
-        print_out("there is no {}: starting at the beginning\n", file);
+        if (first && !wanted.resume_from.empty()) {
+            say_start(wanted.resume_from, run);
+        } else if (first) {
+            print_out("there is no {}: starting at the beginning\n", file.string());
+        }
     }
     flush_out();
-    if (wanted.resume || std::isfinite(interval)) {
-        wanted.checkpoint_file = file;
+    if (there || std::isfinite(interval)) {
+        wanted.checkpoint_file = file.string();
     }
     wanted.checkpoint_interval = interval;
+}
+
+std::string kept_checkpoint_in(const std::string& folder, const study::RunOptions& wanted)
+{
+    const bool keeps = !wanted.checkpoint_file.empty() && std::isfinite(wanted.checkpoint_interval);
+    return folder.empty() || !keeps ? std::string{} : folder + "/" + kept_checkpoint;
 }
 
 bool holds_interrupted(const fs::path& folder, const casefile::Case& input)
@@ -103,4 +154,13 @@ bool holds_interrupted(const fs::path& folder, const casefile::Case& input)
     }
     const auto record = report::read_result(folder);
     return record.interrupted && record.hash == casefile::case_hash(input);
+}
+
+bool holds_beginning(const fs::path& folder, const casefile::Case& input)
+{
+    if (!is_result(folder) || !report::ResultFiles(folder).listed().contains(kept_checkpoint)) {
+        return false;
+    }
+    kept_in(folder, study::run_mark(input));
+    return true;
 }

@@ -207,3 +207,68 @@ TEST_CASE("--checkpoint takes a time, 0 or step")
     CHECK(run(short_disk(100'000, true), line + "0").code == 137);
     CHECK_FALSE(fs::exists(folder.path / "result.checkpoint"));
 }
+
+TEST_CASE("a finished run is prolonged in its folder, killed or not, and becomes the run over the whole time")
+{
+    const ScratchFolder folder;
+    const auto target = folder.path / "result", other = folder.path / "other";
+    const auto of = [](const char* duration, int size = 6) {
+        return fmt::format("run {}/cases/starter/case.toml --size {} --checkpoint step --set 'numerics.max_step=3 min' "
+                           "--set 'operation.0.duration={}'",
+                           DEADPOINT_SOURCE_DIR, size, duration);
+    };
+    const auto lasting = [&](const char* duration) { return fmt::format("{} -o {}", of(duration), target.string()); };
+    REQUIRE(run("", fmt::format("{} -o {}", of("40 min"), other.string())).code == 0);
+    REQUIRE(run("", lasting("20 min")).code == 0);
+    const auto beginning = results(target);
+    const auto unchanged = [&] { return results(target) == beginning; };
+
+    const auto same = run("", lasting("20 min") + " --resume");
+    CHECK(same.code == 2);
+    CHECK(has(same.text, "ended at 0.33 h, and this operation ends at 0.33 h"));
+    CHECK(has(same.text, "'operation.0.duration=\"0.666667 h\"'"));
+    const auto changed = run("", lasting("40 min") + " --resume --set 'machine.ambient=25 degC'");
+    CHECK(changed.code == 2);
+    CHECK(has(changed.text, "checkpoint of another case"));
+    const auto finer = run("", fmt::format("{} --resume -o {}", of("40 min", 5), target.string()));
+    CHECK(finer.code == 2);
+    CHECK(has(finer.text, "belongs to another mesh"));
+    CHECK(run("", lasting("40 min")).code == 5);  // without --resume no folder is replaced
+    CHECK(unchanged());
+
+    // Killed when it has written half of the new results: the old ones stay, and the next run goes on from its own
+    // state.
+    const auto killed = run(short_disk(1'500'000, true), lasting("40 min") + " --resume");
+    CHECK(killed.code == 137);
+    CHECK(has(killed.text, "continuing from " + (target / "checkpoint.bin").string()));
+    CHECK(unchanged());
+    REQUIRE(run("", lasting("40 min") + " --resume").code == 0);
+    CHECK_FALSE(fs::exists(folder.path / "result.checkpoint"));
+
+    const auto whole = results(other), prolonged = results(target);
+    for (const auto* name : {"history.csv", "causes.csv", "state.bin"}) {
+        CAPTURE(name);
+        REQUIRE(whole.contains(name));
+        CHECK(prolonged.at(name) == whole.at(name));
+    }
+    CHECK(has(content(target / "case.toml"), "duration = \"2400 s\""));
+
+    const auto bytes = content(target / "checkpoint.bin");
+    folder.file("result/checkpoint.bin", bytes.substr(0, bytes.size() / 2));
+    const auto torn = run("", lasting("60 min") + " --resume");
+    CHECK(torn.code == 2);
+    CHECK(has(torn.text, "checkpoint.bin"));
+}
+
+TEST_CASE("results without a checkpoint are not prolonged, and the answer says how to go on")
+{
+    const ScratchFolder folder;
+    const auto target = folder.path / "result";
+    const auto line = fmt::format("run {} -o {}", long_rest, target.string());
+    REQUIRE(run("", line + " --checkpoint 0").code == 0);
+    CHECK_FALSE(fs::exists(target / "checkpoint.bin"));
+    const auto outcome = run("", line + " --resume --set 'operation.0.duration=100 h'");
+    CHECK(outcome.code == 2);
+    CHECK(has(outcome.text, "holds results without a checkpoint"));
+    CHECK(has(outcome.text, "--from " + target.string()));
+}

@@ -63,7 +63,7 @@ study::RunResult solve(const casefile::Case& input, const Interruption& interrup
     options.causes = true;
     options.checkpoint_file = interruption.checkpoint;
     options.checkpoint_interval = 0;
-    options.resume = interruption.resume;
+    options.resume_from = interruption.resume ? interruption.checkpoint : std::string{};
     return study::Press(input).run(options, silent);
 }
 

@@ -4,6 +4,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -56,7 +57,7 @@ struct Press {
     }
     RunResult run(bool resume, deadpoint::Observer& observer)
     {
-        options.resume = resume;
+        options.resume_from = resume ? options.checkpoint_file : std::string{};
         return deadpoint::study::run_case(input, machine, options, observer);
     }
     RunResult resumed() { return run(true, silent); }
@@ -120,8 +121,8 @@ Columns columns(const deadpoint::ThermalHistory& history)
     return all;
 }
 
-/// The causes of the gap and the view, which the run makes of what the steps have left.
-Columns afterwards(const RunResult& result)
+/// The causes of the gap, which the run makes of what the steps have left.
+Columns causes(const RunResult& result)
 {
     Columns all;
     for (const auto& at : result.causes) {
@@ -130,6 +131,13 @@ Columns afterwards(const RunResult& result)
             for (const auto& [name, value] : *group)
                 all.push_back({value});
     }
+    return all;
+}
+
+/// The causes and the view.
+Columns afterwards(const RunResult& result)
+{
+    auto all = causes(result);
     REQUIRE(result.view);
     all.push_back(result.view->time);
     all.push_back(result.view->temperature.base);
@@ -218,6 +226,123 @@ TEST_CASE("resumed is the same: a press with its dimension chain, causes and fie
     check_killed(press);
 }
 
+namespace {
+
+/// A finished run of `shorter`, prolonged to the operation of `input`, has the history of one run of `input`.
+void check_prolonged(const Case& shorter, const Case& input, double size_scale = 1)
+{
+    Press first(shorter, size_scale), whole(input, size_scale);
+    const auto kept = (first.folder.path / "kept").string();
+    first.options.checkpoint_file.clear();
+    first.options.kept_checkpoint = kept;
+    const auto beginning = first.run(false, first.silent);
+    whole.options.checkpoint_file.clear();
+    const auto at_once = whole.run(false, whole.silent);
+    REQUIRE(beginning.thermal.time.size() < at_once.thermal.time.size());
+    whole.options.resume_from = kept;
+    Killer counter;
+    const auto prolonged = deadpoint::study::run_case(input, whole.machine, whole.options, counter);
+    CHECK(counter.steps < static_cast<int>(at_once.thermal.time.size()) / 2);  // so it was continued
+    CHECK(columns(at_once.thermal) == columns(prolonged.thermal));
+    CHECK(causes(at_once) == causes(prolonged));
+    const auto& seen = prolonged.view->time;  // more fields than in one run: both ends are among them
+    CHECK(std::is_sorted(seen.begin(), seen.end()));
+    CHECK(seen.front() == 0);
+    CHECK(seen.back() == prolonged.thermal.time.back());
+    CHECK(std::ranges::count_if(seen, [&](double t) { return t < beginning.thermal.time.back(); }) > 20);
+}
+
+Case with_duration(Case input, double duration)
+{
+    input.operation.back().duration = duration;
+    return input;
+}
+
+}  // namespace
+
+TEST_CASE("a finished run whose last segment is longer now continues to the history of one run")
+{
+    // Both runs are longer than the longest step, so the multigrid hierarchy is the same to the last bit.
+    auto blocks = busy_blocks();
+    blocks.numerics.max_step = 200;
+    check_prolonged(with_duration(blocks, 0.55 * blocks.operation.back().duration), blocks);
+    auto box = read("warm-box", {"machine.initial_temperature=80 degC", "enclosures.box.temperature=30 degC"});
+    box.numerics.max_step = 0.1 * box.operation.back().duration;
+    check_prolonged(with_duration(box, 0.6 * box.operation.back().duration), box);
+}
+
+TEST_CASE("a finished run with further segments continues to the history of one run")
+{
+    const auto blocks = on_an_oil_circuit(busy_blocks());
+    auto shorter = blocks;
+    shorter.operation.pop_back();
+    check_prolonged(shorter, blocks);
+}
+
+TEST_CASE("a run with a sump, whose steps follow the length of the segment, is prolonged within its time tolerance")
+{
+    const auto blocks = on_an_oil_circuit(busy_blocks());
+    const auto shorter = with_duration(blocks, 0.55 * blocks.operation.back().duration);
+    Press first(shorter), whole(blocks);
+    first.options.kept_checkpoint = (first.folder.path / "kept").string();
+    first.run(false, first.silent);
+    const auto at_once = whole.run(false, whole.silent).thermal;
+    whole.options.resume_from = first.options.kept_checkpoint;
+    const auto prolonged = deadpoint::study::run_case(blocks, whole.machine, whole.options, whole.silent).thermal;
+    REQUIRE(prolonged.time.back() == at_once.time.back());
+    for (std::size_t i = 0; i < at_once.part_means.size(); ++i)
+        CHECK(std::abs(prolonged.part_means[i].value.back() - at_once.part_means[i].value.back()) <
+              blocks.numerics.time_tolerance);
+    CHECK(std::abs(prolonged.oil[0].sump.value.back() - at_once.oil[0].sump.value.back()) <
+          blocks.numerics.time_tolerance);
+    CHECK(prolonged.energy.mismatch() < 1e-6);  // of one balance over the whole time
+}
+
+TEST_CASE("a finished run of a press is prolonged with its chain, causes and fields")
+{
+    const std::vector<std::string> changes{"output.field_times=[\"3 min\", \"11 min\"]",
+                                           "numerics.time_tolerance=0.05 K", "numerics.max_step=3 min"};
+    const auto input = read("../../../cases/starter/case", changes);
+    check_prolonged(with_duration(input, 900), with_duration(input, 2400), 4);
+
+    Press first(with_duration(input, 900), 4), longer(with_duration(input, 2400), 4);
+    first.options.kept_checkpoint = longer.options.resume_from = (first.folder.path / "kept").string();
+    first.run(false, first.silent);
+    longer.options.field_folder = longer.folder.path.string();
+    std::vector<double> written;
+    for (const auto& [time, file] :
+         deadpoint::study::run_case(longer.input, longer.machine, longer.options, longer.silent).fields)
+        written.push_back(time);
+    CHECK(written == std::vector<double>{180, 660, 900, 2400});
+    longer.input.output.field_times = {240, 1200};
+    CHECK_THROWS_WITH_AS(deadpoint::study::run_case(longer.input, longer.machine, longer.options, longer.silent),
+                         doctest::Contains("the field of 0.07 h was not kept"), deadpoint::InputError);
+}
+
+TEST_CASE("an operation that differs before the time reached is refused, one that differs after it is not")
+{
+    const auto blocks = busy_blocks();
+    Press press(blocks);
+    press.stop_after(8);
+    const auto bytes = content(press.options.checkpoint_file);
+    const auto refused = [&](const Case& changed) {
+        Press other(changed);
+        other.options.checkpoint_file = other.folder.file("given", bytes).string();
+        return other.refusal();
+    };
+    auto changed = blocks;
+    changed.operation[0].speed *= 2;
+    CHECK(refused(changed).find("another case") != std::string::npos);  // its loads place the guides
+    changed = blocks;
+    changed.operation[0].duration = 1;  // the run has gone further
+    CHECK(refused(changed).find("operation.0.duration was 900 s and is 1 s now") != std::string::npos);
+    changed = blocks;
+    changed.operation.back().duration *= 3;
+    CHECK(refused(changed).empty());
+    changed.operation.push_back(changed.operation.front());
+    CHECK(refused(changed).empty());
+}
+
 TEST_CASE("a run that was asked to stop goes on as if it had not been")
 {
     Press press(read("warm-box", {"machine.initial_temperature=80 degC"}));
@@ -280,7 +405,6 @@ TEST_CASE("whatever stands in a checkpoint whose checksum fits, the run ends wit
             auto changed = bytes;
             std::memcpy(changed.data() + at, &value, sizeof value);
             press.options.checkpoint_file = press.folder.file("changed", stamped(changed)).string();
-            press.options.resume = true;
             ++tried;
             Stopper soon(1);
             try {

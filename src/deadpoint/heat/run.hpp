@@ -25,6 +25,9 @@ struct RunHooks {
     std::function<void(double time)> on_step;                  ///< after each accepted step
     std::function<void(double time, const Vector&)> on_field;  ///< for each of HeatProblem::field_times, in order
     std::function<void(bool interrupted)> on_between_steps;    ///< when state() and vectors() are valid
+    /// Once, before the first step whose length the end of the operation changes, or at that end: up to here a run with
+    /// a longer operation takes the same steps. state() and vectors() are valid.
+    std::function<void()> on_end_in_sight;
 };
 
 /// Tells an observer of a step; warns if steps stay so short that a run would not end in
@@ -84,14 +87,18 @@ public:
         auto& history = recorder_.history();
         while (!history.interrupted) {
             const double end = place_.segment_start + problem_.segments[place_.segment].duration;
-            while (!history.interrupted && place_.time < end * (1 - 1e-14))
+            while (!history.interrupted && place_.time < end * (1 - 1e-14)) {
+                look_for_end(end, hooks);
                 if (try_step(end, hooks))
                     after_step(hooks, observer);
+            }
             if (history.interrupted || place_.segment + 1 == problem_.segments.size())
                 break;
             ++place_.segment;
             start_segment();
         }
+        if (!history.interrupted)
+            see_end(hooks);
         history.linear_iterations = stages_.iterations;
         history.linear_solves = stages_.solves;
         return history;
@@ -157,6 +164,19 @@ private:
         place_.segment_row = recorder_.history().time.size();
         place_.wanted = first_step(problem_);
         record(0);
+    }
+
+    void look_for_end(double end, const RunHooks<Vector>& hooks)
+    {
+        const bool last = place_.segment + 1 == problem_.segments.size();
+        if (last && place_.time > place_.segment_start && fit_step(place_.wanted, end - place_.time) != place_.wanted)
+            see_end(hooks);
+    }
+    void see_end(const RunHooks<Vector>& hooks)
+    {
+        if (!end_seen_ && hooks.on_end_in_sight)
+            hooks.on_end_in_sight();
+        end_seen_ = true;
     }
 
     // One step towards the end of the segment; false if it was too long and must be repeated with a
@@ -252,6 +272,7 @@ private:
     HistoryRecorder recorder_;
     Stepper<System> stepper_;
     RunPlace place_;
+    bool end_seen_ = false;
     std::vector<StepRecord> steps_;  ///< accepted
     Vector start_, work_;
 };

@@ -184,6 +184,8 @@ struct Run {
     ThermalState start;
 };
 
+RunMark mark(const std::string& hash) { return {hash, hash, {"one", "two"}, {300, 400}}; }
+
 struct Stopping : Observer {
     explicit Stopping(int after_) : after(after_) {}
     [[nodiscard]] bool cancelled() const override { return ++asked > after; }
@@ -204,13 +206,13 @@ TEST_CASE("a run that goes on from its checkpoint is the whole run to the bit, i
         CAPTURE(steps);
         CheckpointPlan plan;
         plan.file = (folder.path / "checkpoint").string();
-        plan.case_hash = "1234";
+        plan.run = mark("1234");
         plan.interval = 1e9;  // when stopped, and not before
         Stopping stop(steps - 1);
         const auto part = run.go(stop, &plan);
         CHECK(part.history.interrupted);
         CHECK(part.history.time.back() == 100 * steps);
-        plan.resume = true;
+        plan.from = plan.file;
         const auto rest = run.go(silent, &plan);
         CHECK(rest.history.time == whole.history.time);
         CHECK(rest.history.part_means[0].value == whole.history.part_means[0].value);
@@ -229,14 +231,14 @@ TEST_CASE("a checkpoint of another case or another start is refused")
     Run run;
     CheckpointPlan plan;
     plan.file = (folder.path / "checkpoint").string();
-    plan.case_hash = "1234";
+    plan.run = mark("1234");
     plan.interval = 1e9;
     Stopping stop(1);
     run.go(stop, &plan);
-    plan.resume = true;
+    plan.from = plan.file;
     Observer silent;
     auto other = plan;
-    other.case_hash = "5678";
+    other.run = mark("5678");
     CHECK_THROWS_WITH_AS(run.go(silent, &other), doctest::Contains("its hash is 1234, that of this one 5678"),
                          InputError);
     run.start.temperature.owned[2] += 1e-9;

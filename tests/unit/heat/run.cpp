@@ -129,6 +129,25 @@ TEST_CASE("fields at wanted times come in order, once, and lie on the curve of t
     CHECK(values.back() == run.temperatures()[0]);
 }
 
+TEST_CASE("the end in sight is told once, before the first step that it changes, or at the end")
+{
+    auto problem = motor();
+    const auto told_at = [&] {
+        lumps::Run run(two_lumps(), problem, 290);
+        std::vector<double> times;
+        RunHooks<Eigen::VectorXd> hooks;
+        hooks.on_end_in_sight = [&] { times.push_back(run.run.state().place.time); };
+        lumps::Quiet observer;
+        run.run.begin();
+        run.run.go(hooks, observer);
+        return times;
+    };
+    problem.fixed_step = 400;  // 3000 = 6 x 400 + 2 x 300 is no end of the operation; 2000 = 5 x 400 changes no step
+    CHECK(told_at() == std::vector<double>{5000});
+    problem.segments[1].duration = 1900;  // 4 x 400 is followed by 300
+    CHECK(told_at() == std::vector<double>{3000 + 3 * 400});
+}
+
 TEST_CASE("each accepted step is told once, with its time")
 {
     const auto problem = motor();

@@ -18,12 +18,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace deadpoint::fem {
 namespace {
 
-constexpr std::string_view kind = "deadpoint-checkpoint-2\n";
-constexpr const char* remedy = "start the run anew without --resume, with --force to replace this file";
+constexpr std::string_view kind = "deadpoint-checkpoint-3\n";
+constexpr const char* remedy = "start the run anew without --resume, with --force to replace what is there";
 // The time between two checkpoints is at least this many times the duration of the last one.
 constexpr double least_pause = 50;
 
@@ -41,20 +42,56 @@ std::string hash_of(const std::vector<double>& field, const std::vector<std::siz
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+// Why a run does not begin with the operation that led to a checkpoint; empty if it does.
+std::string other_beginning(const RunMark& of_file, double time, const RunMark& run)
+{
+    double start = 0;
+    for (std::size_t i = 0; i < of_file.segments.size(); ++i) {
+        if (i >= run.segments.size())
+            return fmt::format("it ran through {} segments; this operation has {}", of_file.segments.size(),
+                               run.segments.size());
+        if (of_file.segments[i] != run.segments[i])
+            return fmt::format("operation.{} differs in more than its duration", i);
+        const bool reached = time <= start + of_file.durations[i];
+        if (reached ? start + run.durations[i] < time : run.durations[i] != of_file.durations[i])
+            return fmt::format("operation.{}.duration was {:g} s and is {:g} s now", i, of_file.durations[i],
+                               run.durations[i]);
+        if (reached)
+            return {};
+        start += of_file.durations[i];
+    }
+    return {};
+}
+
 }  // namespace
 
-BinaryReader open_checkpoint(const std::string& file, const std::string& case_hash, CheckpointHead& head)
+double RunMark::end() const { return std::accumulate(durations.begin(), durations.end(), 0.0); }
+
+BinaryReader open_checkpoint(const std::string& file, const RunMark& run, CheckpointHead& head)
 {
     BinaryReader reader(file, kind, remedy);
     reader(head);
     if (head.version != version)
         throw InputError(fmt::format("'{}' is a checkpoint of version {}; this is {}\n  help: {}", file, head.version,
                                      version, remedy));
-    if (head.case_hash != case_hash)
+    if (head.run.durations.size() != head.run.segments.size())
+        reader.refuse("its operation is incomplete");
+    if (head.run.apart_from_operation != run.apart_from_operation)
         throw InputError(fmt::format("'{}' is a checkpoint of another case: its hash is {}, that of this one {}\n  "
                                      "help: give the same case file and --set as before, or {}",
-                                     file, head.case_hash, case_hash, remedy));
+                                     file, head.run.case_hash, run.case_hash, remedy));
+    if (const auto reason = other_beginning(head.run, head.time, run); !reason.empty())
+        throw InputError(fmt::format("'{}' was reached by another operation: {}\n  help: leave the operation as it was "
+                                     "up to t = {:.2f} h, or {}",
+                                     file, reason, head.time / 3600, remedy));
     return reader;
+}
+
+CheckpointHead checkpoint_head(const std::string& file, const RunMark& run)
+{
+    CheckpointHead head;
+    open_checkpoint(file, run, head);
+    return head;
 }
 
 HeatCheckpoint::HeatCheckpoint(heat::HeatRun<HeatSystem>& run, const CheckpointPlan& plan, const ThermalState& start,
@@ -75,28 +112,42 @@ bool HeatCheckpoint::due() const
 
 void HeatCheckpoint::offer(bool now)
 {
-    if (std::isinf(plan_.interval) || (!due() && !now))
+    if (std::isinf(plan_.interval) || (kept_ && !now) || (!due() && !now))
         return;
     const auto begin = std::chrono::steady_clock::now();
+    write_on_first(plan_.file, "the run goes on without a new checkpoint");
+    last_ = std::chrono::steady_clock::now();
+    cost_ = std::chrono::duration<double>(last_ - begin).count();
+}
+
+void HeatCheckpoint::keep()
+{
+    if (plan_.kept_file.empty())
+        return;
+    write_on_first(plan_.kept_file, "the results cannot be prolonged");
+    kept_ = true;
+}
+
+// The first rank gathers the data of the others.
+void HeatCheckpoint::write_on_first(const std::string& file, const char* without) const
+{
     std::ostream nowhere(nullptr);
     bool begun = false;
     if (rank() == 0) {
         try {
             write_file(
-                plan_.file,
+                file,
                 [&](std::ostream& out) {
                     begun = true;
                     write(out);
                 },
                 Durability::synced);
         } catch (const IoError& error) {
-            observer_.warn(fmt::format("the run goes on without a new checkpoint: {}", first_line(error.what())));
+            observer_.warn(fmt::format("{}: {}", without, first_line(error.what())));
         }
     }
-    if (!begun)  // the first rank gathers the data of the others
+    if (!begun)
         write(nowhere);
-    last_ = std::chrono::steady_clock::now();
-    cost_ = std::chrono::duration<double>(last_ - begin).count();
 }
 
 // The start of a step, and the data from which the preconditioner was built.
@@ -125,7 +176,7 @@ void HeatCheckpoint::write(std::ostream& out) const
 {
     BinaryWriter writer(out, kind);
     const auto state = run_.state();
-    writer(CheckpointHead{std::string(version), plan_.case_hash, mesh_text(space_), start_, state.place.time});
+    writer(CheckpointHead{std::string(version), plan_.run, mesh_text(space_), start_, state.place.time, plan_.fields});
     writer(state);
     const auto rows = static_cast<std::size_t>(space_.last - space_.first);
     for (const Vec vector : vectors()) {
@@ -152,15 +203,15 @@ Field HeatCheckpoint::read_field(BinaryReader& reader) const
 void HeatCheckpoint::restore(const FieldCallback& on_field)
 {
     CheckpointHead head;
-    auto reader = open_checkpoint(plan_.file, plan_.case_hash, head);
+    auto reader = open_checkpoint(plan_.from, plan_.run, head);
     if (const auto mesh = mesh_text(space_); head.mesh != mesh)
         throw InputError(fmt::format("'{}' belongs to another mesh\n  it is:  {}\n  wanted: {}\n  help: give the same "
                                      "--size and files as before, or {}",
-                                     plan_.file, head.mesh, mesh, remedy));
+                                     plan_.from, head.mesh, mesh, remedy));
     if (head.start != start_)
         throw InputError(fmt::format("'{}' belongs to a run from other temperatures\n  help: give the same --from as "
                                      "before, or {}",
-                                     plan_.file, remedy));
+                                     plan_.from, remedy));
     heat::RunState state;
     reader(state);
     if (const auto reason = heat::misfit(state, run_.state(), run_.problem()); !reason.empty())

@@ -40,11 +40,14 @@ public:
     /// @throws IoError if it is broken; InputError if it belongs to another version, case, mesh or start
     void restore(const FieldCallback& on_field);
     /// Writes a checkpoint if the interval has passed on the first rank's clock, or with `now`. A
-    /// failure becomes a warning.
+    /// failure becomes a warning. After keep() only with `now`, so that a run that is resumed keeps the same state.
     void offer(bool now);
+    /// Writes the plan's kept file. A failure becomes a warning.
+    void keep();
 
 private:
     [[nodiscard]] bool due() const;
+    void write_on_first(const std::string& file, const char* without) const;
     [[nodiscard]] std::vector<Vec> vectors() const;
     void write(std::ostream& out) const;
     template <class Value>
@@ -62,6 +65,7 @@ private:
     std::vector<std::size_t> order_;
     std::chrono::steady_clock::time_point last_;
     double cost_ = 0;  ///< of the last one [s]
+    bool kept_ = false;
 };
 
 }  // namespace deadpoint::fem

@@ -93,10 +93,12 @@ ThermalHistory HeatSolver::run(const std::vector<Adjoint>& adjoints, double refe
     if (checkpoints)
         checkpoint.emplace(*run_, *checkpoints, state_, observer);
     run_->begin();
-    if (checkpoints && checkpoints->resume)
+    if (checkpoints && !checkpoints->from.empty())
         checkpoint->restore(on_field);
-    if (checkpoint)
+    if (checkpoint) {
         hooks.on_between_steps = [&](bool interrupted) { checkpoint->offer(interrupted); };
+        hooks.on_end_in_sight = [&] { checkpoint->keep(); };
+    }
     auto history = run_->go(hooks, observer);
     system_.observe_with({});
     return history;

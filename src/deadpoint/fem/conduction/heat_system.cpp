@@ -21,12 +21,13 @@ namespace {
 // of this size.
 constexpr double adjoint_tolerance = 1e-8;
 
-double longest_segment(const HeatProblem& problem)
+/// A bound on the steps, which does not change where a run of some length is prolonged.
+double longest_step(const HeatProblem& problem)
 {
     double longest = 0;
     for (const auto& segment : problem.segments)
         longest = std::max(longest, segment.duration);
-    return longest;
+    return problem.fixed_step > 0 ? longest : std::min(longest, problem.max_step);
 }
 
 bool same_place(const SurfaceCondition& a, const SurfaceCondition& b)
@@ -44,7 +45,7 @@ struct HeatSystem::Parts {
         : expansion(space, materials), functionals(space, problem), matrices(space, materials, problem),
           prescribed(space, problem), pattern(create_vector(space, 1)), maps(space, materials, matrices, pattern),
           films(space, problem, functionals.geometry().surface_area, prescribed, pattern),
-          stage(space, matrices, maps, prescribed, films, longest_segment(problem))
+          stage(space, matrices, maps, prescribed, films, longest_step(problem))
     {}
 
     [[nodiscard]] SparseFunctional combined(const heat::Loads& loads) const;
@@ -75,8 +76,8 @@ bool HeatSystem::adopt(const HeatProblem& problem)
                       parts_->matrices.serve(problem);
     if (!same)
         return false;
-    if (longest_segment(problem) > longest_segment(*problem_))
-        parts_->stage.reset(longest_segment(problem));  // the multigrid's bounds hold up to this step size
+    if (longest_step(problem) > longest_step(*problem_))
+        parts_->stage.reset(longest_step(problem));  // the multigrid's bounds hold up to this step size
     problem_ = &problem;
     parts_->functionals.adopt(problem);
     parts_->matrices.adopt(problem);
@@ -159,7 +160,7 @@ void HeatSystem::set_laws(const std::vector<InterfaceLaw>& laws, const std::vect
         loads.push_back(parts_->prescribed.without(parts_->combined(load)));
     parts_->stage.set_source_loads(std::move(loads));
     if (parts_->matrices.set_laws(laws))
-        parts_->stage.reset(longest_segment(*problem_));
+        parts_->stage.reset(longest_step(*problem_));
 }
 
 void HeatSystem::finish_load(OwnedVec& load) const

@@ -57,6 +57,7 @@ std::vector<File> run_files()
         other("fields.pvd", "run", "list of the field files, for ParaView"),
         other("fields_{number}.vtu", "run", "temperature [degC], displacement [mm] and stress [MPa] at one time"),
         other("state.bin", "run", "temperatures at the end, for --from"),
+        other("checkpoint.bin", "run", "state of the time steps near the end, for --resume with a longer operation"),
     };
 }
 

@@ -1,9 +1,12 @@
 #include "deadpoint/study/fields/field_times.hpp"
 
+#include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/fem/conduction/checkpoint.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <fmt/format.h>
 #include <iterator>
 
 namespace deadpoint::study {
@@ -22,6 +25,25 @@ FieldTimes::FieldTimes(const HeatProblem& problem, bool view, const std::vector<
     : written(problem.field_times), viewed(view ? view_times(problem.segments) : std::vector<double>{}),
       kept(kept_times), all(united(united(written, viewed), kept))
 {}
+
+void FieldTimes::continue_from(const fem::CheckpointHead& former)
+{
+    const auto later = [&](std::vector<double> times) {
+        std::erase_if(times, [&](double time) { return time <= former.time; });
+        return times;
+    };
+    for (const double time : written)
+        if (time <= former.time && !std::ranges::binary_search(former.fields.written, time))
+            throw mistake("output.field_times",
+                          fmt::format("{:.2f} h have passed, and the field of {:.2f} h was not kept",
+                                      former.time / 3600, time / 3600),
+                          "add times after that, or compute the run anew without --resume");
+    auto seen = former.fields.viewed;
+    std::erase_if(seen, [&](double time) { return time > former.time; });
+    written = united(former.fields.written, later(written));
+    viewed = united(seen, later(viewed));
+    all = united(united(written, viewed), kept);
+}
 
 std::vector<double> view_times(const std::vector<HeatSegment>& segments)
 {

@@ -19,6 +19,7 @@
 #include "deadpoint/study/fields/run_fields.hpp"
 #include "deadpoint/study/laws/friction.hpp"
 #include "deadpoint/study/pipeline/model_parts.hpp"
+#include "deadpoint/study/pipeline/run_mark.hpp"
 #include "deadpoint/study/pipeline/run_warnings.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/reduce/reduce.hpp"
@@ -43,7 +44,7 @@ public:
     CaseRun(ModelParts& parts, const casefile::Case& input, const RunOptions& options, Observer& observer)
         : parts_(parts), input_(input), options_(options), observer_(observer), watch_(observer),
           play_(input.chain ? crank_play(input) : drift::BearingPlay{}),
-          problem_(parts.translate(input, watch_, result_, observer))
+          problem_(parts.translate(input, watch_, result_, observer)), mark_(run_mark(input))
     {}
 
     RunResult run()
@@ -81,7 +82,10 @@ private:
     void choose_times()
     {
         FieldTimes times(problem_, options_.view, options_.kept_times);
+        if (!options_.resume_from.empty())
+            times.continue_from(fem::checkpoint_head(options_.resume_from, mark_));
         problem_.field_times = times.all;
+        planned_ = {times.written, times.viewed};
         fields_.emplace(input_, parts_, std::move(times),
                         FieldOptions{options_.field_folder, options_.comments, keeps()});
     }
@@ -99,9 +103,9 @@ private:
         watch_.start("time steps");
         const double end = std::accumulate(problem_.segments.begin(), problem_.segments.end(), 0.0,
                                            [](double sum, const auto& segment) { return sum + segment.duration; });
-        const fem::CheckpointPlan checkpoints{options_.checkpoint_file, casefile::case_hash(input_),
-                                              options_.checkpoint_interval, options_.resume,
-                                              [&] { return fields_->handed_on(); }};
+        const fem::CheckpointPlan checkpoints{
+            options_.checkpoint_file, mark_,    options_.checkpoint_interval,        options_.resume_from,
+            options_.kept_checkpoint, planned_, [&] { return fields_->handed_on(); }};
         double field_seconds = 0;
         result_.thermal = parts_.model->heat(
             parts_.adjoints, reference(),
@@ -119,7 +123,10 @@ private:
         watch_.split_last("fields", field_seconds);
     }
 
-    [[nodiscard]] bool keeps() const { return !options_.checkpoint_file.empty(); }
+    [[nodiscard]] bool keeps() const
+    {
+        return !options_.checkpoint_file.empty() || !options_.resume_from.empty() || !options_.kept_checkpoint.empty();
+    }
 
     /// Computes the dimension chain over time and its contributions.
     void follow_gap()
@@ -187,6 +194,8 @@ private:
     Stopwatch watch_;
     drift::BearingPlay play_;
     HeatProblem problem_;
+    fem::RunMark mark_;
+    fem::PlannedFields planned_;
     std::optional<RunFields> fields_;
 };
 

@@ -56,7 +56,8 @@ struct RunOptions {
     bool causes = false;                     ///< make RunResult::causes, where the case has a dimension chain
     std::string checkpoint_file = {};        ///< where the time steps save their state; empty: nowhere
     double checkpoint_interval = 600;        ///< fem::CheckpointPlan's
-    bool resume = false;                     ///< continue from checkpoint_file
+    std::string resume_from = {};            ///< checkpoint to continue from; empty: none
+    std::string kept_checkpoint = {};        ///< where the state for a longer operation is kept; empty: nowhere
     std::vector<double> kept_times = {};     ///< ascending: fields that `on_finish` is given [s]
     std::function<void(const RunContext&)> on_finish = {};
 };
