@@ -6,6 +6,7 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/machine/assembly/meshed_parts.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
 #include "deadpoint/report/page/check_page.hpp"
 #include "deadpoint/report/page/named_things.hpp"
@@ -75,7 +76,9 @@ private:
 };
 
 /// @param meshed  becomes the machine as soon as it is there
-void check_press(const CaseOptions& options, study::Press& press, const Machine*& meshed, Console& console)
+/// @param kept    gets the meshes of parts; may be null
+void check_press(const CaseOptions& options, study::Press& press, const Machine*& meshed, machine::MeshedParts* kept,
+                 Console& console)
 {
     const auto& description = press.input();
     Warnings warnings(console);
@@ -84,7 +87,7 @@ void check_press(const CaseOptions& options, study::Press& press, const Machine*
         press.check(warnings);  // does the linkage move?
         return summarise(options, console);
     }
-    const auto& machine = mesh_parts(press, console);
+    const auto& machine = mesh_parts(press, console, kept);
     meshed = &machine;
     show(options, report::plan_text(description, machine));
     for (const auto& warning : report::plan_warnings(description, machine)) {
@@ -99,7 +102,7 @@ void check(const CaseOptions& options)
     Console console(options.console);
     study::Press press(read_case(options, console).value, options.size_scale);
     const Machine* meshed = nullptr;
-    check_press(options, press, meshed, console);
+    check_press(options, press, meshed, nullptr, console);
 }
 
 // ---------------------------------------------------------------- with a picture
@@ -138,13 +141,13 @@ std::vector<Diagnostic> diagnostics_of(const Error& error)
 
 /// All that can be drawn of a case, which is meshed already or has mistakes.
 study::CaseSketch sketch(const CaseOptions& options, const casefile::Case& input, const Machine* meshed,
-                         Console& console)
+                         machine::MeshedParts& kept, Console& console)
 {
     if (meshed != nullptr) {
         return study::sketch_of(*meshed);
     }
     Progress progress(console);
-    auto result = study::sketch_case(input, options.size_scale, progress);
+    auto result = study::sketch_case(input, options.size_scale, progress, kept);
     console.finish();
     return result;
 }
@@ -170,9 +173,10 @@ void check_and_draw(const CheckOptions& all)
     Console console(options.console);
     std::unique_ptr<study::Press> press;
     const Machine* meshed = nullptr;
+    machine::MeshedParts kept;
     try {
         press = std::make_unique<study::Press>(read_case(options, console).value, options.size_scale);
-        check_press(options, *press, meshed, console);
+        check_press(options, *press, meshed, &kept, console);
     } catch (const IoError&) {
         throw;
     } catch (const Error& error) {
@@ -182,10 +186,10 @@ void check_and_draw(const CheckOptions& all)
             console.note("no page is written: nothing of the case can be read");
             throw;
         }
-        draw(all, input, sketch(options, input, meshed, console), diagnostics_of(error), console);
+        draw(all, input, sketch(options, input, meshed, kept, console), diagnostics_of(error), console);
         throw;
     }
-    draw(all, press->input(), sketch(options, press->input(), meshed, console), {}, console);
+    draw(all, press->input(), sketch(options, press->input(), meshed, kept, console), {}, console);
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include "deadpoint/core/version.hpp"
 
 #include <fmt/format.h>
+#include <langinfo.h>
+#include <locale.h>
+#include <string_view>
 
 using namespace deadpoint;
 
@@ -13,15 +16,32 @@ void add_console_options(CLI::App& command, Console::Options& options)
     command.add_flag("-v,--verbose", options.verbose, "show more details");
 }
 
+namespace {
+
+/// By the decimal mark of the user's locale (LC_ALL, LC_NUMERIC, LANG); a locale that is not installed has a point.
+CsvStyle style_of_locale()
+{
+    const locale_t locale = newlocale(LC_NUMERIC_MASK, "", nullptr);
+    if (locale == nullptr) {
+        return CsvStyle::plain;
+    }
+    const bool comma = std::string_view(nl_langinfo_l(RADIXCHAR, locale)) == ",";
+    freelocale(locale);
+    return comma ? CsvStyle::comma : CsvStyle::plain;
+}
+
+}  // namespace
+
 void add_table_option(CLI::App& command, CsvStyle& style)
 {
     command
         .add_option_function<std::string>(
-            "--csv", [&style](const std::string& name) { style = csv_style(name); },
-            "tables with comment lines (comments), without them (plain), or without them and with semicolons and "
-            "decimal commas (comma)")
+            "--csv",
+            [&style](const std::string& name) { style = name == "locale" ? style_of_locale() : csv_style(name); },
+            "tables with comment lines (comments), without them (plain), without them and with semicolons and "
+            "decimal commas (comma), or the last two by the locale (locale)")
         ->type_name("STYLE")
-        ->check(CLI::IsMember({"comments", "plain", "comma"}));
+        ->check(CLI::IsMember({"comments", "plain", "comma", "locale"}));
 }
 
 void add_file_access(CLI::App& command, casefile::FileAccess& files)
@@ -68,9 +88,9 @@ std::vector<std::filesystem::path> input_files(const casefile::ReadResult& read)
     return files;
 }
 
-const Machine& mesh_parts(study::Press& press, Console& console)
+const Machine& mesh_parts(study::Press& press, Console& console, machine::MeshedParts* kept)
 {
-    const auto& machine = press.machine(console);
+    const auto& machine = press.machine(console, kept);
     console.finish();
     return machine;
 }

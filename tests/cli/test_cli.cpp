@@ -302,6 +302,18 @@ TEST_CASE("tables without comment lines are read as those with them")
     CHECK(of_comma.out.substr(0, of_comma.out.find("comparison is in")) ==
           of_usual.out.substr(0, of_usual.out.find("comparison is in")));
     CHECK(deadpoint("report " + comma + " -o " + (folder / "page.html")).code == 0);
+    // By the locale: a point in C, a comma in German, where that can be made.
+    setenv("LC_ALL", "C", 1);
+    REQUIRE(deadpoint("run -q " + two_blocks + " --csv locale -o " + (folder / "english")).code == 0);
+    CHECK(content(folder / "english/history.csv").find("time [s],top [degC]") == 0);
+    if (std::system(("localedef -i de_DE -f UTF-8 " + (folder / "de_DE.UTF-8") + " >/dev/null 2>&1").c_str()) == 0) {
+        setenv("LOCPATH", (folder / "").c_str(), 1);
+        setenv("LC_ALL", "de_DE.UTF-8", 1);
+        REQUIRE(deadpoint("run -q " + two_blocks + " --csv locale -o " + (folder / "german")).code == 0);
+        CHECK(content(folder / "german/history.csv").find("time [s];top [degC]") == 0);
+        unsetenv("LOCPATH");
+    }
+    unsetenv("LC_ALL");
     const auto wrong = deadpoint("run " + two_blocks + " --csv german -o " + (folder / "x"));
     CHECK(wrong.code == 2);
     CHECK(has(wrong.err, "--csv"));
@@ -1153,6 +1165,11 @@ TEST_CASE("check --view draws a case that passes and one that does not")
     CHECK(has(wrong.err, "probes.top"));
     CHECK(has(content(page), "{\"kind\":\"probe\",\"name\":\"top\"}"));
     CHECK(has(content(page), "{\"name\":\"upper\",\"body\":\"frame\""));
+    // Where a face of the dimension chain is not there, the dimension ends where the case says.
+    CHECK(deadpoint("check -q --view --size 6 --set \"surfaces.table_top.position=-905 mm\" -o " +
+                    (folder / "off.html") + " " DEADPOINT_SOURCE_DIR "/cases/starter/case.toml")
+              .code == 2);
+    CHECK(has(content(folder / "off.html"), "\"table\":[0.0,-0.905,0.0]"));
     // Of a case that cannot even be read as TOML there is no picture.
     fs::remove(page);
     std::ofstream(folder / "broken.toml") << "format = = 1\n";
@@ -1229,6 +1246,16 @@ TEST_CASE("init --step writes a case from an assembly that passes its check, or 
     CHECK(again.code == 5);
     CHECK(has(again.err, "name another folder"));
     CHECK(content(file) == text);
+
+    const auto renamed =
+        deadpoint("init --step " + drawing + " --body ram=slide --body rod=connecting_rod,wrist_pin " + (folder / "c"));
+    CHECK(renamed.code == 0);
+    CHECK(has(renamed.out, "ram: slide\n"));
+    CHECK(has(renamed.out, "rod: connecting_rod, wrist_pin\n"));
+    CHECK(has(content(folder / "c/case.toml"), "[bodies.ram]"));
+    const auto unnamed = deadpoint("init --step " + drawing + " --body slide " + (folder / "d"));
+    CHECK(unnamed.code == 2);
+    CHECK(has(unnamed.err, "write it like --body slide="));
 
     const auto none = deadpoint("init --step " + (folder / "none.step") + " " + (folder / "a"));
     CHECK(none.code == 5);

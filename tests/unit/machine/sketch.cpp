@@ -1,6 +1,9 @@
 #include "deadpoint/machine/assembly/sketch.hpp"
 
+#include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/machine/assembly/build.hpp"
+#include "deadpoint/machine/assembly/meshed_parts.hpp"
 #include "fixture.hpp"
 
 #include <algorithm>
@@ -88,4 +91,31 @@ TEST_CASE("a part that cannot be made leaves the others in the sketch")
     CHECK(sketch.machine.interfaces.size() == 1);
     CHECK(misses(sketch, "parts.lost"));
     CHECK(std::ranges::any_of(sketch.missing, [](const Diagnostic& d) { return d.path.starts_with("parts.nothing"); }));
+}
+
+TEST_CASE("a sketch takes the parts that the build before it has made, and its failures")
+{
+    const auto description = pin_in_bore(0.05);  // the joint's diameter is wrong
+    machine::MeshedParts kept;
+    int made = 0;
+    const auto count = [&] {
+        ++made;
+        return machine::PartMesh{};
+    };
+    Log log;
+    CHECK_THROWS(machine::build_machine(description, log, &kept));
+    kept.once("pin", count);
+    kept.once("block", count);
+    CHECK(made == 0);
+    const auto sketch = machine::sketch_machine(description, log, &kept);
+    CHECK(sketch.machine.parts.size() == 2);
+    CHECK(sketch.machine.nodes == sketched(description).machine.nodes);
+    int failed = 0;
+    const auto fail = [&]() -> machine::PartMesh {
+        ++failed;
+        throw InputError("flat cells");
+    };
+    CHECK_THROWS_AS(kept.once("other", fail), InputError);
+    CHECK_THROWS_AS(kept.once("other", fail), InputError);
+    CHECK(failed == 1);
 }

@@ -8,6 +8,7 @@
 #include "deadpoint/machine/assembly/interfaces.hpp"
 #include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/assembly/measure.hpp"
+#include "deadpoint/machine/assembly/meshed_parts.hpp"
 #include "deadpoint/machine/assembly/overlaps.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/assembly/select.hpp"
@@ -341,6 +342,34 @@ BoxShape bounds_of_all(const std::vector<std::vector<Prism>>& drawn)
     return bounds_of(all);
 }
 
+/// Mesh files state no unit. A part of their lengths in metres that no press has is refused or questioned.
+void question_size(const PartDescription& part, const MeshSource& file, const PartMesh& mesh, Observer& observer)
+{
+    constexpr double too_long = 100, very_long = 20, very_short = 1e-3;  // [m]
+    if (mesh.nodes.empty()) {
+        return;
+    }
+    BoxShape box{mesh.nodes.front(), mesh.nodes.front()};
+    for (const Vec3& node : mesh.nodes) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            box.min[i] = std::min(box.min[i], node[i]);
+            box.max[i] = std::max(box.max[i], node[i]);
+        }
+    }
+    const Vec3 edges = box.max - box.min;
+    const double length = std::max({edges[0], edges[1], edges[2]});
+    const std::string help =
+        fmt::format("one unit of the file counts as {:.4g} mm; for a file in millimetres state unit = "
+                    "\"1 mm\"",
+                    1e3 * file.unit);
+    if (length > too_long) {
+        throw InputError(fmt::format("part '{}' is {:.0f} m long\n  help: {}", part.name, length, help));
+    }
+    if (length > very_long || length < very_short) {
+        observer.warn(fmt::format("part '{}' is {:.4g} mm long\n  help: {}", part.name, 1e3 * length, help));
+    }
+}
+
 /// Meshes of files, which are quick to read, and a look at all drawings: what is wrong there is said before anything is
 /// meshed.
 std::vector<PartMesh> read_mesh_files(const MachineDescription& description, Stages& stages, Observer& observer)
@@ -349,7 +378,10 @@ std::vector<PartMesh> read_mesh_files(const MachineDescription& description, Sta
     for (std::size_t i = 0; i < description.parts.size(); ++i) {
         const PartDescription& part = description.parts[i];
         if (const auto* file = std::get_if<MeshSource>(&part.source)) {
-            stages.attempt(path_of(part), [&] { meshes[i] = read_mesh(part, *file, description.half_model, {}); });
+            stages.attempt(path_of(part), [&] {
+                meshes[i] = read_mesh(part, *file, description.half_model, {});
+                question_size(part, *file, meshes[i], observer);
+            });
             if (description.size_scale != 1) {
                 observer.warn(
                     fmt::format("part '{}' keeps the cells of its mesh file: --size does not change them", part.name));
@@ -363,7 +395,7 @@ std::vector<PartMesh> read_mesh_files(const MachineDescription& description, Sta
 
 /// The shapes of the parts of the assembly.
 std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description, Assembly& assembly, Stages& stages,
-                                           Observer& observer)
+                                           Observer& observer, MeshedParts* kept)
 {
     const GmshSession session;
     std::vector<std::vector<Prism>> drawn = drawn_parts(description, stages, observer);
@@ -378,12 +410,18 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
         const double done = static_cast<double>(i) / static_cast<double>(description.parts.size());
         observer.progress(done, part.name);
         const Waiting waiting = [&](double seconds) {
-            observer.progress(done, fmt::format("{}, for {:.0f} s", part.name, seconds));
+            constexpr double long_time = 15;
+            observer.progress(
+                done, fmt::format("{}, for {:.0f} s{}", part.name, seconds,
+                                  seconds > long_time ? "; a larger `size`, or omit = \"0 mm\", is faster" : ""));
         };
         stages.attempt(path_of(part), [&] {
-            PartMesh mesh = std::holds_alternative<MeshSource>(part.source)
-                                ? std::move(files[i])
-                                : mesh_part(description, part, drawn[i], bounds, observer, waiting);
+            const auto make = [&] {
+                return std::holds_alternative<MeshSource>(part.source)
+                           ? std::move(files[i])
+                           : mesh_part(description, part, drawn[i], bounds, observer, waiting);
+            };
+            PartMesh mesh = kept != nullptr ? kept->once(part.name, make) : make();
             for (const auto& note : mesh.notes) {
                 observer.info(fmt::format("part '{}': {}", part.name, note));
             }
@@ -495,11 +533,12 @@ Assembly begun(const MachineDescription& description)
     return assembly;
 }
 
-void build(const MachineDescription& description, Assembly& assembly, Stages& stages, Observer& observer)
+void build(const MachineDescription& description, Assembly& assembly, Stages& stages, Observer& observer,
+           MeshedParts* kept)
 {
     check(description);
     observer.stage("mesh");
-    const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, stages, observer);
+    const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, stages, observer, kept);
     stages.attempt("parts", [&] { inspect(assembly, description.seam_tolerance, observer); });
     stages.end();
     connect(description, assembly, stages.mistakes);
@@ -536,11 +575,11 @@ std::vector<InterfaceFaces> faces_of_all(const MachineDescription& description, 
 
 }  // namespace
 
-Machine build_machine(const MachineDescription& description, Observer& observer)
+Machine build_machine(const MachineDescription& description, Observer& observer, MeshedParts* kept)
 {
     Assembly assembly = begun(description);
     Stages stages(Stages::At::raise);
-    build(description, assembly, stages, observer);
+    build(description, assembly, stages, observer, kept);
     warn_about(assembly.machine, observer);
     return std::move(assembly.machine);
 }
@@ -560,11 +599,11 @@ InterfaceFaces faces_of(const Contact& contact)
     return faces;
 }
 
-Sketch sketch_machine(const MachineDescription& description, Observer& observer)
+Sketch sketch_machine(const MachineDescription& description, Observer& observer, MeshedParts* kept)
 {
     Assembly assembly = begun(description);
     Stages stages(Stages::At::go_on);
-    stages.attempt("parts", [&] { build(description, assembly, stages, observer); });
+    stages.attempt("parts", [&] { build(description, assembly, stages, observer, kept); });
     Sketch sketch;
     sketch.missing = found_in(stages.mistakes);
     sketch.interfaces = faces_of_all(description, assembly);

@@ -10,6 +10,8 @@ struct MachineDescription;
 /// The machine stage: from a description of solids, surfaces and contacts to a mesh with contact points.
 namespace deadpoint::machine {
 
+class MeshedParts;
+
 /// Meshes every part, finds exterior faces, contacts, bonds, surfaces and overlaps. SI units throughout.
 ///
 /// Parts whose shapes are prisms along one axis become layers of hexahedra: their outlines are
@@ -37,12 +39,14 @@ namespace deadpoint::machine {
 /// The machine carries the figures of its parts and surfaces (see measure()).
 ///
 /// @param description  what to build; see exchange/machine.hpp
+/// @param kept         meshes of the parts of this description that were made before, and where they are kept; may be
+/// null
 /// @param observer     gets progress, one line per part that could not be meshed with hexahedra, and warnings
 /// @throws InputError  for wrong shapes, unusable files, bad or cracked meshes, selectors that
 ///                     match nothing, interfaces between more than two parts, interfaces that are
 ///                     not `partial` and less than 98 % covered, and interfaces whose surface does
 ///                     not lie along their travel (all of them at once)
 /// @throws IoError     if a file cannot be read
-Machine build_machine(const MachineDescription& description, Observer& observer);
+Machine build_machine(const MachineDescription& description, Observer& observer, MeshedParts* kept = nullptr);
 
 }  // namespace deadpoint::machine

@@ -14,6 +14,8 @@ class Observer;
 /// What can be drawn of a machine that may still be wrong.
 namespace deadpoint::machine {
 
+class MeshedParts;
+
 struct InterfaceFaces {
     std::string name;  ///< as InterfaceDescription::name
     /// Indices of Machine::faces. Of a contact the faces that touch; where it was refused, those its selectors match.
@@ -32,6 +34,6 @@ InterfaceFaces faces_of(const Contact& contact);
 
 /// As build_machine(), but goes on past mistakes: every part that can be meshed is, and of those all interfaces, bonds
 /// and surfaces that can be found. Nothing is thrown for mistakes of the description; they are in Sketch::missing.
-Sketch sketch_machine(const MachineDescription& description, Observer& observer);
+Sketch sketch_machine(const MachineDescription& description, Observer& observer, MeshedParts* kept = nullptr);
 
 }  // namespace deadpoint::machine

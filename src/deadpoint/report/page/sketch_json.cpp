@@ -218,6 +218,18 @@ std::optional<Vec3> middle_of(const Machine& machine, const std::string& name)
     return middle;
 }
 
+/// Where the case says that a plane lies, beside the crank; for a surface that is not in the machine.
+std::optional<Vec3> stated_place(const Case& input, const std::string& name, const Vec3& crank)
+{
+    const auto surface = input.surfaces.find(name);
+    if (surface == input.surfaces.end() || surface->second.select != casefile::Surface::Select::plane ||
+        !surface->second.position || !surface->second.axis)
+        return std::nullopt;
+    Vec3 place = crank;
+    place[static_cast<std::size_t>(*surface->second.axis)] = *surface->second.position;
+    return place;
+}
+
 /// Places between which the dimensions of the chain are measured.
 Json chain_json(const Case& input, const study::CaseSketch& sketch)
 {
@@ -225,12 +237,17 @@ Json chain_json(const Case& input, const study::CaseSketch& sketch)
     const auto& chain = *input.chain;
     const auto stroke = casefile::find_stroke_direction(input);
     json["stroke"] = std::holds_alternative<Vec2>(stroke) ? std::get<Vec2>(stroke) : Vec2{0, 1};
+    Vec3 centre{};
+    if (const auto crank = input.joints.find(chain.crank_joint); crank != input.joints.end()) {
+        centre = {crank->second.centre[0], crank->second.centre[1], 0};
+        json["crank"] = centre;
+    }
     for (const auto& [key, surface] :
-         {std::pair{"slide", chain.slide_surface}, {"table", chain.table_surface}, {"ground", chain.ground_surface}})
-        if (const auto middle = sketch.machine ? middle_of(*sketch.machine, surface) : std::nullopt)
-            json[key] = *middle;
-    if (const auto crank = input.joints.find(chain.crank_joint); crank != input.joints.end())
-        json["crank"] = {crank->second.centre[0], crank->second.centre[1], 0};
+         {std::pair{"slide", chain.slide_surface}, {"table", chain.table_surface}, {"ground", chain.ground_surface}}) {
+        const auto middle = sketch.machine ? middle_of(*sketch.machine, surface) : std::nullopt;
+        if (const auto place = middle ? middle : stated_place(input, surface, centre))
+            json[key] = *place;
+    }
     return json;
 }
 

@@ -43,14 +43,14 @@ std::vector<SoughtFace> sought_faces(const MachineDescription& description, cons
 
 }  // namespace
 
-CaseSketch sketch_case(const casefile::Case& input, double size_scale, Observer& observer)
+CaseSketch sketch_case(const casefile::Case& input, double size_scale, Observer& observer, machine::MeshedParts& kept)
 {
     CaseSketch result;
     if (input.parts.empty())
         return result;
     Mistakes mistakes;
     const auto description = describe_machine(input, size_scale, mistakes);
-    auto sketch = machine::sketch_machine(description, observer);
+    auto sketch = machine::sketch_machine(description, observer, &kept);
     result.sought = sought_faces(description, sketch);
     result.interfaces = std::move(sketch.interfaces);
     result.missing = found_in(mistakes);

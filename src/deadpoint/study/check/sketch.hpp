@@ -13,6 +13,9 @@ class Observer;
 namespace deadpoint::casefile {
 struct Case;
 }
+namespace deadpoint::machine {
+class MeshedParts;
+}
 
 /// What can be drawn of a case that may still be wrong.
 namespace deadpoint::study {
@@ -32,7 +35,8 @@ struct CaseSketch {
 
 /// All that can be built of a case, part by part. Mistakes are kept, not thrown.
 /// @param size_scale  of the cells, > 0
-CaseSketch sketch_case(const casefile::Case& input, double size_scale, Observer& observer);
+/// @param kept        meshes of parts that an earlier attempt at this case has made
+CaseSketch sketch_case(const casefile::Case& input, double size_scale, Observer& observer, machine::MeshedParts& kept);
 
 /// The sketch of a case that is meshed; it refers to the machine.
 CaseSketch sketch_of(const Machine& machine);

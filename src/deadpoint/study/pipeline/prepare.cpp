@@ -162,13 +162,13 @@ CaseError of_deformation(const CaseError& error, double scale)
 
 }  // namespace
 
-Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer)
+Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer, machine::MeshedParts* kept)
 {
     if (input.parts.empty())
         throw mistake("parts", "the case has no [parts]: there is nothing to mesh",
                       "add the solids of its bodies; motion and forces of the linkage alone are computed by 'deadpoint "
                       "loads'");
-    auto machine = machine::build_machine(describe_machine(input, size_scale), observer);
+    auto machine = machine::build_machine(describe_machine(input, size_scale), observer, kept);
     Mistakes mistakes;
     settle_claims(input, machine, mistakes);
     require_middles(input, machine, mistakes, observer);

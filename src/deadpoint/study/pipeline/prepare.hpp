@@ -9,6 +9,9 @@ namespace deadpoint {
 class Observer;
 struct Machine;
 }  // namespace deadpoint
+namespace deadpoint::machine {
+class MeshedParts;
+}
 
 namespace deadpoint::study {
 
@@ -16,8 +19,10 @@ namespace deadpoint::study {
 /// (film, temperature, flux or insulation). A face that a surface selects by position (plane,
 /// cylinder, box, group) is removed from the surfaces that select "exposed" faces.
 ///
+/// @param kept  as build_machine()
 /// @throws InputError as build_machine(), or if two surfaces claim a face with equal priority
-Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer);
+Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer,
+                        machine::MeshedParts* kept = nullptr);
 
 /// The case with the element orders of the deformation.
 casefile::Case case_of_deformation(casefile::Case input);

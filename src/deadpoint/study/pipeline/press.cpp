@@ -68,12 +68,12 @@ void Press::take(casefile::Case input)
     input_ = std::move(input);
 }
 
-const Machine& Press::machine(Observer& observer)
+const Machine& Press::machine(Observer& observer, machine::MeshedParts* kept)
 {
     if (!machine_) {
         const Timer timer(mesh_seconds_);
         machine_ = casefile::with_places(
-            input_, [&] { return std::make_unique<Machine>(prepare_machine(input_, size_scale_, observer)); });
+            input_, [&] { return std::make_unique<Machine>(prepare_machine(input_, size_scale_, observer, kept)); });
     }
     return *machine_;
 }

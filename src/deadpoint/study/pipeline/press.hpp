@@ -17,6 +17,9 @@ namespace deadpoint {
 class Observer;
 struct Machine;
 }  // namespace deadpoint
+namespace deadpoint::machine {
+class MeshedParts;
+}
 
 /// The pipeline of a case: mesh -> loads -> laws -> model -> run.
 namespace deadpoint::study {
@@ -45,7 +48,8 @@ public:
     void take(casefile::Case input);
 
     /// The mesh of the parts. Errors as prepare_machine().
-    const Machine& machine(Observer& observer);
+    /// @param kept  meshes of its parts, for a sketch where the machine is refused; may be null
+    const Machine& machine(Observer& observer, machine::MeshedParts* kept = nullptr);
     /// Builds the meshes of a run: of the parts, and of the deformation if that is a separate mesh.
     /// @throws InputError as prepare_machine() and prepare_deformation_machine()
     void mesh(Observer& observer);
