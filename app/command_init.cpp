@@ -10,8 +10,10 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -20,6 +22,7 @@ namespace {
 struct InitOptions {
     std::string folder;
     std::string step;
+    std::vector<std::string> bodies;  ///< "name=solid,solid"
 };
 
 void create(const fs::path& folder)
@@ -93,11 +96,40 @@ void say_what_was_found(const deadpoint::study::Draft& draft)
         }
         print_out("  {}: {}\n", body.name, names);
     }
-    print_out("Lines with TO DO in the case hold guesses.\n");
+    for (const auto& joint : draft.joints) {
+        if (joint.kind == deadpoint::study::DraftJoint::Kind::ball) {
+            print_out("  joint {} is a ball, whose spherical faces make no contact: see its TO DO in the case\n",
+                      joint.name);
+        }
+    }
+    print_out("Is a solid in the wrong body? Begin again in another folder with --body NAME=SOLID,SOLID.\n"
+              "Lines with TO DO in the case hold guesses.\n");
+}
+
+/// "name=solid,solid" @throws InputError
+deadpoint::study::WantedBody wanted_body(const std::string& text)
+{
+    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    const auto equals = text.find('=');
+    deadpoint::study::WantedBody body{text.substr(0, equals), {}};
+    std::istringstream solids(equals == std::string::npos ? "" : text.substr(equals + 1));
+    for (std::string solid; std::getline(solids, solid, ',');) {
+        body.solids.push_back(solid);
+    }
+    if (body.name.empty() || body.name.find_first_not_of(letters) != std::string::npos || body.solids.empty()) {
+        throw deadpoint::InputError(fmt::format("--body '{}' is not a body with its solids\n  help: write it like "
+                                                "--body slide=ram,wrist_pin,upper_die*",
+                                                text));
+    }
+    return body;
 }
 
 void write_draft(const InitOptions& options)
 {
+    std::vector<deadpoint::study::WantedBody> wanted;
+    for (const auto& text : options.bodies) {
+        wanted.push_back(wanted_body(text));
+    }
     const fs::path folder = options.folder;
     const fs::path file = folder / "case.toml";
     if (fs::exists(file)) {
@@ -105,7 +137,7 @@ void write_draft(const InitOptions& options)
     }
     const fs::path drawing = options.step;
     const auto draft = deadpoint::study::draft_of(
-        deadpoint::machine::read_cad(drawing.stem().string(), drawing.string(), std::nullopt, [](double) {}));
+        deadpoint::machine::read_cad(drawing.stem().string(), drawing.string(), std::nullopt, [](double) {}), wanted);
     create(folder);
     copy_into(drawing, folder / drawing.filename());
     write_case(file, deadpoint::study::draft_text(draft, drawing.filename().string()));
@@ -120,8 +152,15 @@ void add_init(CLI::App& app, int& exit_code)
     auto* command = app.add_subcommand("init", "write a commented case file to start from");
     const auto options = std::make_shared<InitOptions>();
     command->add_option("DIR", options->folder, "the folder to write case.toml into; created if missing")->required();
-    command->add_option("--step", options->step,
-                        "a STEP file: the case gets its solids as parts, and bodies and joints from what touches");
+    auto* step =
+        command->add_option("--step", options->step,
+                            "a STEP file: the case gets its solids as parts, and bodies and joints from what touches");
+    command
+        ->add_option("--body", options->bodies,
+                     "with --step: puts solids into one body, 'slide=ram,wrist_pin,upper_die*'; may be repeated")
+        ->type_name("NAME=SOLIDS")
+        ->allow_extra_args(false)
+        ->needs(step);
     command->callback([options, &exit_code] {
         options->step.empty() ? write_starter(options->folder) : write_draft(*options);
         exit_code = 0;

@@ -1,6 +1,6 @@
 # Makes press.step, the assembly of a C-frame eccentric press of 250 kN:  occt-draw -b -f make.tcl  (packages occt-draw and
 # libocct-draw-dev). Lengths in mm, x to the right, y up, z along the crankshaft from the back to the front; origin: centre of the
-# crankshaft at bottom dead point. All sizes are made up. The table at the end lists every contact that the drawing holds.
+# crankshaft at bottom dead point. All sizes are made up. tests/unit/machine/cad.cpp counts every contact that the drawing holds.
 pload MODELING XDE OCAF
 
 proc block {name x0 x1 y0 y1 z0 z1} { uplevel #0 [list box $name $x0 $y0 $z0 [expr $x1-$x0] [expr $y1-$y0] [expr $z1-$z0]] }

@@ -83,6 +83,26 @@ TEST_CASE("halves of cylinders in one bore count together, whatever their seams 
               .empty());  // 2 mm play
 }
 
+TEST_CASE("a ball in a socket is one contact, whatever faces it has")
+{
+    const auto face = [](double radius, bool hollow, double share, Vec3 centre = {0.1, 0.2, 0.3}) {
+        return CadFace{"", share * 4 * pi * radius * radius, CadSphere{centre, radius, hollow}};
+    };
+    // A ball in two halves; a socket that covers 40 % of it, in two quarters, 0.1 mm wider.
+    const auto found = find_contacts(
+        pair({face(0.04, false, 0.5), face(0.04, false, 0.4)}, {face(0.04005, true, 0.2), face(0.04005, true, 0.2)}));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].kind == CadContact::Kind::sphere);
+    CHECK(found[0].a == 1);  // the socket
+    CHECK(found[0].diameter == Approx(0.08));
+    CHECK(found[0].clearance == Approx(1e-4).epsilon(1e-9));
+    CHECK(found[0].area == Approx(0.4 * 4 * pi * 0.04005 * 0.04005).epsilon(1e-12));
+    CHECK(found[0].point == Vec3{0.1, 0.2, 0.3});
+    CHECK(find_contacts(pair({face(0.04, false, 1)}, {face(0.04, false, 1)})).empty());  // two balls
+    CHECK(find_contacts(pair({face(0.04, false, 1)}, {face(0.042, true, 1)})).empty());  // 4 mm of clearance
+    CHECK(find_contacts(pair({face(0.04, false, 1)}, {face(0.04, true, 1, {0.1, 0.2, 0.302})})).empty());  // 2 mm off
+}
+
 TEST_CASE("the solids of an assembly come with names, volumes and places")
 {
     const CadModel model = read(press);

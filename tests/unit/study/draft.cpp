@@ -2,6 +2,7 @@
 
 #include "../../scratch_folder.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
 
 #include <algorithm>
@@ -98,6 +99,56 @@ TEST_CASE("the solids of a press fall into its bodies")
     CHECK(solids_of(draft, "slide") == std::vector<std::string>{"slide", "wrist_pin"});
 }
 
+TEST_CASE("the user says which solids are one body")
+{
+    const Draft draft = draft_of(drawing(), {{"ram", {"slide"}}, {"flywheel_body", {"flywheel"}}});
+    CHECK(draft.bodies.size() == 5);
+    CHECK(solids_of(draft, "ram") == std::vector<std::string>{"slide", "wrist_pin"});
+    CHECK(solids_of(draft, "flywheel_body") == std::vector<std::string>{"flywheel"});
+    CHECK(joint(draft, "ram_frame").kind == DraftJoint::Kind::slide);  // a ram is a slide
+    CHECK(joint(draft, "flywheel_body_crank").contacts.size() == 1);   // it sits on the crankshaft, no longer bonded
+
+    const Draft pinned = draft_of(drawing(), {{"rod", {"connecting_*", "wrist_pin"}}});
+    CHECK(pinned.bodies.size() == 4);
+    CHECK(solids_of(pinned, "rod") == std::vector<std::string>{"connecting_rod", "wrist_pin"});
+    CHECK(solids_of(pinned, "slide") == std::vector<std::string>{"slide"});
+
+    const auto refusal = [](const std::vector<WantedBody>& wanted) {
+        try {
+            draft_of(drawing(), wanted);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK(refusal({{"rod", {"con_rod"}}})
+              .find("no solid of the drawing is named 'con_rod'\n  help: its solids are frame") != std::string::npos);
+    CHECK(refusal({{"rod", {"wrist_pin"}}, {"slide", {"slide", "wrist_*"}}})
+              .find("solid 'wrist_pin' is in 'rod' and in 'slide'") != std::string::npos);
+}
+
+TEST_CASE("a ball in a socket becomes a ball joint of two bodies")
+{
+    auto model = drawing();
+    for (auto& solid : model.solids) {  // the rod's small end as a ball of 70 mm in the slide, for its wrist pin
+        if (solid.name == "connecting_rod" || solid.name == "slide") {
+            const bool socket = solid.name == "slide";
+            solid.faces.push_back({"", 0.01, machine::CadSphere{{0, -0.4, 0}, 0.035, socket}});
+        }
+    }
+    std::erase_if(model.solids, [](const auto& solid) { return solid.name == "wrist_pin"; });
+    const Draft draft = draft_of(model);
+    CHECK(draft.bodies.size() == 4);
+    CHECK(joint(draft, "rod_slide").kind == DraftJoint::Kind::ball);
+    const std::string text = draft_text(draft, "press.step");
+    CHECK(text.find("kind = \"ball\"\nbodies = [\"rod\", \"slide\"]\ncentre = [\"0 mm\", \"-400 mm\"]\nball = { "
+                    "diameter = \"70 mm\" }") != std::string::npos);
+    const ScratchFolder folder;
+    std::filesystem::copy_file(press, folder.path / "press.step");
+    const auto input = casefile::read_case(folder.file("case.toml", text).string()).value;
+    CHECK(input.joints.at("rod_slide").kind == casefile::Joint::Kind::ball);
+}
+
 TEST_CASE("joints are where the bodies of a press meet")
 {
     const Draft draft = draft_of(drawing());
@@ -109,7 +160,7 @@ TEST_CASE("joints are where the bodies of a press meet")
     CHECK(bearing.diameter == Approx(0.12));
     CHECK(bearing.clearance == Approx(0.024));
     CHECK(bearing.area == Approx(std::numbers::pi * 0.12 * 0.052).epsilon(1e-6));
-    CHECK(joint(draft, "slide_frame").slide);
+    CHECK(joint(draft, "slide_frame").kind == DraftJoint::Kind::slide);
     CHECK(joint(draft, "slide_frame").contacts.size() == 2);
     const auto& pin = draft.contacts[joint(draft, "rod_crank").contacts.front()];
     CHECK(pin.diameter == Approx(0.18));

@@ -223,9 +223,71 @@ std::optional<CadContact> contact_of(const CadFace& one, const CadFace& other, b
                    : contact_of(*first, one.area, *second, other.area, reach);
 }
 
+/// A sphere of a solid with the area of all its faces.
+struct WholeSphere {
+    CadSphere sphere;
+    double area = 0;
+};
+
+std::vector<WholeSphere> spheres_of(const CadSolid& solid)
+{
+    constexpr double near = 1e-5;
+    std::vector<WholeSphere> spheres;
+    for (const CadFace& face : solid.faces) {
+        const auto* next = std::get_if<CadSphere>(&face.form);
+        if (next == nullptr) {
+            continue;
+        }
+        const auto same = std::ranges::find_if(spheres, [&](const WholeSphere& known) {
+            return known.sphere.hollow == next->hollow && norm(known.sphere.centre - next->centre) < near &&
+                   std::abs(known.sphere.radius - next->radius) < near;
+        });
+        if (same == spheres.end()) {
+            spheres.push_back({*next, face.area});
+        } else {
+            same->area += face.area;
+        }
+    }
+    return spheres;
+}
+
+/// A ball in a socket.
+std::optional<CadContact> contact_of(const WholeSphere& socket, const WholeSphere& ball, const CadReach& reach)
+{
+    const double clearance = 2 * (socket.sphere.radius - ball.sphere.radius);
+    const double most = reach.cylinder * 2 * ball.sphere.radius;
+    if (!socket.sphere.hollow || ball.sphere.hollow || clearance > most || clearance < -reach.into ||
+        norm(socket.sphere.centre - ball.sphere.centre) > std::min(0.5 * most, reach.axes)) {
+        return std::nullopt;
+    }
+    CadContact contact;
+    contact.kind = CadContact::Kind::sphere;
+    contact.area = std::min(socket.area, ball.area);
+    contact.clearance = clearance;
+    contact.diameter = 2 * ball.sphere.radius;
+    contact.point = socket.sphere.centre;
+    return contact.area < reach.least_area ? std::nullopt : std::optional(contact);
+}
+
+void add_balls(const CadModel& model, std::size_t around, std::size_t inside, const CadReach& reach,
+               std::vector<CadContact>& into)
+{
+    for (const WholeSphere& socket : spheres_of(model.solids[around])) {
+        for (const WholeSphere& ball : spheres_of(model.solids[inside])) {
+            if (auto contact = contact_of(socket, ball, reach)) {
+                contact->a = around;
+                contact->b = inside;
+                into.push_back(*contact);
+            }
+        }
+    }
+}
+
 void contacts_of(const CadModel& model, std::size_t a, std::size_t b, const CadReach& reach,
                  std::vector<CadContact>& into)
 {
+    add_balls(model, a, b, reach, into);
+    add_balls(model, b, a, reach, into);
     for (const CadFace& one : model.solids[a].faces) {
         for (const CadFace& other : model.solids[b].faces) {
             bool swapped = false;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-/// What a CAD file holds, as plain values: solids with their plane and cylindrical faces. SI units, coordinates of the
-/// file.
+/// What a CAD file holds, as plain values: solids with their plane, cylindrical and spherical faces. SI units,
+/// coordinates of the file.
 namespace deadpoint::machine {
 
 /// A face in a plane.
@@ -27,10 +27,17 @@ struct CadCylinder {
     std::array<double, 2> range{};   ///< along the axis, from `point` [m]
 };
 
+/// A face on a sphere.
+struct CadSphere {
+    Vec3 centre{};
+    double radius = 0;
+    bool hollow = false;  ///< the solid lies outside of the radius: a socket
+};
+
 struct CadFace {
     std::string name;  ///< in the file; mostly empty
     double area = 0;   ///< [m2]
-    std::variant<std::monostate, CadPlane, CadCylinder> form;
+    std::variant<std::monostate, CadPlane, CadCylinder, CadSphere> form;
 };
 
 struct CadSolid {

@@ -18,6 +18,7 @@
 #include <TopoDS_Wire.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Sphere.hxx>
 
 #include <algorithm>
 #include <numbers>
@@ -79,6 +80,25 @@ CadPlane plane_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face)
     return plane;
 }
 
+/// A point of a face and the direction out of the solid there.
+struct Outward {
+    Vec3 point{};
+    Vec3 direction{};
+};
+
+Outward outward_in_middle(const BRepAdaptor_Surface& surface, const TopoDS_Face& face)
+{
+    double u[2]{};
+    double v[2]{};
+    BRepTools::UVBounds(face, u[0], u[1], v[0], v[1]);
+    gp_Pnt point;
+    gp_Vec along_u;
+    gp_Vec along_v;
+    surface.D1(0.5 * (u[0] + u[1]), 0.5 * (v[0] + v[1]), point, along_u, along_v);
+    const gp_Vec out = (face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0) * along_u.Crossed(along_v);
+    return {metres(point), {out.X(), out.Y(), out.Z()}};
+}
+
 CadCylinder cylinder_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face)
 {
     CadCylinder result;
@@ -94,15 +114,19 @@ CadCylinder cylinder_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& f
     // A left-handed frame turns the other way.
     result.angles = frame.Direct() ? std::array{u[0], u[1]} : std::array{-u[1], -u[0]};
     result.range = {v[0] * gmsh_unit, v[1] * gmsh_unit};
-    gp_Pnt point;
-    gp_Vec along_u;
-    gp_Vec along_v;
-    surface.D1(0.5 * (u[0] + u[1]), 0.5 * (v[0] + v[1]), point, along_u, along_v);
-    const gp_Vec out = (face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0) * along_u.Crossed(along_v);
-    const Vec3 from_axis = metres(point) - result.point;
-    const Vec3 radial = from_axis - dot(from_axis, result.axis) * result.axis;
-    result.bore = out.X() * radial[0] + out.Y() * radial[1] + out.Z() * radial[2] < 0;
+    const auto out = outward_in_middle(surface, face);
+    const Vec3 from_axis = out.point - result.point;
+    result.bore = dot(out.direction, from_axis - dot(from_axis, result.axis) * result.axis) < 0;
     return result;
+}
+
+CadSphere sphere_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face)
+{
+    const gp_Sphere geometry = surface.Sphere();
+    CadSphere sphere{metres(geometry.Location()), geometry.Radius() * gmsh_unit};
+    const auto out = outward_in_middle(surface, face);
+    sphere.hollow = dot(out.direction, out.point - sphere.centre) < 0;
+    return sphere;
 }
 
 CadFace face_of_cad(const TopoDS_Face& face)
@@ -116,6 +140,8 @@ CadFace face_of_cad(const TopoDS_Face& face)
         result.form = plane_of(surface, face);
     } else if (surface.GetType() == GeomAbs_Cylinder) {
         result.form = cylinder_of(surface, face);
+    } else if (surface.GetType() == GeomAbs_Sphere) {
+        result.form = sphere_of(surface, face);
     }
     return result;
 }

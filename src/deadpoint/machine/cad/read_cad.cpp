@@ -48,6 +48,8 @@ void put(Packer& to, const CadFace& face)
         put(to, *plane);
     } else if (const auto* cylinder = std::get_if<CadCylinder>(&face.form)) {
         to.put(*cylinder);
+    } else if (const auto* sphere = std::get_if<CadSphere>(&face.form)) {
+        to.put(*sphere);
     }
 }
 
@@ -61,6 +63,8 @@ void get(Unpacker& from, CadFace& face)
         get(from, face.form.emplace<CadPlane>());
     } else if (form == 2) {
         from.get(face.form.emplace<CadCylinder>());
+    } else if (form == 3) {
+        from.get(face.form.emplace<CadSphere>());
     }
 }
 
@@ -135,8 +139,8 @@ CadModel read_in_child(const ForeignFile& file, std::optional<double> unit)
         return describe_cad(read_step_solids(file, unit));
     } catch (const Standard_Failure& failure) {
         throw InputError(
-            fmt::format("part '{}': '{}' cannot be read ({}); write it again with the program that wrote it", file.part,
-                        file.path, failure.GetMessageString()));
+            fmt::format("part '{}': '{}' cannot be read ({})\n  help: write it again with the program that wrote it",
+                        file.part, file.path, failure.GetMessageString()));
     }
 }
 
@@ -151,7 +155,8 @@ CadModel read_cad(const std::string& part, const std::string& path, std::optiona
         fmt::format("part '{}': reading '{}'", part, path), limits, [&] { return packed(read_in_child(file, unit)); },
         waiting));
     if (model.solids.empty()) {
-        throw InputError(fmt::format("part '{}': '{}' holds no solid; export closed solids, not surfaces", part, path));
+        throw InputError(
+            fmt::format("part '{}': '{}' holds no solid\n  help: export closed solids, not surfaces", part, path));
     }
     return model;
 }

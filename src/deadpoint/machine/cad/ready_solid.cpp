@@ -53,7 +53,8 @@ void follow(StepSolid& solid, Builder& work)
 StepSolid chosen(const ForeignFile& file, const StepSource& source, const StepContents& contents)
 {
     if (contents.solids.empty()) {
-        throw InputError(fmt::format("part '{}': '{}' holds no solid; export a closed solid", file.part, file.path));
+        throw InputError(
+            fmt::format("part '{}': '{}' holds no solid\n  help: export a closed solid", file.part, file.path));
     }
     std::vector<std::string> names;
     for (const StepSolid& solid : contents.solids) {

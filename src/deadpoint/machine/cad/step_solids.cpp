@@ -240,8 +240,9 @@ double scale_of(const ForeignFile& file, const std::string& unit, std::optional<
     }
     const double own = unit.empty() ? 1e-3 : length_of(unit);
     if (own == 0) {
-        throw InputError(fmt::format("part '{}': '{}' has the unit '{}', which is not known; export it in millimetres",
-                                     file.part, file.path, unit));
+        throw InputError(
+            fmt::format("part '{}': '{}' has the unit '{}', which is not known\n  help: export it in millimetres",
+                        file.part, file.path, unit));
     }
     return *stated / own;
 }

@@ -1,8 +1,12 @@
 #include "deadpoint/study/draft/draft.hpp"
 
+#include "deadpoint/core/pattern.hpp"
+#include "deadpoint/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <numeric>
 #include <set>
@@ -14,14 +18,46 @@ using machine::CadContact;
 using machine::CadModel;
 constexpr double parallel = 1e-3;
 
+/// The names of the wanted bodies by solid; empty where none wants it.
+std::vector<std::string> wanted_names(const CadModel& model, const std::vector<WantedBody>& wanted)
+{
+    std::vector<std::string> names(model.solids.size());
+    for (const WantedBody& body : wanted) {
+        for (const std::string& pattern : body.solids) {
+            bool found = false;
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                if (!matches(pattern, model.solids[i].name)) {
+                    continue;
+                }
+                found = true;
+                if (!names[i].empty() && names[i] != body.name) {
+                    throw InputError(fmt::format("--body: solid '{}' is in '{}' and in '{}'\n  help: name it once",
+                                                 model.solids[i].name, names[i], body.name));
+                }
+                names[i] = body.name;
+            }
+            if (!found) {
+                std::vector<std::string> all;
+                for (const auto& solid : model.solids) {
+                    all.push_back(solid.name);
+                }
+                throw InputError(fmt::format("--body: no solid of the drawing is named '{}'\n  help: its solids are {}",
+                                             pattern, fmt::join(all, ", ")));
+            }
+        }
+    }
+    return names;
+}
+
 /// Roles of all solids: by name, and for the others that of the neighbour with the largest contact.
 class Roles {
 public:
-    Roles(const CadModel& model, const std::vector<CadContact>& contacts) : follows(model.solids.size())
+    Roles(const CadModel& model, const std::vector<CadContact>& contacts, const std::vector<WantedBody>& bodies)
+        : wanted(wanted_names(model, bodies)), follows(model.solids.size())
     {
         std::iota(follows.begin(), follows.end(), std::size_t{0});
-        for (const auto& solid : model.solids) {
-            roles.push_back(role_of(solid.name));
+        for (std::size_t i = 0; i < follows.size(); ++i) {
+            roles.push_back(role_of(wanted[i].empty() ? model.solids[i].name : wanted[i]));
         }
         by_name = roles;
         // A neighbour may itself take its role from another.
@@ -29,6 +65,7 @@ public:
             spread(contacts);
         }
     }
+    std::vector<std::string> wanted;  ///< names of the bodies that the user wants; empty: none
     std::vector<Role> roles;
     std::vector<Role> by_name;
     std::vector<std::size_t> follows;  ///< the solid that another one belongs to
@@ -37,12 +74,13 @@ private:
     void spread(const std::vector<CadContact>& contacts)
     {
         for (std::size_t i = 0; i < roles.size(); ++i) {
-            if (roles[i] != Role::unknown) {
+            if (roles[i] != Role::unknown || !wanted[i].empty()) {
                 continue;
             }
             const CadContact* largest = nullptr;
             for (const CadContact& contact : contacts) {
-                if ((contact.a == i || contact.b == i) && (largest == nullptr || contact.area > largest->area)) {
+                const bool holds = contact.kind != CadContact::Kind::sphere && (contact.a == i || contact.b == i);
+                if (holds && (largest == nullptr || contact.area > largest->area)) {
                     largest = &contact;
                 }
             }
@@ -79,47 +117,84 @@ std::size_t root(std::vector<std::size_t>& parents, std::size_t i)
     return i;
 }
 
-/// Numbers of groups: solids of one role that touch, and all of the frame.
-std::vector<std::size_t> groups_of(const Roles& roles, const std::vector<CadContact>& contacts)
+/// Solids that belong together, by one of them each; a group has the name of one wanted body at most.
+class Groups {
+public:
+    explicit Groups(std::vector<std::string> wanted) : parents_(wanted.size()), wanted_(std::move(wanted))
+    {
+        std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+    }
+    /// Does nothing where two wanted bodies would become one.
+    void unite(std::size_t i, std::size_t k)
+    {
+        const std::size_t one = root(parents_, i);
+        const std::size_t other = root(parents_, k);
+        if (one == other || (!wanted_[one].empty() && !wanted_[other].empty() && wanted_[one] != wanted_[other])) {
+            return;
+        }
+        parents_[one] = other;
+        wanted_[other] = wanted_[other].empty() ? wanted_[one] : wanted_[other];
+    }
+    std::vector<std::size_t> of_all()
+    {
+        std::vector<std::size_t> roots;
+        for (std::size_t i = 0; i < parents_.size(); ++i) {
+            roots.push_back(root(parents_, i));
+        }
+        return roots;
+    }
+    [[nodiscard]] const std::string& wanted_name(std::size_t group) const { return wanted_[group]; }
+
+private:
+    std::vector<std::size_t> parents_;
+    std::vector<std::string> wanted_;
+};
+
+/// Wanted bodies; solids of one role that touch; and all of the frame.
+Groups groups_of(const Roles& roles, const std::vector<CadContact>& contacts)
 {
-    std::vector<std::size_t> parents(roles.roles.size());
-    std::iota(parents.begin(), parents.end(), std::size_t{0});
+    Groups groups(roles.wanted);
+    const std::size_t count = roles.roles.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (!roles.wanted[i].empty() && roles.wanted[i] == roles.wanted[k]) {
+                groups.unite(i, k);
+            }
+        }
+    }
     for (const CadContact& contact : contacts) {
         const bool same = roles.roles[contact.a] == roles.roles[contact.b];
         const bool known = roles.roles[contact.a] != Role::unknown;
-        if ((same && known) || roles.follows[contact.a] == contact.b || roles.follows[contact.b] == contact.a) {
-            parents[root(parents, contact.a)] = root(parents, contact.b);
+        const bool held = contact.kind != CadContact::Kind::sphere && same && known;
+        if (held || roles.follows[contact.a] == contact.b || roles.follows[contact.b] == contact.a) {
+            groups.unite(contact.a, contact.b);
         }
     }
-    std::size_t frame = parents.size();
-    for (std::size_t i = 0; i < parents.size(); ++i) {
+    std::size_t frame = count;
+    for (std::size_t i = 0; i < count; ++i) {
         if (roles.roles[i] == Role::frame) {
-            frame = frame == parents.size() ? i : frame;
-            parents[root(parents, i)] = root(parents, frame);
+            frame = frame == count ? i : frame;
+            groups.unite(i, frame);
         }
     }
-    for (std::size_t i = 0; i < parents.size(); ++i) {
-        parents[i] = root(parents, i);
-    }
-    return parents;
+    return groups;
 }
 
-/// Without a word for the frame, the largest group is the ground.
+/// The largest group of the frame; without a word for it, the largest of all.
 std::size_t ground_of(const Draft& draft, const Roles& roles, const std::vector<std::size_t>& groups)
 {
+    const bool named = std::ranges::count(roles.roles, Role::frame) > 0;
     std::vector<double> volumes(groups.size(), 0.0);
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (roles.roles[i] == Role::frame) {
-            return groups[i];
-        }
-        volumes[groups[i]] += draft.model.solids[i].volume;
+        volumes[groups[i]] += !named || roles.roles[i] == Role::frame ? draft.model.solids[i].volume : 0;
     }
     return static_cast<std::size_t>(std::ranges::max_element(volumes) - volumes.begin());
 }
 
 void make_bodies(Draft& draft, const Roles& roles)
 {
-    const auto groups = groups_of(roles, draft.contacts);
+    auto grouped = groups_of(roles, draft.contacts);
+    const auto groups = grouped.of_all();
     const std::size_t ground = ground_of(draft, roles, groups);
     std::vector<std::size_t> order{ground};
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -140,9 +215,11 @@ void make_bodies(Draft& draft, const Roles& roles)
         }
         body.role = group == ground ? Role::frame : body.role;
         body.by_name =
-            std::ranges::any_of(body.solids, [&](std::size_t i) { return roles.by_name[i] != Role::unknown; });
-        const std::string stem =
-            body.role == Role::unknown ? draft.model.solids[body.solids.front()].name : name_of(body.role);
+            std::ranges::any_of(body.solids, [&](std::size_t i) { return roles.by_name[i] != Role::unknown; }) ||
+            !grouped.wanted_name(group).empty();
+        const std::string stem = !grouped.wanted_name(group).empty() ? grouped.wanted_name(group)
+                                 : body.role == Role::unknown        ? draft.model.solids[body.solids.front()].name
+                                                                     : name_of(body.role);
         body.name = stem;
         for (int n = 2; !names.insert(body.name).second; ++n) {
             body.name = fmt::format("{}_{}", stem, n);
@@ -255,6 +332,8 @@ void turn(const DraftAxes& axes, machine::CadFace& face)
         cylinder->point = turned(axes, cylinder->point);
         cylinder->axis = turned(axes, cylinder->axis);
         cylinder->across = turned(axes, cylinder->across);
+    } else if (auto* sphere = std::get_if<machine::CadSphere>(&face.form)) {
+        sphere->centre = turned(axes, sphere->centre);
     }
 }
 
@@ -277,27 +356,34 @@ bool along(const CadContact& contact, std::size_t axis)
     return std::abs(contact.direction[axis]) > 1 - parallel * parallel;
 }
 
-/// Whether a contact can be one of a slide (1) or of a revolute joint (0); none otherwise.
-std::optional<bool> kind_of_joint(const Draft& draft, const CadContact& contact)
+using Kind = DraftJoint::Kind;
+
+/// Of which joint a contact can be one.
+std::optional<Kind> kind_of_joint(const Draft& draft, const CadContact& contact)
 {
-    if (contact.kind == CadContact::Kind::cylinder) {
-        return along(contact, 2) ? std::optional(false) : std::nullopt;
+    switch (contact.kind) {
+    case CadContact::Kind::cylinder:
+        return along(contact, 2) ? std::optional(Kind::revolute) : std::nullopt;
+    case CadContact::Kind::sphere:
+        return Kind::ball;
+    case CadContact::Kind::plane:
+        break;
     }
     const bool guides = of_roles(draft, contact, Role::slide, Role::frame) && std::abs(contact.direction[1]) < parallel;
-    return guides ? std::optional(true) : std::nullopt;
+    return guides ? std::optional(Kind::slide) : std::nullopt;
 }
 
-bool belongs(const Draft& draft, const DraftJoint& joint, const CadContact& contact, bool slide)
+bool belongs(const Draft& draft, const DraftJoint& joint, const CadContact& contact, Kind kind)
 {
     const std::size_t a = draft.body_of[contact.a];
     const std::size_t b = draft.body_of[contact.b];
     const bool same_bodies = (joint.body_a == a && joint.body_b == b) || (joint.body_a == b && joint.body_b == a);
-    if (!same_bodies || joint.slide != slide) {
+    if (!same_bodies || joint.kind != kind) {
         return false;
     }
     constexpr double near = 1e-4;
     const Vec3 way = draft.contacts[joint.contacts.front()].point - contact.point;
-    return slide || std::hypot(way[0], way[1]) < near;
+    return kind == Kind::slide || std::hypot(way[0], way[1]) < near;
 }
 
 void make_joints(Draft& draft)
@@ -305,17 +391,17 @@ void make_joints(Draft& draft)
     std::set<std::string> names;
     for (std::size_t i = 0; i < draft.contacts.size(); ++i) {
         const CadContact& contact = draft.contacts[i];
-        const auto slide = kind_of_joint(draft, contact);
-        if (!slide || draft.body_of[contact.a] == draft.body_of[contact.b]) {
+        const auto kind = kind_of_joint(draft, contact);
+        if (!kind || draft.body_of[contact.a] == draft.body_of[contact.b]) {
             continue;
         }
         const auto known = std::ranges::find_if(
-            draft.joints, [&](const DraftJoint& joint) { return belongs(draft, joint, contact, *slide); });
+            draft.joints, [&](const DraftJoint& joint) { return belongs(draft, joint, contact, *kind); });
         if (known != draft.joints.end()) {
             known->contacts.push_back(i);
             continue;
         }
-        DraftJoint joint{"", *slide, false, draft.body_of[contact.a], draft.body_of[contact.b], {i}};
+        DraftJoint joint{"", *kind, false, draft.body_of[contact.a], draft.body_of[contact.b], {i}};
         // The body that moves first, the ground second.
         if (joint.body_a == 0) {
             std::swap(joint.body_a, joint.body_b);
@@ -363,12 +449,12 @@ void add_rolling(Draft& draft)
 
 }  // namespace
 
-Draft draft_of(CadModel model)
+Draft draft_of(CadModel model, const std::vector<WantedBody>& wanted)
 {
     Draft draft;
     draft.model = std::move(model);
     draft.contacts = machine::find_contacts(draft.model);
-    make_bodies(draft, Roles(draft.model, draft.contacts));
+    make_bodies(draft, Roles(draft.model, draft.contacts, wanted));
     add_rolling(draft);
     draft.axes = axes_of(draft);
     turn(draft);

@@ -31,8 +31,9 @@ struct DraftBody {
 
 /// Contacts of two bodies that move against each other.
 struct DraftJoint {
+    enum class Kind { revolute, slide, ball };
     std::string name;
-    bool slide = false;
+    Kind kind = Kind::revolute;
     bool rolling = false;  ///< all of its contacts are rolling bearings
     std::size_t body_a = 0;
     std::size_t body_b = 0;
@@ -44,6 +45,12 @@ struct DraftJoint {
 struct DraftAxes {
     std::array<Vec3, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     bool found = false;  ///< false: nothing in the drawing says, and they are the drawing's own
+};
+
+/// Solids that the user puts into one body.
+struct WantedBody {
+    std::string name;
+    std::vector<std::string> solids;  ///< names, or patterns with *
 };
 
 struct Draft {
@@ -58,12 +65,14 @@ struct Draft {
 
 /// Groups the solids of a drawing, and proposes joints.
 ///
-/// A solid whose name says nothing joins the neighbour with the largest contact: a bush its housing, a pressed-in pin
-/// its eyes. All solids of the frame are one body. Others are one body if they have the same role and touch. Cylinders
-/// along the crankshaft that join two bodies are revolute joints, one for each axis; planes between slide and frame
-/// along the direction of travel are slides. Two rings of a rolling bearing, by their names, carry each other although
-/// they are drawn apart by up to half of their diameter. Everything else is a contact without a joint.
-Draft draft_of(machine::CadModel model);
+/// Solids of a wanted body are together and have the role of its name. A solid whose name says nothing joins the
+/// neighbour with the largest contact: a bush its housing, a pressed-in pin its eyes. All solids of the frame are one
+/// body. Others are one body if they have the same role and touch. Cylinders along the crankshaft that join two bodies
+/// are revolute joints, one for each axis; planes between slide and frame along the direction of travel are slides; a
+/// ball in a socket is a ball joint. Two rings of a rolling bearing, by their names, carry each other although they are
+/// drawn apart by up to half of their diameter. Everything else is a contact without a joint.
+/// @throws InputError if a wanted body names no solid of the drawing, or one that another one has
+Draft draft_of(machine::CadModel model, const std::vector<WantedBody>& wanted = {});
 
 /// The case as text with comments: parts, bodies, joints, surfaces, films, operation and chain, and every contact that
 /// is no joint. What the drawing cannot say has a number that is marked "TO DO".

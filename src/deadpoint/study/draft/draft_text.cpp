@@ -230,7 +230,8 @@ private:
         const DraftJoint* best = nullptr;
         double largest = 0;
         for (const DraftJoint& joint : draft_.joints) {
-            const bool fits = !joint.slide && joint.body_b == 0 && draft_.bodies[joint.body_a].role == Role::crank;
+            const bool fits = joint.kind == DraftJoint::Kind::revolute && joint.body_b == 0 &&
+                              draft_.bodies[joint.body_a].role == Role::crank;
             if (fits && area_of(joint) > largest) {
                 best = &joint;
                 largest = area_of(joint);
@@ -253,8 +254,10 @@ private:
         section("what connects the bodies, and what rubs");
         line("# TO DO: coefficients of friction, clearances and films are customary values, not yours.");
         for (const DraftJoint& joint : draft_.joints) {
-            if (joint.slide) {
+            if (joint.kind == DraftJoint::Kind::slide) {
                 guide(joint);
+            } else if (joint.kind == DraftJoint::Kind::ball) {
+                ball(joint);
             } else if (joint.rolling) {
                 rolling_bearing(joint);
             } else {
@@ -352,6 +355,22 @@ private:
         }
         line("]\n");
         cylinders_of(joint);
+    }
+
+    void ball(const DraftJoint& joint)
+    {
+        const CadContact& first = draft_.contacts[joint.contacts.front()];
+        line("# {} | {}: ball of {} about ({}) mm, at most {:.4g} cm2, drawn with {} of clearance.",
+             solid(first.a).name, solid(first.b).name, in_words(first.diameter), place(first.point), 1e4 * first.area,
+             in_words(first.clearance));
+        line(
+            "# TO DO: spherical faces of a drawing make no contact: no heat passes here and none arises. Draw ball and "
+            "socket as a cylinder\n# about z, and give the joint its interface and friction (docs/guide.md, ball "
+            "joints).");
+        line("[joints.{}]\nkind = \"ball\"\nbodies = [\"{}\", \"{}\"]\ncentre = [{}, {}]\nball = {{ diameter = {} "
+             "}}\n",
+             joint.name, body(joint.body_a), body(joint.body_b), mm(first.point[0]), mm(first.point[1]),
+             mm(first.diameter));
     }
 
     void guide(const DraftJoint& joint)
@@ -459,6 +478,15 @@ private:
         }
     }
 
+    static std::string form_of(const CadContact& contact)
+    {
+        if (contact.kind == CadContact::Kind::plane) {
+            return "planes";
+        }
+        return fmt::format("{} of {} about ({}) mm", contact.kind == CadContact::Kind::sphere ? "spheres" : "cylinders",
+                           in_words(contact.diameter), place(middle_of(contact)));
+    }
+
     void other_contacts()
     {
         section("contacts that are no joint");
@@ -473,10 +501,7 @@ private:
             if (in_joint) {
                 continue;
             }
-            const std::string form = contact.kind == CadContact::Kind::plane
-                                         ? "planes"
-                                         : fmt::format("cylinders of {} about ({}) mm", in_words(contact.diameter),
-                                                       place(middle_of(contact)));
+            const std::string form = form_of(contact);
             const bool apart = std::abs(contact.clearance) > drawn_exactly;
             line("# {} | {}: {}, {:.4g} cm2, clearance {}: {}", solid(contact.a).name, solid(contact.b).name, form,
                  1e4 * contact.area, in_words(contact.clearance),
