@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,51 @@ int refuse_subcommand(const std::string& word)
                   ? "give one of init, check, mesh, loads, heat, run, reduce, sweep, sensitivity, optimise, calibrate, "
                     "compare, probe, report, schema and view"
                   : fmt::format("did you mean '{}'?", meant));
+    return static_cast<int>(deadpoint::ErrorKind::input);
+}
+
+/// Words that begin with "--" and are no option of a subcommand; the first of them, or nothing.
+std::optional<std::string> unknown_option(const CLI::App& command, int argc, char** argv)
+{
+    for (int i = 2; i < argc; ++i) {
+        const std::string word(argv[i]);
+        const auto name = word.substr(0, word.find('='));
+        if (word == "--") {
+            return std::nullopt;
+        }
+        if (name.starts_with("--") && command.get_option_no_throw(name) == nullptr) {
+            return name;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Says what is wrong with the words of the command line, and where to read on.
+int refuse_arguments(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)
+{
+    const auto used = app.get_subcommands();
+    if (used.empty()) {
+        print_err("error: {}\n  help: begin with `deadpoint init DIR`; `deadpoint --help` lists all subcommands\n",
+                  argc < 2 ? "a subcommand is missing" : error.what());
+        return static_cast<int>(deadpoint::ErrorKind::input);
+    }
+    const auto& command = *used.front();
+    std::string what = error.what();
+    std::string help = fmt::format("`deadpoint {} --help` shows its arguments and examples", command.get_name());
+    if (const auto unknown = unknown_option(command, argc, argv)) {
+        std::vector<std::string> known;
+        for (const auto* option : command.get_options()) {
+            known.push_back("--" + (option->get_lnames().empty() ? std::string{} : option->get_lnames().front()));
+        }
+        const auto longer = std::ranges::find_if(known, [&](const auto& name) { return name.starts_with(*unknown); });
+        const auto meant = longer != known.end() ? *longer : deadpoint::closest_name(*unknown, known);
+        what = fmt::format("there is no option '{}' of '{}'", *unknown, command.get_name());
+        help = meant.empty() ? help : fmt::format("did you mean '{}'? {}", meant, help);
+    } else if (what == "--output is required") {
+        what = "-o is missing, the name for what is written";
+        help = fmt::format("add it, like -o results; {}", help);
+    }
+    print_err("error: {}\n  help: {}\n", what, help);
     return static_cast<int>(deadpoint::ErrorKind::input);
 }
 
@@ -70,8 +116,7 @@ int run(int argc, char** argv)
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         const bool asked_for = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
-        app.exit(error);
-        return asked_for ? 0 : static_cast<int>(deadpoint::ErrorKind::input);
+        return asked_for ? app.exit(error) : refuse_arguments(app, error, argc, argv);
     }
     return exit_code;
 }

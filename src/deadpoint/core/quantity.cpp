@@ -5,6 +5,7 @@
 #include "deadpoint/error.hpp"
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
@@ -216,6 +217,17 @@ std::string_view trim(std::string_view text)
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
+/// What follows a number that was written "1.000.000 N", "100 000 N" or "100'000 N".
+bool has_mark_in_number(std::string_view unit)
+{
+    const auto digit = [&](std::size_t at) {
+        return unit.size() > at && std::isdigit(static_cast<unsigned char>(unit[at])) != 0;
+    };
+    const bool mark = unit.starts_with('.') || unit.starts_with('\'');
+    // "1/min" is a unit that begins with a digit.
+    return (mark && digit(1)) || (digit(0) && !unit.starts_with("1/") && !unit.starts_with("1 /"));
+}
+
 /// Whether the text after a number continues with a comma and a digit: "293,15 K", "1,000 mm".
 bool has_decimal_comma(std::string_view rest)
 {
@@ -376,6 +388,11 @@ std::variant<double, QuantityProblem> try_parse_quantity(std::string_view text, 
     if (has_decimal_comma(unit)) {
         return QuantityProblem{
             "decimal-comma", fmt::format("'{}' has a comma in its number", text),
+            fmt::format("write decimals with a point and thousands without any mark, like \"{}\"", wanted.example)};
+    }
+    if (has_mark_in_number(unit)) {
+        return QuantityProblem{
+            "marks-in-number", fmt::format("'{}' has a mark or a space within its number", text),
             fmt::format("write decimals with a point and thousands without any mark, like \"{}\"", wanted.example)};
     }
     if (dimension == D::none) {

@@ -49,7 +49,7 @@ BinaryReader::BinaryReader(std::filesystem::path file, std::string_view kind, st
     std::string head(kind.size(), '\0');
     in_.read(head.data(), static_cast<std::streamsize>(head.size()));
     if (!in_ || head != kind)
-        refuse(fmt::format("it does not begin with '{}'", kind));
+        refuse(fmt::format("it does not begin with '{}'", kind.substr(0, kind.find('\n'))));
     if (size < kind.size() + ending)
         refuse("it is cut short");
 

@@ -129,9 +129,10 @@ CsvTable parse_csv(const std::string& text, const std::string& file)
             continue;
         }
         if (cells.size() != table.columns.size()) {
-            throw InputError(
-                fmt::format("{}:{}: {} cells below {} headings\n  help: give every row one cell per column", table.file,
-                            number, cells.size(), table.columns.size()));
+            throw InputError(fmt::format(
+                "{}:{}: {} cells below {} headings\n  help: give every row one cell per column; divide the cells by "
+                "semicolons if decimals have commas",
+                table.file, number, cells.size(), table.columns.size()));
         }
         table.rows.push_back(std::move(cells));
         table.lines.push_back(number);

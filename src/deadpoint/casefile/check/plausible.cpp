@@ -10,9 +10,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
 namespace deadpoint::casefile {
 namespace {
@@ -49,6 +51,7 @@ public:
         for (const auto& [name, material] : c_.materials)
             check_material("materials." + name, material);
         check_temperatures();
+        check_drawings();
         for (const auto& [name, joint] : c_.joints)
             check_joint("joints." + name, joint);
         for (const auto& [name, bond] : c_.bonds)
@@ -73,7 +76,7 @@ private:
         if (value >= bounds.low && value <= bounds.high)
             return;
         const auto range = std::isinf(bounds.high) ? fmt::format("at least {}", shown(bounds.low, dimension))
-                           : bounds.low <= 0
+                           : bounds.low <= 0 && value > bounds.high
                                ? fmt::format("at most {}", shown(bounds.high, dimension))
                                : fmt::format("{} to {}", shown(bounds.low, dimension), shown(bounds.high, dimension));
         warn("implausible", path, fmt::format("{}, but {} {}", shown(value, dimension), bounds.whose, range),
@@ -109,6 +112,37 @@ private:
                             : Bounds{-1e-6, 3e-4, "solids have"});
         if (m.density > 4000)
             expect_either(path + ".youngs_modulus", m.youngs_modulus, {}, D::pressure, {1e10, 1e12, "metals have"});
+        if (m.expansion_table.y.empty() && m.expansion > 0)
+            expect(path + ".expansion", m.expansion, D::expansion,
+                   {2e-7, std::numeric_limits<double>::infinity(), "even invar has"}, "check the decade and the unit");
+    }
+
+    // What a drawing is meshed with, and whether a solid is there twice.
+    void check_drawings()
+    {
+        std::map<std::tuple<std::string, std::string, Vec3>, std::string> first;
+        for (const auto& [name, part] : c_.parts) {
+            if (part.step.empty())
+                continue;
+            const auto path = "parts." + name;
+            const double size = part.size.value_or(c_.numerics.size);
+            const auto length = [](double value) { return shown(value, D::length); };
+            if (part.omit && *part.omit > 2 * size)
+                warn("implausible", path + ".omit",
+                     fmt::format("holes and roundings up to {} are left out, but its cells have {}", length(*part.omit),
+                                 length(size)),
+                     "check the unit; some tenths of `size` are enough");
+            if (part.smallest_cell && *part.smallest_cell > size)
+                warn("unused", path + ".smallest_cell",
+                     fmt::format("{} is larger than the cells of the part, {}", length(*part.smallest_cell),
+                                 length(size)),
+                     "state less than `size`, or leave it out");
+            const auto [known, is_new] = first.try_emplace({part.step, part.solid, part.position}, name);
+            if (!is_new)
+                warn("twice", path + ".solid",
+                     fmt::format("parts '{}' and '{}' are the same solid at the same place", known->second, name),
+                     "name another solid, state `position`, or remove one of the parts");
+        }
     }
 
     void expect_temperature(const std::string& path, double value, const Bounds& bounds)

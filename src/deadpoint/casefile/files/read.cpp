@@ -4,6 +4,7 @@
 #include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/library.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
+#include "deadpoint/casefile/files/kind_of_file.hpp"
 #include "deadpoint/casefile/files/shipped.hpp"
 #include "deadpoint/casefile/syntax/reader.hpp"
 #include "deadpoint/error.hpp"
@@ -40,7 +41,7 @@ Document read_case(const std::filesystem::path& path, const std::vector<std::str
                    Diagnostics& diagnostics, FileAccess files)
 {
     Document document = load_document(path, overrides, diagnostics, files);
-    if (diagnostics.error_count() > 0) {
+    if (diagnostics.error_count() > 0 || !require_kind(document, KindOfFile::case_file, diagnostics)) {
         return document;
     }
     Reader(document, diagnostics, &shipped_library()).read(value);

@@ -1,6 +1,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
+#include "deadpoint/casefile/files/kind_of_file.hpp"
 #include "deadpoint/casefile/files/measured_curves.hpp"
 #include "deadpoint/casefile/files/numbers.hpp"
 #include "deadpoint/casefile/files/read.hpp"
@@ -323,6 +324,9 @@ CalibrationFile read_calibration(const std::filesystem::path& path, const Calibr
 {
     Diagnostics diagnostics;
     const Document document = load_document(path, {}, diagnostics, FileAccess::anywhere);
+    if (diagnostics.error_count() == 0) {
+        require_kind(document, KindOfFile::calibration, diagnostics);
+    }
     stop_at_errors(diagnostics);
     CalibrationFile file;
     Reader(document, diagnostics, nullptr).read(file);

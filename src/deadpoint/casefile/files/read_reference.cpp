@@ -1,4 +1,5 @@
 #include "deadpoint/casefile/files/case_source.hpp"
+#include "deadpoint/casefile/files/kind_of_file.hpp"
 #include "deadpoint/casefile/files/reference_file.hpp"
 #include "deadpoint/casefile/syntax/reader.hpp"
 #include "deadpoint/core/mistakes.hpp"
@@ -103,10 +104,10 @@ private:
     {
         if (against_result_ && time > result_->end * (1 + same_time)) {
             report("beyond-the-run", path,
-                   fmt::format("this time lies beyond the {}, which ends after {}",
-                               result_->interrupted ? "interrupted run" : "run",
+                   fmt::format("the time {} lies beyond the {}, which ends after {}",
+                               format_quantity(time, Dimension::time), result_->interrupted ? "interrupted run" : "run",
                                format_quantity(result_->end, Dimension::time)),
-                   "compute a longer run, or leave the value out");
+                   "compute a longer run, or leave the value out; check the unit of the times");
         }
     }
 
@@ -307,6 +308,9 @@ void stop_at_errors(const Diagnostics& diagnostics)
 ReferenceFile parse_reference(const std::filesystem::path& path, Document& document, Diagnostics& diagnostics)
 {
     document = load_document(path, {}, diagnostics, FileAccess::anywhere);
+    if (diagnostics.error_count() == 0) {
+        require_kind(document, KindOfFile::reference, diagnostics);
+    }
     stop_at_errors(diagnostics);
     ReferenceFile file;
     Reader(document, diagnostics, nullptr).read(file);

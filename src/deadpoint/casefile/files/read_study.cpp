@@ -1,4 +1,5 @@
 #include "deadpoint/casefile/files/case_source.hpp"
+#include "deadpoint/casefile/files/kind_of_file.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/syntax/reader.hpp"
@@ -392,6 +393,9 @@ StudyFile read_study(const std::filesystem::path& path, FileAccess files)
 {
     Diagnostics diagnostics;
     const Document document = load_document(path, {}, diagnostics, FileAccess::anywhere);
+    if (diagnostics.error_count() == 0) {
+        require_kind(document, KindOfFile::study, diagnostics);
+    }
     stop_at_errors(diagnostics);
     StudyFile file;
     file.files = files;

@@ -27,6 +27,7 @@ struct Node {
     double number = 0;  ///< integer, real
     std::int64_t integer = 0;
     bool flag = false;           ///< boolean
+    std::string near;            ///< of a table that an override made: a table beside it that it may have meant
     std::vector<Node> children;  ///< members of a table in the order of the text, or items of an array
 
     [[nodiscard]] Node* find(std::string_view name);

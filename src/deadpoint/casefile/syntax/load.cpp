@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/syntax/document.hpp"
 #include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/suggest.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 
@@ -41,7 +42,7 @@ public:
     {
         auto text = read_file(main_, largest_text);
         if (!text) {
-            throw IoError(fmt::format("{}: the file cannot be read; check its path", main_.string()));
+            throw IoError(fmt::format("there is no file '{}'\n  help: check its path and its ending", main_.string()));
         }
         std::vector<fs::path> chain{real_path(main_)};
         document_.root = load(*text, main_, chain);
@@ -242,6 +243,12 @@ public:
         const auto steps = split_path(text_.substr(0, equals));
         key_ = whole_.value_or(Place{file_, 1, 1, static_cast<int>(equals)});
         value_ = whole_.value_or(Place{file_, 1, static_cast<int>(equals) + 2, 1 << 16});
+        if (steps.size() == 1 && !root.find(steps[0])) {
+            if (const auto paths = paths_to(root, steps[0], ""); !paths.empty()) {
+                return report(fmt::format("there is no key '{}' at the top of the case", steps[0]),
+                              fmt::format("give its whole path; did you mean {}?", fmt::join(paths, " or ")));
+            }
+        }
         Node* node = &root;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             node = descend(*node, steps, i);
@@ -256,6 +263,22 @@ public:
     }
 
 private:
+    /// Paths of up to three keys of a name below a node.
+    static std::vector<std::string> paths_to(const Node& node, const std::string& name, const std::string& above)
+    {
+        std::vector<std::string> found;
+        for (std::size_t i = 0; i < node.children.size(); ++i) {
+            const Node& child = node.children[i];
+            const auto path = above + (node.kind == Node::Kind::array ? std::to_string(i) : child.key);
+            if (child.key == name) {
+                found.push_back(path);
+            }
+            std::ranges::copy(paths_to(child, name, path + "."), std::back_inserter(found));
+        }
+        found.resize(std::min<std::size_t>(found.size(), 3));
+        return found;
+    }
+
     /// An item of a list; the one after the last is added if the path ends there.
     Node* item(Node& list, const std::vector<std::string>& steps, std::size_t at)
     {
@@ -271,7 +294,11 @@ private:
         if (!is_index || index >= count) {
             const std::string path =
                 fmt::format("{}", fmt::join(steps.begin(), steps.begin() + static_cast<long>(at), "."));
-            report(fmt::format("'{}' is not one of the {} items of this list", step, count), items_help(list, path));
+            report(fmt::format("'{}' is not one of the {} items of this list", step, count),
+                   is_index || count == 0
+                       ? items_help(list, path)
+                       : fmt::format("name the item by its number, counted from 0: {}.0.{}", path,
+                                     fmt::join(steps.begin() + static_cast<long>(at), steps.end(), ".")));
             return nullptr;
         }
         return &list.children[index];
@@ -298,6 +325,13 @@ private:
         child.key = step;
         child.place = value_;
         child.key_place = key_;
+        if (at + 1 < steps.size()) {
+            std::vector<std::string> others;
+            for (const Node& other : node.children) {
+                others.push_back(other.key);
+            }
+            child.near = closest_name(step, others);
+        }
         node.children.push_back(std::move(child));
         return &node.children.back();
     }

@@ -180,6 +180,10 @@ private:
             }
             return;
         }
+        if (c == '\0' || text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff")) {
+            return complain("the file is not plain text in UTF-8; it looks like UTF-16",
+                            "save it as UTF-8 in your editor");
+        }
         if (static_cast<unsigned char>(c) >= 0x80U) {
             return complain("a character outside of quotes that is not plain ASCII",
                             "use straight quotes \" around text, and letters a-z, digits, '_' or '-' in keys");
@@ -398,6 +402,13 @@ Node parse_toml(const std::string& text, int file, Diagnostics& diagnostics)
         const bool twice = what.find("redefine") != std::string::npos;
         const bool no_value = what.find("expected value") != std::string::npos;
         std::string help = "the file is TOML (toml.io): key = value lines below [sections]";
+        if (what.find("utf-8") != std::string::npos) {
+            what = "a letter that is not UTF-8: the file was saved in another encoding";
+            help = "save it as UTF-8 in your editor";
+        }
+        if (what.find("escape") != std::string::npos) {
+            help = "in double quotes a backslash begins an escape; write paths with '/', or between single quotes";
+        }
         if (no_value) {
             help = "a value is \"text\", a number, true, false, a [list] or a { table }";
         }

@@ -183,7 +183,9 @@ void Reader::report_missing(const Key& key)
                fmt::format("add `{}`", key.name));
     } else {
         report_key(*frame.node, "missing-key", path_of(key.name), fmt::format("'{}' is missing", key.name),
-                   fmt::format("add it: {}", key.meaning));
+                   frame.node->near.empty() ? fmt::format("add it: {}", key.meaning)
+                                            : fmt::format("did you mean '{}' instead of '{}'? Else add it: {}",
+                                                          frame.node->near, frame.node->key, key.meaning));
     }
 }
 
@@ -198,8 +200,15 @@ bool Reader::is_a(const Node& node, Node::Kind kind, const std::string& path, st
     if (node.kind == kind) {
         return true;
     }
+    // A section with the wrong number of brackets.
+    const bool single = kind == Node::Kind::array && node.kind == Node::Kind::table;
+    const bool twice = kind == Node::Kind::table && node.kind == Node::Kind::array && !node.children.empty() &&
+                       node.children.front().kind == Node::Kind::table;
+    const std::string brackets = single  ? fmt::format("; as a section, [[{}]]", path)
+                                 : twice ? fmt::format("; as a section, [{}] in single brackets", path)
+                                         : "";
     report(node, "wrong-type", path, fmt::format("{} where {} is needed", kind_name(node.kind), kind_name(kind)),
-           std::string(help.empty() ? type_help(kind) : help));
+           std::string(help.empty() ? type_help(kind) : help) + brackets);
     return false;
 }
 

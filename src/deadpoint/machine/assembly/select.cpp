@@ -28,7 +28,7 @@ constexpr double normal_tolerance = 1e-3;
 constexpr double least_fraction = 1e-6;
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 
-double millimetres(double length) { return std::round(length * 1e7) / 1e4; }
+double millimetres(double length) { return std::round(length * 1e7) / 1e4 + 0.0; }  // -0 becomes 0
 
 bool along(const Vec3& direction, Axis axis) { return std::abs(std::abs(direction[index_of(axis)]) - 1) < 1e-9; }
 
@@ -89,9 +89,10 @@ std::string part_list(const Machine& machine)
     const auto& dropped = assembly.machine.dropped_parts;
     const auto fits = [&](const std::string& name) { return matches(pattern, name); };
     if (std::any_of(dropped.begin(), dropped.end(), fits)) {
-        throw InputError(fmt::format("{}: part '{}' lies wholly at x > 0 and is not in the half model; select its twin "
-                                     "at x < 0, or build the full model",
-                                     owner, pattern));
+        throw InputError(
+            fmt::format("{}: part '{}' lies wholly at x > 0 and is not in the half model\n  help: select its "
+                        "twin at x < 0, or remove half_model from [machine]",
+                        owner, pattern));
     }
     throw InputError(
         fmt::format("{}: there is no part '{}'; the parts are: {}", owner, pattern, part_list(assembly.machine)));
@@ -364,6 +365,17 @@ std::string plane_remedy(const std::vector<const PlaneGeometry*>& planes, const 
     if (selector.normal) {
         return "correct `normal` and `point`";
     }
+    constexpr double same = 1e-6;
+    for (const auto* plane : planes) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const bool across = std::abs(std::abs(plane->normal[axis]) - 1) < same;
+            if (across && static_cast<int>(axis) != static_cast<int>(index_of(selector.axis)) &&
+                std::abs(plane->offset * plane->normal[axis] - selector.position) < same) {
+                return fmt::format("change the axis to \"{}\": the part has a plane there at {}", "xyz"[axis],
+                                   written(selector.position));
+            }
+        }
+    }
     std::optional<double> nearest;
     for (const auto* plane : planes) {
         const double position = plane->offset * plane->normal[index_of(selector.axis)];
@@ -392,6 +404,10 @@ std::string remedy(const Assembly& assembly, const SurfaceSelector& selector, co
         if (const auto* plane = std::get_if<PlaneGeometry>(&assembly.machine.geometries[g])) {
             planes.push_back(plane);
         }
+    }
+    const bool across_x = selector.kind == Kind::plane && !selector.normal && index_of(selector.axis) == 0;
+    if (assembly.machine.half_model && across_x && selector.position > 0) {
+        return "a half model keeps x <= 0: leave this face out, or remove half_model from [machine]";
     }
     switch (selector.kind) {
     case Kind::cylinder:

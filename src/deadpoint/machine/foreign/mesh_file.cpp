@@ -56,19 +56,20 @@ CellKind cell_kind_in_file(const PartDescription& part, const MeshSource& source
         std::vector<double> local;
         gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, local, primary);
         throw InputError(fmt::format(
-            "part '{}': '{}' holds cells of type '{}', but only hexahedra or tetrahedra can be used; mesh it "
+            "part '{}': '{}' holds cells of type '{}', but only hexahedra or tetrahedra can be used\n  help: mesh it "
             "again with one of these",
             part.name, source.path, name));
     }
     if (types.empty()) {
         throw InputError(
-            fmt::format("part '{}': '{}' holds no solid cells; mesh the volume, and save all cells or give the "
-                        "volume a physical group",
+            fmt::format("part '{}': '{}' holds no solid cells\n  help: mesh the volume, and save all cells or give "
+                        "the volume a physical group",
                         part.name, source.path));
     }
     if (types.size() > 1) {
-        throw InputError(fmt::format("part '{}': '{}' mixes hexahedra and tetrahedra in one part; make two parts of it",
-                                     part.name, source.path));
+        throw InputError(
+            fmt::format("part '{}': '{}' mixes hexahedra and tetrahedra in one part\n  help: make two parts of it",
+                        part.name, source.path));
     }
     return types.front() == hexahedron_type ? CellKind::hexahedron : CellKind::tetrahedron;
 }
@@ -92,9 +93,10 @@ void keep_half(const PartDescription& part, PartMesh& mesh)
             right += x > 0 ? 1 : 0;
         }
         if (left > 0 && right > 0) {
-            throw InputError(fmt::format("part '{}': cells of its mesh straddle the symmetry plane x = 0; mesh it with "
-                                         "faces on that plane, or mesh only its half x <= 0",
-                                         part.name));
+            throw InputError(
+                fmt::format("part '{}': cells of its mesh straddle the symmetry plane x = 0\n  help: mesh it with "
+                            "faces on that plane, or mesh only its half x <= 0",
+                            part.name));
         }
         return right > 0;
     });
@@ -144,8 +146,9 @@ void require_whole(const ForeignFile& file, std::istream& stream)
     const std::string end{std::istreambuf_iterator<char>(stream), {}};
     const auto last = end.rfind('$');
     if (last == std::string::npos || end.compare(last, 4, "$End") != 0) {
-        throw InputError(fmt::format(
-            "part '{}': '{}' is cut short: its last section has no end; write or copy it again", file.part, file.path));
+        throw InputError(
+            fmt::format("part '{}': '{}' is cut short: its last section has no end\n  help: write or copy it again",
+                        file.part, file.path));
     }
 }
 
@@ -158,7 +161,7 @@ void check_file(const ForeignFile& file)
     stream.clear();
     stream.seekg(0);
     if (const auto wrong = format.binary == 0 ? wrong_count(stream, format.version) : ""; !wrong.empty()) {
-        throw InputError(fmt::format("part '{}': '{}', {}; write the mesh again", file.part, file.path, wrong));
+        throw InputError(fmt::format("part '{}': '{}', {}\n  help: write the mesh again", file.part, file.path, wrong));
     }
 }
 
@@ -185,9 +188,10 @@ PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool h
         for (Vec3& node : raw.nodes) {
             node = node + part.translation;
             if (!std::isfinite(norm(node))) {
-                throw InputError(fmt::format("part '{}': '{}' holds a node with a non-finite coordinate; mesh it "
-                                             "again",
-                                             part.name, source.path));
+                throw InputError(
+                    fmt::format("part '{}': '{}' holds a node with a non-finite coordinate\n  help: mesh it "
+                                "again",
+                                part.name, source.path));
             }
         }
         if (half) {

@@ -64,18 +64,18 @@ StepText check_step_file(const std::string& part, const std::string& path)
     require_readable(part, path);
     const std::string text = read_file(path, largest).value_or("");
     if (text.substr(0, 200).find("ISO-10303-21") == std::string::npos) {
-        throw InputError(
-            fmt::format("part '{}': '{}' is not a STEP file (ISO 10303-21); export the part as STEP", part, path));
+        throw InputError(fmt::format(
+            "part '{}': '{}' is not a STEP file (ISO 10303-21)\n  help: export the part as STEP", part, path));
     }
     if (text.find("END-ISO-10303-21") == std::string::npos) {
-        throw InputError(
-            fmt::format("part '{}': '{}' is cut short: its end is missing; export or copy it again", part, path));
+        throw InputError(fmt::format(
+            "part '{}': '{}' is cut short: its end is missing\n  help: export or copy it again", part, path));
     }
     if (const auto at = misplaced_word(text); at < text.size()) {
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-        throw InputError(
-            fmt::format("part '{}': '{}', line {}: a word is found where a value is expected; export the part again",
-                        part, path, line));
+        throw InputError(fmt::format(
+            "part '{}': '{}', line {}: a word is found where a value is expected\n  help: export the part again", part,
+            path, line));
     }
     return {text.find("LENGTH_UNIT") != std::string::npos};
 }

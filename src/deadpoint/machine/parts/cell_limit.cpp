@@ -26,7 +26,8 @@ void check_cell_count(const std::string& part, double cells, double size, Observ
     if (cells > most) {
         throw InputError(
             fmt::format("part '{}': a cell size of {:.3g} mm gives {:.1e} cells, but a part may have at most "
-                        "{:.0e} on this machine\n  help: make its size larger, and check its unit",
+                        "{:.0e} on this machine\n  help: make its `size` larger, or numerics.size where it states "
+                        "none, and check the unit",
                         part, 1e3 * size, cells, most));
     }
     if (cells > many_cells) {

@@ -212,14 +212,15 @@ void require_readable(const std::string& part, const std::string& path)
 {
     std::error_code unknown;
     if (!std::filesystem::exists(path, unknown)) {
-        throw IoError(
-            fmt::format("part '{}': there is no file '{}'; check the path, which is relative to the file that names it",
-                        part, path));
+        throw IoError(fmt::format(
+            "part '{}': there is no file '{}'\n  help: check the path, which is relative to the file that names it",
+            part, path));
     }
     // Opening a pipe would wait for a writer.
     if (!std::filesystem::is_regular_file(path, unknown) || !std::ifstream(path)) {
-        throw IoError(fmt::format(
-            "part '{}': the file '{}' cannot be read; check that it is a file, and its permissions", part, path));
+        throw IoError(
+            fmt::format("part '{}': the file '{}' cannot be read\n  help: check that it is a file, and its permissions",
+                        part, path));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "deadpoint/study/compare/compare.hpp"
 
 #include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/core/quantity.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/study/drift/drift_summary.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
@@ -283,6 +284,17 @@ Comparison compare(const RunRecord& run, const casefile::ReferenceFile& referenc
     if (!reference.loads.empty() && !run.has_loads) {
         result.warnings.push_back(fmt::format("{} figure{} of loads.json not compared: the result has no loads",
                                               reference.loads.size(), reference.loads.size() == 1 ? "" : "s"));
+    }
+    for (const ComparedCurve& curve : result.curves) {
+        constexpr double much = 100;  // [K] at the start, between one scale and another
+        if (curve.dimension == Dimension::temperature && !curve.time.empty() &&
+            std::abs(curve.reference.front() - curve.computed.front()) > much) {
+            result.warnings.push_back(fmt::format(
+                "'{}' begins at {}, and the run has {} then\n  help: check the unit of the column: degC, K or "
+                "degF",
+                curve.name, format_quantity(curve.reference.front(), Dimension::temperature),
+                format_quantity(curve.computed.front(), Dimension::temperature)));
+        }
     }
     if (run.interrupted) {
         result.warnings.push_back(fmt::format("the run was interrupted: its end is {}", at(run.time.back())));

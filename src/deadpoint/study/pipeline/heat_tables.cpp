@@ -25,8 +25,11 @@ constexpr std::array<double, 3> rises{5, 10, 20};
 const casefile::Segment& segment_at(const casefile::Case& input, int segment)
 {
     if (segment < 0 || segment >= static_cast<int>(input.operation.size()))
-        throw mistake("operation", fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0",
-                                               segment, input.operation.size()));
+        throw mistake("operation",
+                      fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0", segment,
+                                  input.operation.size()),
+                      fmt::format("give --segment 0{}",
+                                  input.operation.size() > 1 ? fmt::format(" to {}", input.operation.size() - 1) : ""));
     return input.operation[static_cast<std::size_t>(segment)];
 }
 

@@ -268,8 +268,11 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
                           TurnCache* turns)
 {
     if (segment < 0 || segment >= static_cast<int>(input.operation.size()))
-        throw mistake("operation", fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0",
-                                               segment, input.operation.size()));
+        throw mistake("operation",
+                      fmt::format("there is no segment {} in [[operation]]; it has {}, counted from 0", segment,
+                                  input.operation.size()),
+                      fmt::format("give --segment 0{}",
+                                  input.operation.size() > 1 ? fmt::format(" to {}", input.operation.size() - 1) : ""));
     const auto& operation = input.operation[static_cast<std::size_t>(segment)];
     if (!(operation.speed > 0))
         throw mistake(
