@@ -193,7 +193,7 @@ ReadySolid ready_solid(const ForeignFile& file, const StepSource& source, const 
         ReadySolid solid = prepared_in_child(file, source, all_stays, longest, waiting);
         solid.notes.push_back(
             fmt::format("holes and roundings up to {:.3g} mm stay: leaving them out takes longer than "
-                        "{:.0f} s",
+                        "{:.0f} s; omit = \"0 mm\" does not try",
                         1e3 * rules.omit, patience));
         return solid;
     }
