@@ -6,7 +6,7 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/machine/assembly/meshed_parts.hpp"
+#include "deadpoint/machine/parts/meshed_parts.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
 #include "deadpoint/report/page/check_page.hpp"
 #include "deadpoint/report/page/named_things.hpp"
@@ -77,7 +77,7 @@ private:
 
 /// @param meshed  becomes the machine as soon as it is there
 /// @param kept    gets the meshes of parts; may be null
-void check_press(const CaseOptions& options, study::Press& press, const Machine*& meshed, machine::MeshedParts* kept,
+void check_press(const CaseOptions& options, study::Press& press, const Machine*& meshed, MeshedParts* kept,
                  Console& console)
 {
     const auto& description = press.input();
@@ -141,7 +141,7 @@ std::vector<Diagnostic> diagnostics_of(const Error& error)
 
 /// All that can be drawn of a case, which is meshed already or has mistakes.
 study::CaseSketch sketch(const CaseOptions& options, const casefile::Case& input, const Machine* meshed,
-                         machine::MeshedParts& kept, Console& console)
+                         MeshedParts& kept, Console& console)
 {
     if (meshed != nullptr) {
         return study::sketch_of(*meshed);
@@ -173,7 +173,7 @@ void check_and_draw(const CheckOptions& all)
     Console console(options.console);
     std::unique_ptr<study::Press> press;
     const Machine* meshed = nullptr;
-    machine::MeshedParts kept;
+    MeshedParts kept;
     try {
         press = std::make_unique<study::Press>(read_case(options, console).value, options.size_scale);
         check_press(options, *press, meshed, &kept, console);

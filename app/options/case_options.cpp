@@ -88,7 +88,7 @@ std::vector<std::filesystem::path> input_files(const casefile::ReadResult& read)
     return files;
 }
 
-const Machine& mesh_parts(study::Press& press, Console& console, machine::MeshedParts* kept)
+const Machine& mesh_parts(study::Press& press, Console& console, MeshedParts* kept)
 {
     const auto& machine = press.machine(console, kept);
     console.finish();

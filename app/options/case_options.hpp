@@ -42,7 +42,7 @@ std::vector<std::filesystem::path> input_files(const deadpoint::casefile::ReadRe
 /// The mesh of a press, the stage "mesh" on the console.
 /// @param kept  as study::Press::machine()
 const deadpoint::Machine& mesh_parts(deadpoint::study::Press& press, Console& console,
-                                     deadpoint::machine::MeshedParts* kept = nullptr);
+                                     deadpoint::MeshedParts* kept = nullptr);
 
 /// Lines for the head of every result file: version, case and hash, warnings.
 std::vector<std::string> file_comments(const deadpoint::casefile::Case& description, const Console& console);

@@ -3,7 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/machine/assembly/build.hpp"
-#include "deadpoint/machine/assembly/meshed_parts.hpp"
+#include "deadpoint/machine/parts/meshed_parts.hpp"
 #include "fixture.hpp"
 
 #include <algorithm>
@@ -96,7 +96,7 @@ TEST_CASE("a part that cannot be made leaves the others in the sketch")
 TEST_CASE("a sketch takes the parts that the build before it has made, and its failures")
 {
     const auto description = pin_in_bore(0.05);  // the joint's diameter is wrong
-    machine::MeshedParts kept;
+    MeshedParts kept;
     int made = 0;
     const auto count = [&] {
         ++made;

@@ -49,7 +49,7 @@ casefile::Case with_ball()
     return input;
 }
 
-const Machine& meshed_press()
+const Machine& machine()
 {
     static const Machine built = [] {
         Observer quiet;
@@ -60,7 +60,7 @@ const Machine& meshed_press()
 
 std::size_t wrist()
 {
-    const auto& all = meshed_press().interfaces;
+    const auto& all = machine().interfaces;
     return static_cast<std::size_t>(std::ranges::find(all, "wrist_pin.pin", &Contact::name) - all.begin());
 }
 
@@ -68,8 +68,8 @@ std::size_t wrist()
 
 TEST_CASE("a press with a ball for a pin moves and is loaded alike")
 {
-    const auto pin = study::compute_loads(press(), &meshed_press(), 0),
-               ball = study::compute_loads(with_ball(), &meshed_press(), 0);
+    const auto pin = study::compute_loads(press(), &machine(), 0),
+               ball = study::compute_loads(with_ball(), &machine(), 0);
     REQUIRE(pin.history.joints.size() == ball.history.joints.size());
     for (std::size_t j = 0; j < pin.history.joints.size(); ++j)
         for (std::size_t i = 0; i < pin.history.time.size(); i += 60)
@@ -80,9 +80,9 @@ TEST_CASE("a half ball rubs like a pin of 4 / pi of its diameter")
 {
     auto pin = press();
     std::get<casefile::PinFriction>(pin.friction.at("wrist").law).diameter = 0.08 * 4 / pi;
-    study::FrictionLaws of_pin(pin, &meshed_press(), nullptr);
+    study::FrictionLaws of_pin(pin, &machine(), nullptr);
     const auto ball = with_ball();
-    study::FrictionLaws of_ball(ball, &meshed_press(), nullptr);
+    study::FrictionLaws of_ball(ball, &machine(), nullptr);
     const double heat = of_pin.heat("wrist", pin.operation.front()).heat(300).value;
     CHECK(heat > 1);
     CHECK(of_ball.heat("wrist", ball.operation.front()).heat(300).value == Approx(heat).epsilon(1e-12));
@@ -91,28 +91,28 @@ TEST_CASE("a half ball rubs like a pin of 4 / pi of its diameter")
 TEST_CASE("a half ball conducts over 2 pi R^2, and is pressed on it")
 {
     auto input = with_ball();
-    const auto loads = study::compute_loads(input, &meshed_press(), 0);
-    const double seat = 2 * pi * 0.04 * 0.04, drawn = meshed_press().interfaces[wrist()].area;
-    const auto known = study::interface_conductances(input, meshed_press(), &loads, loads.speed)[wrist()];
+    const auto loads = study::compute_loads(input, &machine(), 0);
+    const double seat = 2 * pi * 0.04 * 0.04, drawn = machine().interfaces[wrist()].area;
+    const auto known = study::interface_conductances(input, machine(), &loads, loads.speed)[wrist()];
     CHECK(1 / known.resistance() * drawn == Approx(5000 * seat).epsilon(1e-12));
     Observer quiet;
-    const auto problem = study::describe_heat(input, meshed_press(), quiet, &loads);
+    const auto problem = study::describe_heat(input, machine(), quiet, &loads);
     CHECK(problem.interfaces[wrist()].oil * drawn == Approx(200 * seat).epsilon(1e-12));
     casefile::RoughContact rough;
     rough.surfaces.hardness = 2e9;
     rough.surfaces.fluid_conductivity = 0.14;
     rough.roughness = 1e-6;
     input.joints.at("wrist_pin").interfaces[0].conductance = rough;
-    const auto on_ball = study::interface_conductances(input, meshed_press(), &loads, loads.speed)[wrist()];
+    const auto on_ball = study::interface_conductances(input, machine(), &loads, loads.speed)[wrist()];
     input.joints.at("wrist_pin").kind = casefile::Joint::Kind::revolute;
     input.joints.at("wrist_pin").ball.reset();
-    const auto on_pin = study::interface_conductances(input, meshed_press(), &loads, loads.speed)[wrist()];
+    const auto on_pin = study::interface_conductances(input, machine(), &loads, loads.speed)[wrist()];
     CHECK(*on_ball.pressure * seat == Approx(*on_pin.pressure * drawn).epsilon(1e-12));  // one force
 }
 
 TEST_CASE("a ball passes no tilt on")
 {
-    const study::ChainModel pins(press(), meshed_press()), ball(with_ball(), meshed_press());
+    const study::ChainModel pins(press(), machine()), ball(with_ball(), machine());
     for (std::size_t j = 0; j < pins.linkage.joints.size(); ++j) {
         CHECK(pins.description.joints[j].passes_tilt);
         CHECK(ball.description.joints[j].passes_tilt == (ball.linkage.joints[j].name != "wrist_pin"));

@@ -8,7 +8,6 @@
 #include "deadpoint/machine/assembly/interfaces.hpp"
 #include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/assembly/measure.hpp"
-#include "deadpoint/machine/assembly/meshed_parts.hpp"
 #include "deadpoint/machine/assembly/overlaps.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/assembly/select.hpp"
@@ -21,6 +20,7 @@
 #include "deadpoint/machine/parts/frame.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
 #include "deadpoint/machine/parts/layers.hpp"
+#include "deadpoint/machine/parts/meshed_parts.hpp"
 #include "deadpoint/machine/parts/solids.hpp"
 #include "deadpoint/observer.hpp"
 

@@ -5,12 +5,11 @@ namespace deadpoint {
 class Observer;
 struct Machine;
 struct MachineDescription;
+class MeshedParts;
 }  // namespace deadpoint
 
 /// The machine stage: from a description of solids, surfaces and contacts to a mesh with contact points.
 namespace deadpoint::machine {
-
-class MeshedParts;
 
 /// Meshes every part, finds exterior faces, contacts, bonds, surfaces and overlaps. SI units throughout.
 ///

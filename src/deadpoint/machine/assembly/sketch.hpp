@@ -8,13 +8,12 @@
 #include <vector>
 
 namespace deadpoint {
+class MeshedParts;
 class Observer;
-}
+}  // namespace deadpoint
 
 /// What can be drawn of a machine that may still be wrong.
 namespace deadpoint::machine {
-
-class MeshedParts;
 
 struct InterfaceFaces {
     std::string name;  ///< as InterfaceDescription::name

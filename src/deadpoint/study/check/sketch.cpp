@@ -43,7 +43,7 @@ std::vector<SoughtFace> sought_faces(const MachineDescription& description, cons
 
 }  // namespace
 
-CaseSketch sketch_case(const casefile::Case& input, double size_scale, Observer& observer, machine::MeshedParts& kept)
+CaseSketch sketch_case(const casefile::Case& input, double size_scale, Observer& observer, MeshedParts& kept)
 {
     CaseSketch result;
     if (input.parts.empty())

@@ -8,13 +8,11 @@
 #include <vector>
 
 namespace deadpoint {
+class MeshedParts;
 class Observer;
-}
+}  // namespace deadpoint
 namespace deadpoint::casefile {
 struct Case;
-}
-namespace deadpoint::machine {
-class MeshedParts;
 }
 
 /// What can be drawn of a case that may still be wrong.
@@ -36,7 +34,7 @@ struct CaseSketch {
 /// All that can be built of a case, part by part. Mistakes are kept, not thrown.
 /// @param size_scale  of the cells, > 0
 /// @param kept        meshes of parts that an earlier attempt at this case has made
-CaseSketch sketch_case(const casefile::Case& input, double size_scale, Observer& observer, machine::MeshedParts& kept);
+CaseSketch sketch_case(const casefile::Case& input, double size_scale, Observer& observer, MeshedParts& kept);
 
 /// The sketch of a case that is meshed; it refers to the machine.
 CaseSketch sketch_of(const Machine& machine);

@@ -162,7 +162,7 @@ CaseError of_deformation(const CaseError& error, double scale)
 
 }  // namespace
 
-Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer, machine::MeshedParts* kept)
+Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer, MeshedParts* kept)
 {
     if (input.parts.empty())
         throw mistake("parts", "the case has no [parts]: there is nothing to mesh",

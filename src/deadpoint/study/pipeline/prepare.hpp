@@ -8,10 +8,8 @@ namespace deadpoint {
 
 class Observer;
 struct Machine;
-}  // namespace deadpoint
-namespace deadpoint::machine {
 class MeshedParts;
-}
+}  // namespace deadpoint
 
 namespace deadpoint::study {
 
@@ -22,7 +20,7 @@ namespace deadpoint::study {
 /// @param kept  as build_machine()
 /// @throws InputError as build_machine(), or if two surfaces claim a face with equal priority
 Machine prepare_machine(const casefile::Case& input, double size_scale, Observer& observer,
-                        machine::MeshedParts* kept = nullptr);
+                        MeshedParts* kept = nullptr);
 
 /// The case with the element orders of the deformation.
 casefile::Case case_of_deformation(casefile::Case input);

@@ -68,7 +68,7 @@ void Press::take(casefile::Case input)
     input_ = std::move(input);
 }
 
-const Machine& Press::machine(Observer& observer, machine::MeshedParts* kept)
+const Machine& Press::machine(Observer& observer, MeshedParts* kept)
 {
     if (!machine_) {
         const Timer timer(mesh_seconds_);

@@ -16,10 +16,8 @@ namespace deadpoint {
 
 class Observer;
 struct Machine;
-}  // namespace deadpoint
-namespace deadpoint::machine {
 class MeshedParts;
-}
+}  // namespace deadpoint
 
 /// The pipeline of a case: mesh -> loads -> laws -> model -> run.
 namespace deadpoint::study {
@@ -49,7 +47,7 @@ public:
 
     /// The mesh of the parts. Errors as prepare_machine().
     /// @param kept  meshes of its parts, for a sketch where the machine is refused; may be null
-    const Machine& machine(Observer& observer, machine::MeshedParts* kept = nullptr);
+    const Machine& machine(Observer& observer, MeshedParts* kept = nullptr);
     /// Builds the meshes of a run: of the parts, and of the deformation if that is a separate mesh.
     /// @throws InputError as prepare_machine() and prepare_deformation_machine()
     void mesh(Observer& observer);

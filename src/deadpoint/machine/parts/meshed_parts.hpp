@@ -7,13 +7,13 @@
 #include <map>
 #include <string>
 
-namespace deadpoint::machine {
+namespace deadpoint {
 
 /// The meshes of the parts of one description, each made once: a sketch of a machine that was refused needs the same
 /// ones. A part that failed fails again with the same error.
 class MeshedParts {
 public:
-    PartMesh once(const std::string& part, const std::function<PartMesh()>& make)
+    machine::PartMesh once(const std::string& part, const std::function<machine::PartMesh()>& make)
     {
         const auto [entry, is_new] = parts_.try_emplace(part);
         auto& [mesh, failure] = entry->second;
@@ -32,10 +32,10 @@ public:
 
 private:
     struct Outcome {
-        PartMesh mesh;
+        machine::PartMesh mesh;
         std::exception_ptr failure;
     };
     std::map<std::string, Outcome> parts_;
 };
 
-}  // namespace deadpoint::machine
+}  // namespace deadpoint
