@@ -239,6 +239,8 @@ def findings(lines):
   the doubted law does not resemble is still missing.
 - **Every doubt costs power**: a wrong law is noticed in {noticed[0]} draws with the mesh alone, in {noticed[1]} if both films are
   doubted as well, and in {noticed[2]} with a stated model error of its size.
+- **A wrong law that is noticed widens intervals, and they still miss**: oil that the model lacks leaves heat where no unknown can
+  take it, and all friction moves the same way. The verdict is the result there, not the values.
 - **Duty cycles are predicted well by wrong values**: other films change them to {films['temperature']:.2f} K and {100 * films['gap']:.1f} %.
 - **Ranks are not uniform** although intervals hold their share: a mesh errs in one direction, the same in all draws of a truth,
   while the fit assumes an error that may have either sign. So the posterior lies to one side of the truth by half a standard
