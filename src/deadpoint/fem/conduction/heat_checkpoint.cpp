@@ -112,7 +112,7 @@ bool HeatCheckpoint::due() const
 
 void HeatCheckpoint::offer(bool now)
 {
-    if (std::isinf(plan_.interval) || (kept_ && !now) || (!due() && !now))
+    if (plan_.file.empty() || std::isinf(plan_.interval) || (kept_ && !now) || (!due() && !now))
         return;
     const auto begin = std::chrono::steady_clock::now();
     write_on_first(plan_.file, "the run goes on without a new checkpoint");
