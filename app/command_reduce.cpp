@@ -4,7 +4,7 @@
 #include "deadpoint/study/reduce/reduce.hpp"
 #include "options/build_folder.hpp"
 #include "options/case_options.hpp"
-#include "ranks.hpp"
+#include "ranks/ranks.hpp"
 
 #include <memory>
 #include <string>
@@ -19,15 +19,17 @@ struct ReduceOptions : CaseOptions {
     bool fields = false;
     bool certify = false;
     bool resume = false;
+    RankOptions ranks;
 };
 
-int reduce_case(const ReduceOptions& options, const OnRanks& ranks)
+int reduce_case(const ReduceOptions& options, Ranks& ranks)
 {
     const auto read = read_case(options, ranks.console);
     const BuildFolder folder(options.file, options.resume ? StoppedBuild::resume : StoppedBuild::refuse, read.value,
                              ranks);
     study::Press press(read.value, options.size_scale);
     press.mesh(ranks.console);
+    ranks.spread([&] { return press.machine(ranks.console).cells.size(); });
     ranks.agree = false;
     auto wanted = wanted_reduction(press.input(), options.full_runs);
     wanted.checkpoint = folder.checkpoint();
@@ -59,7 +61,9 @@ void add_reduce(CLI::App& app, int& exit_code)
     command->add_flag("--resume", options->resume,
                       "continue a stopped build from its checkpoint FILE.checkpoint; without one, start at the "
                       "beginning");
+    add_rank_options(*command, options->ranks);
     command->callback([options, &exit_code] {
-        exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return reduce_case(*options, ranks); });
+        exit_code =
+            on_ranks(options->ranks, options->console, [&](Ranks& ranks) { return reduce_case(*options, ranks); });
     });
 }

@@ -22,7 +22,7 @@
 #include "options/checkpoint_options.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
-#include "ranks.hpp"
+#include "ranks/ranks.hpp"
 
 #include <fmt/format.h>
 #include <memory>
@@ -43,6 +43,7 @@ struct RunOptions : ResultOptions {
     bool certify = false;   ///< bounds the error of the reduced run, or makes what that needs
     bool fields = false;    ///< also stores the fields of the reduced model's states
     CheckpointOptions checkpoints;
+    RankOptions ranks;
 };
 
 /// Adds the page to finished results. Whatever is wrong with it must not cost them.
@@ -69,10 +70,15 @@ void warn_of_plan(study::Press& press, Console& console)
     }
 }
 
-/// On as many meshes as the case's accuracy takes. `ranks.agree` is false from here on.
+/// On as many meshes as the case's accuracy takes. `ranks.agree` is false from here on, and the folder of the first
+/// rank alone.
 study::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOptions& options,
-                                      const study::RunOptions& wanted, const OnRanks& ranks)
+                                      const study::RunOptions& wanted, Ranks& ranks,
+                                      std::unique_ptr<ResultFolder>& folder)
 {
+    constexpr std::size_t growth = 4;  // of the meshes that follow, about
+    ranks.spread([&] { return growth * study::Press(input, options.size_scale).machine(ranks.console).cells.size(); });
+    leave_to_first(ranks, folder);
     ranks.agree = false;
     auto run = study::run_to_accuracy(
         input, options.size_scale,
@@ -127,15 +133,17 @@ study::RunResult compute_reduced(const casefile::Case& input, const study::Reduc
     return result;
 }
 
-/// On one mesh. `ranks.agree` is false after meshing.
+/// On one mesh. `ranks.agree` is false after meshing. @param folder  from then on of the first rank alone
 study::RefinedRun compute_once(const casefile::Case& input, const RunOptions& options, const study::RunOptions& wanted,
-                               const OnRanks& ranks)
+                               Ranks& ranks, std::unique_ptr<ResultFolder>& folder)
 {
     auto& console = ranks.console;
     study::Press press(input, options.size_scale);
     press.mesh(console);
     console.finish();
     warn_of_plan(press, console);
+    ranks.spread([&] { return press.machine(console).cells.size(); });
+    leave_to_first(ranks, folder);
     ranks.agree = false;
     auto result = press.run(wanted, console);
     if (options.reduce.empty()) {
@@ -204,14 +212,19 @@ void compare_with_full(const study::ReducedPress& reduced, study::Press& press, 
     result.reduced->full_run = study::difference_to_full(result, reduced, full);
 }
 
-/// What a reduced run asks of the mesh.
+/// What a reduced run asks of the mesh. `ranks.agree` is false after meshing.
 std::unique_ptr<study::Press> use_mesh(const casefile::Case& input, const RunOptions& options,
                                        const study::ReducedPress& reduced, const study::ReducedStates* states,
-                                       const std::string& folder, study::RunResult& result, Console& console)
+                                       std::unique_ptr<ResultFolder>& result_folder, const std::string& folder,
+                                       study::RunResult& result, Ranks& ranks)
 {
+    auto& console = ranks.console;
     auto press = std::make_unique<study::Press>(input, reduced.size_scale);
     press->mesh(console);
     result.timings.emplace_back("mesh", press->mesh_seconds());
+    ranks.spread([&] { return press->machine(console).cells.size(); });
+    leave_to_first(ranks, result_folder);
+    ranks.agree = false;
     if (states) {
         lift_fields(options, *press, *states, folder, result, console);
     }
@@ -223,7 +236,7 @@ std::unique_ptr<study::Press> use_mesh(const casefile::Case& input, const RunOpt
 }
 
 /// Every rank computes the same; together they use the mesh.
-int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
+int run_reduced_case(const RunOptions& options, Ranks& ranks)
 {
     refuse_beside_reduced(options);
     auto& console = ranks.console;
@@ -242,8 +255,7 @@ int run_reduced_case(const RunOptions& options, const OnRanks& ranks)
     }
     std::unique_ptr<study::Press> meshed;
     if (lifts || options.full_run) {
-        ranks.agree = false;
-        meshed = use_mesh(read.value, options, press, lifts ? &states : nullptr, path, result, console);
+        meshed = use_mesh(read.value, options, press, lifts ? &states : nullptr, folder, path, result, ranks);
     }
     console.finish();
     if (!folder) {
@@ -277,7 +289,7 @@ void refuse_beside_reduce(const RunOptions& options, const casefile::Case& input
     }
 }
 
-std::optional<BuildFolder> start_build(const RunOptions& options, const casefile::Case& input, const OnRanks& ranks)
+std::optional<BuildFolder> start_build(const RunOptions& options, const casefile::Case& input, Ranks& ranks)
 {
     refuse_beside_reduce(options, input);
     if (options.reduce.empty()) {
@@ -290,7 +302,7 @@ std::optional<BuildFolder> start_build(const RunOptions& options, const casefile
 }
 
 /// On the mesh of the run, and with its functionals. A run from the start of the case is one of the full runs.
-int build_after(study::RefinedRun& run, const BuildFolder& build, const RunOptions& options, const OnRanks& ranks)
+int build_after(study::RefinedRun& run, const BuildFolder& build, const RunOptions& options, Ranks& ranks)
 {
     auto wanted = wanted_reduction(run.press->input(), usual_full_runs);
     wanted.checkpoint = build.checkpoint();
@@ -303,7 +315,7 @@ int build_after(study::RefinedRun& run, const BuildFolder& build, const RunOptio
     return build.finish(run.press->reduce(wanted, ranks.console), wanted, again, ranks);
 }
 
-int run_case(RunOptions options, const OnRanks& ranks)
+int run_case(RunOptions options, Ranks& ranks)
 {
     if (!options.reduced.empty()) {
         return run_reduced_case(options, ranks);
@@ -345,7 +357,8 @@ int run_case(RunOptions options, const OnRanks& ranks)
     wanted.comments = file_comments(input, console);
     wanted.view = true;
     wanted.causes = true;
-    auto run = (casefile::wanted_accuracy(input) ? compute_to_accuracy : compute_once)(input, options, wanted, ranks);
+    auto run =
+        (casefile::wanted_accuracy(input) ? compute_to_accuracy : compute_once)(input, options, wanted, ranks, folder);
     const auto& result = run.result;
     console.finish();
     if (folder) {
@@ -410,7 +423,8 @@ void add_run(CLI::App& app, int& exit_code)
                       "with --reduced: bound the error at the end of the run; needs 'deadpoint reduce --certify'. With "
                       "--reduce: write what that needs");
     add_checkpoint_options(*command, options->checkpoints);
+    add_rank_options(*command, options->ranks);
     command->callback([options, &exit_code] {
-        exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return run_case(*options, ranks); });
+        exit_code = on_ranks(options->ranks, options->console, [&](Ranks& ranks) { return run_case(*options, ranks); });
     });
 }

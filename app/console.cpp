@@ -135,6 +135,8 @@ void Console::finish()
     stage_.clear();
 }
 
+void Console::silence() { options_.silent = true; }
+
 void Console::info(std::string_view text)
 {
     if (options_.verbose && !options_.silent) {

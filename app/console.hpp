@@ -19,7 +19,7 @@ public:
     struct Options {
         bool quiet = false;    ///< warnings only
         bool verbose = false;  ///< also facts, with the time of day
-        bool silent = false;   ///< nothing at all: all ranks but the first
+        bool silent = false;   ///< nothing at all
     };
 
     explicit Console(const Options& options);
@@ -33,6 +33,8 @@ public:
     /// Shows a note for the user that does not concern results; it is not written to any file.
     void note(std::string_view text) const;
 
+    /// Shows nothing from now on, but keeps warnings.
+    void silence();
     /// Ends the running stage and its line; to be called before anything else is printed.
     void finish();
     /// All warnings so far, in order, each once.

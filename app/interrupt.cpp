@@ -84,4 +84,13 @@ void catch_interrupts()
     handle(deadpoint::study::stop_signal, on_quiet_signal);
 }
 
+void leave_interrupts_to_parent()
+{
+    outlast_failing_writes();
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        handle(signal, SIG_IGN);
+    }
+    handle(deadpoint::study::stop_signal, on_quiet_signal);
+}
+
 bool interrupted() { return stop_wanted != 0; }

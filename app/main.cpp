@@ -6,20 +6,17 @@
 #include "manual.hpp"
 #include "options/examples.hpp"
 #include "output.hpp"
+#include "ranks/places.hpp"
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <fmt/format.h>
-#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace {
-
-constexpr int other_error = 1;
 
 const std::vector<std::string> subcommands{"init",   "check",  "mesh",        "loads",    "heat",      "run",
                                            "reduce", "sweep",  "sensitivity", "optimise", "calibrate", "compare",
@@ -126,19 +123,9 @@ int run_and_explain(int argc, char** argv)
 {
     try {
         return run(argc, argv);
-    } catch (const deadpoint::Error& error) {
-        print_error(error);
-        return error.exit_code();
-    } catch (const std::bad_alloc&) {
-        print_err("error: out of memory\n  help: make the mesh coarser, for example with --size 1.5\n");
-    } catch (const std::filesystem::filesystem_error& error) {
-        print_err("error: {}\n  help: check the length of the path and its permissions\n", error.what());
-        return static_cast<int>(deadpoint::ErrorKind::io);
-    } catch (const std::exception& error) {
-        print_err("error: {}\n  help: this is a defect of the program; please report it with the case file\n",
-                  error.what());
+    } catch (...) {
+        return explain(std::current_exception());
     }
-    return other_error;
 }
 
 /// The exit code after all text was given to standard output: an error of its own where that lost some.
@@ -157,6 +144,9 @@ int after_output(int exit_code)
 
 int main(int argc, char** argv)
 {
+    if (argc == 3 && std::string_view(argv[1]) == hold_place_argument) {  // started by mpirun, for ranks
+        return hold_place(argv[2]);
+    }
     open_missing_streams();
     outlast_failing_writes();
     return after_output(run_and_explain(argc, argv));

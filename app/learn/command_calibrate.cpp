@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/io/resources.hpp"
 #include "deadpoint/report/calibration/calibration_files.hpp"
 #include "deadpoint/study/learn/calibrate.hpp"
 #include "deadpoint/study/learn/parameter.hpp"
@@ -15,11 +16,10 @@
 #include "interrupt.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
-#include "ranks.hpp"
+#include "ranks/ranks.hpp"
 
 #include <algorithm>
 #include <memory>
-#include <thread>
 
 using namespace deadpoint;
 namespace fs = std::filesystem;
@@ -32,6 +32,7 @@ struct CalibrateOptions : ResultOptions {
     int jobs = 0;
     bool plan = false;
     bool full_run = false;
+    RankOptions ranks;
 };
 
 casefile::CalibrationFile read_file(const CalibrateOptions& options)
@@ -62,11 +63,12 @@ study::OtherPresses read_others(const casefile::CalibrationFile& file)
     return result;
 }
 
-/// A full run of the first fitted run with the calibrated values, against the reduced one.
+/// On all ranks: a full run of the first fitted run with the calibrated values, against the reduced one.
 std::pair<double, double> check_by_full_run(const CalibrateOptions& options, const casefile::CalibrationFile& file,
                                             const study::ReducedPress& reduced, const study::Calibration& result,
-                                            Console& console)
+                                            Ranks& ranks, report::ResultFolder& folder)
 {
+    auto& console = ranks.console;
     const auto first = std::ranges::find(file.runs, false, &casefile::CalibrationRun::hold_out);
     auto overrides = options.overrides;
     overrides.insert(overrides.end(), first->set.begin(), first->set.end());
@@ -74,25 +76,28 @@ std::pair<double, double> check_by_full_run(const CalibrateOptions& options, con
     overrides.emplace_back("output.fields=false");
     const auto input = casefile::read_case(options.path, overrides, options.files).value;
     study::Press press(input, reduced.size_scale);
+    press.mesh(console);
+    ranks.spread([&] { return press.machine(console).cells.size(); });
+    if (!ranks.first)
+        folder.disown();
+    ranks.agree = false;
     const auto full = press.run({}, console);
     const auto quick = study::run_reduced(input, reduced, {}, study::ReducedDetail::figures, console);
     const auto error = study::difference_to_full(quick, reduced, full);
     return {error.temperature, error.gap};
 }
 
-int calibrate(const CalibrateOptions& options, const OnRanks& ranks)
+int calibrate(const CalibrateOptions& options, Ranks& ranks)
 {
     if (options.size_scale != 1)
         throw InputError("calibrate computes without a mesh\n  help: leave out --size");
-    if (!ranks.first)
-        return 0;
+    ranks.require_one("calibrate");
     auto& console = ranks.console;
     const auto read = read_case(options, console);
     const auto file = read_file(options);
     const auto press = study::read_reduced(file.options.reduced);
     const auto others = read_others(file);
-    const int threads =
-        options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const int threads = options.jobs > 0 ? options.jobs : usable_cores();
     auto inputs = input_files(read);
     inputs.insert(inputs.end(), {options.calibration, file.options.reduced});
     for (const auto& alternative : file.alternatives)
@@ -116,7 +121,9 @@ int calibrate(const CalibrateOptions& options, const OnRanks& ranks)
     auto result = study::calibrate(file, press, others, threads, console);
     result.reduced_file = model;
     if (options.full_run)
-        result.full_run = check_by_full_run(options, file, press, result, console);
+        result.full_run = check_by_full_run(options, file, press, result, ranks, folder);
+    if (!ranks.first)
+        return 0;
     console.finish();
     report::write_calibration_files(folder.path(), result);
     commit(folder, options.tables, console);
@@ -148,7 +155,9 @@ void add_calibrate(CLI::App& app, int& exit_code)
     command->add_option("-j,--jobs", options->jobs, "threads; default: as many as processors")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
+    add_rank_options(*command, options->ranks);
     command->callback([options, &exit_code] {
-        exit_code = on_ranks(options->console, [&](const OnRanks& ranks) { return calibrate(*options, ranks); });
+        exit_code =
+            on_ranks(options->ranks, options->console, [&](Ranks& ranks) { return calibrate(*options, ranks); });
     });
 }

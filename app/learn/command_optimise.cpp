@@ -2,7 +2,6 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/report/design/optimise_files.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/study/design/optimise.hpp"
@@ -13,7 +12,7 @@
 #include "interrupt.hpp"
 #include "learn/design_study.hpp"
 #include "options/result_options.hpp"
-#include "ranks.hpp"
+#include "ranks/ranks.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -26,6 +25,7 @@ namespace {
 
 struct OptimiseOptions : DesignOptions {
     bool no_full_run = false;
+    RankOptions ranks;
 };
 
 casefile::StudyFile read_section(const OptimiseOptions& options)
@@ -38,37 +38,47 @@ casefile::StudyFile read_section(const OptimiseOptions& options)
     return study;
 }
 
-/// The optimum on the mesh of the reduced model.
+/// The optimum on the mesh of the reduced model. @param folder  afterwards of the first rank alone
 std::optional<study::FullDesign> run_in_full(const study::OptimiseResult& result, double size_scale,
-                                             const casefile::OptimiseSection& section, Console& console)
+                                             const casefile::OptimiseSection& section, Ranks& ranks,
+                                             std::unique_ptr<report::ResultFolder>& folder)
 {
     auto optimum = result.optimum;
     optimum.output.fields = false;
     optimum.output.causes = false;
     study::Press press(std::move(optimum), size_scale);
-    const auto run = press.run({}, console);
+    press.mesh(ranks.console);
+    ranks.spread([&] { return press.machine(ranks.console).cells.size(); });
+    leave_to_first(ranks, folder);
+    ranks.agree = false;
+    const auto run = press.run({}, ranks.console);
     if (run.thermal.interrupted) {
         return std::nullopt;
     }
     return study::full_design(press.input(), run, section);
 }
 
-int optimise(const OptimiseOptions& options, Console& console)
+int optimise(const OptimiseOptions& options, Ranks& ranks)
 {
+    ranks.require_one("optimise");
+    auto& console = ranks.console;
     const auto start = std::chrono::steady_clock::now();
     const auto study = read_section(options);
     const auto base = read_base(options, study, console);
     const auto press = study::read_reduced(options.reduced);
-    const auto folder = begin_folder(options, base, console);
+    auto folder = begin_folder(options, base, console);
     const auto& section = *study.optimise;
     const auto result = study::run_optimise(base.value, press, section, options.threads(), console);
     std::optional<study::FullDesign> full;
     if (result && !options.no_full_run) {
-        full = run_in_full(*result, press.size_scale, section, console);
+        full = run_in_full(*result, press.size_scale, section, ranks, folder);
     }
     if (!result || console.cancelled()) {
         console.finish();
         return interrupted_exit_code;
+    }
+    if (!ranks.first) {
+        return 0;
     }
     for (const auto& text : result->outside) {
         console.warn(fmt::format("the optimum lies outside the range of the reduced model: {}", text));
@@ -92,12 +102,8 @@ void add_optimise(CLI::App& app, int& exit_code)
     const auto options = std::make_shared<OptimiseOptions>();
     add_design_options(*command, *options, "optimise", "number of searches at a time; default: as many as cores");
     command->add_flag("--no-full-run", options->no_full_run, "leave out the full run at the optimum");
+    add_rank_options(*command, options->ranks);
     command->callback([options, &exit_code] {
-        exit_code = on_ranks(options->console, [&](const OnRanks& ranks) {
-            if (fem::ranks() > 1) {
-                throw InputError("optimise computes on one process\n  help: call it without mpirun; it uses all cores");
-            }
-            return optimise(*options, ranks.console);
-        });
+        exit_code = on_ranks(options->ranks, options->console, [&](Ranks& ranks) { return optimise(*options, ranks); });
     });
 }

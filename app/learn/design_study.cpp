@@ -2,22 +2,18 @@
 
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/io/resources.hpp"
 #include "deadpoint/report/design/studied_case.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <thread>
 #include <utility>
 
 using namespace deadpoint;
 namespace fs = std::filesystem;
 
-int DesignOptions::threads() const
-{
-    return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
+int DesignOptions::threads() const { return jobs > 0 ? jobs : usable_cores(); }
 
 void add_design_options(CLI::App& command, DesignOptions& options, const std::string& section, const std::string& jobs)
 {

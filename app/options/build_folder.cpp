@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/io/resources.hpp"
 #include "deadpoint/reduce/kept/build_checkpoint.hpp"
 #include "deadpoint/report/text/reduce_text.hpp"
 #include "deadpoint/study/reduce/certificate_file.hpp"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <thread>
 
 using namespace deadpoint;
 namespace fs = std::filesystem;
@@ -44,7 +44,7 @@ void make_folder(const fs::path& folder)
     }
 }
 
-reduce::BuildCheckpoint pieces_before_mesh(const fs::path& folder, const casefile::Case& input, const OnRanks& ranks)
+reduce::BuildCheckpoint pieces_before_mesh(const fs::path& folder, const casefile::Case& input, Ranks& ranks)
 {
     return {folder, study::build_text(input), ranks.first, [&](const std::string& text) { ranks.console.warn(text); }};
 }
@@ -116,8 +116,7 @@ std::string text_of_fields(const std::string& file)
 
 }  // namespace
 
-BuildFolder::BuildFolder(const std::string& file, StoppedBuild stopped, const casefile::Case& input,
-                         const OnRanks& ranks)
+BuildFolder::BuildFolder(const std::string& file, StoppedBuild stopped, const casefile::Case& input, Ranks& ranks)
     : file_(file), checkpoint_(file + ".checkpoint")
 {
     std::string there;
@@ -143,7 +142,7 @@ BuildFolder::BuildFolder(const std::string& file, StoppedBuild stopped, const ca
 }
 
 int BuildFolder::finish(std::optional<study::Reduction> reduction, const study::ReduceOptions& options,
-                        const std::string& command, const OnRanks& ranks) const
+                        const std::string& command, Ranks& ranks) const
 {
     ranks.console.finish();
     if (!reduction) {
@@ -168,7 +167,7 @@ int BuildFolder::finish(std::optional<study::Reduction> reduction, const study::
 study::ReduceOptions wanted_reduction(const casefile::Case& input, int full_runs)
 {
     auto wanted = study::reduce_options(input);
-    wanted.build.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / fem::ranks());
+    wanted.build.threads = std::max(1, usable_cores() / fem::ranks());
     wanted.full_runs = full_runs;
     return wanted;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/io/file_lock.hpp"
-#include "ranks.hpp"
+#include "ranks/ranks.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -25,13 +25,12 @@ public:
     /// Takes the lock, and makes the folder. Says on the first rank where the build starts. All ranks call it.
     /// @throws IoError if another process builds this file, if it cannot be written, if there is a stopped build that
     ///         must be asked for; InputError if that is of another case or version
-    BuildFolder(const std::string& file, StoppedBuild stopped, const deadpoint::casefile::Case& input,
-                const OnRanks& ranks);
+    BuildFolder(const std::string& file, StoppedBuild stopped, const deadpoint::casefile::Case& input, Ranks& ranks);
     [[nodiscard]] std::string checkpoint() const { return checkpoint_.string(); }
     /// Writes the reduced press, tells about it and removes the folder; without one, says how to go on.
     /// @param command  that continues the build  @return exit code
     int finish(std::optional<deadpoint::study::Reduction> reduction, const deadpoint::study::ReduceOptions& options,
-               const std::string& command, const OnRanks& ranks) const;
+               const std::string& command, Ranks& ranks) const;
 
 private:
     std::filesystem::path file_, checkpoint_;

@@ -687,6 +687,85 @@ TEST_CASE("a study that is stopped keeps what is finished, and no half of a poin
     CHECK(has(content(target + "/sweep.csv"), "left"));
 }
 
+TEST_CASE("shards of a study that run at once share its points, and a last call gathers them")
+{
+    const Folder folder;
+    const auto study = study_file(folder, "1 h");
+    const auto whole = folder / "whole", shared = folder / "shared";
+    REQUIRE(deadpoint("sweep " + study + " -o " + whole).code == 4);
+    REQUIRE(deadpoint("sweep " + study + " -o " + whole).code == 4);  // its points are now from a call before, as below
+
+    const std::string line =
+        std::string(DEADPOINT_COMMAND) + " sweep " + study + " -o " + shared + " --jobs 1 --shard ";
+    const auto out = [&](int i) { return folder / ("shard" + std::to_string(i)); };
+    std::string all;
+    for (int i = 1; i <= 3; ++i)
+        all += line + std::to_string(i) + "/3 >" + out(i) + " 2>&1 & ";
+    (void)std::system((all + "wait").c_str());
+    std::size_t computed = 0;
+    for (int i = 1; i <= 3; ++i) {
+        const auto text = content(out(i));
+        CAPTURE(text);
+        CHECK(has(text, "shard " + std::to_string(i) + "/3: "));
+        CHECK(has(text, "--gather"));
+        const auto at = text.find(" points computed");
+        REQUIRE(at != std::string::npos);
+        computed += static_cast<std::size_t>(text[at - 1] - '0');
+    }
+    CHECK(computed == 3);  // of four, of which one fails; none twice
+    CHECK_FALSE(fs::exists(shared + "/sweep.csv"));
+
+    const auto gathered = deadpoint("sweep " + study + " -o " + shared + " --gather");
+    CHECK(gathered.code == 4);
+    CHECK(content(shared + "/sweep.csv") == content(whole + "/sweep.csv"));
+    CHECK(fs::exists(shared + "/report.html"));
+
+    // A shard that is repeated finds its points.
+    CHECK(has(deadpoint("sweep " + study + " -o " + shared + " --shard 1/3").out,
+              "shard 1/3: 0 points computed, 1 were there, 0 failed"));
+}
+
+TEST_CASE("shards refuse what would mix studies, and gathering names missing points")
+{
+    const Folder folder;
+    const auto study = study_file(folder, "1 h");
+    const auto target = folder / "shared";
+    const auto line = "sweep " + study + " -o " + target;
+    for (const char* wrong : {"5/4", "0/4", "1", "a/b", "1/4x", "1/0"}) {
+        CAPTURE(wrong);
+        const auto refused = deadpoint(line + " --shard " + wrong);
+        CHECK(refused.code == 2);
+        CHECK(has(refused.err, wrong));
+    }
+    CHECK_FALSE(fs::exists(target));
+    REQUIRE(deadpoint(line + " --shard 1/2").code == 0);
+    const auto early = deadpoint(line + " --gather");
+    CHECK(early.code == 2);
+    CHECK(has(early.err, "2 of 4 points are missing:\n  initial_temperature=40_degC\n  time_tolerance=1e-30_K\n"));
+    const auto other_count = deadpoint(line + " --shard 2/3");
+    CHECK(other_count.code == 2);
+    CHECK(has(other_count.err, "is a study of 2 shards"));
+    const auto other_study = deadpoint(line + " --size 1.5 --shard 2/2");
+    CHECK(other_study.code == 2);
+    CHECK(has(other_study.err, "shards of another study have begun"));
+    CHECK(deadpoint(line + " --gather --shard 1/2").code == 2);
+    // A shard at work excludes itself and a call that works alone, but no other shard.
+    const auto held = [&](const std::string& arguments) {
+        const auto out = folder / "held";
+        const int status = std::system(("flock " + target + "/shards/1-of-2.lock " + std::string(DEADPOINT_COMMAND) +
+                                        " " + arguments + " >" + out + " 2>&1")
+                                           .c_str());
+        return Outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(out)};
+    };
+    const auto same = held(line + " --shard 1/2");
+    CHECK(same.code == 5);
+    CHECK(has(same.err, "shard 1/2 of '" + target + "' is being computed"));
+    CHECK(held(line).code == 5);
+    CHECK(held(line + " --gather").code == 5);
+    CHECK(held(line + " --shard 2/2").code == 4);  // one of its points fails
+    CHECK(deadpoint(line + " --gather").code == 4);
+}
+
 // Of the first key of this name.
 double number(const std::string& json, const std::string& key)
 {
@@ -941,6 +1020,15 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     CHECK(has(table, "done,80 rpm,80,22 degC,22,"));
     CHECK(!has(table, "failed"));
     CHECK(has(content(folder / "map/report.html"), "80 rpm"));
+
+    // In two shards: the same table.
+    const auto parted = "sweep " + (folder / "map.toml") + " --reduced " + model + " -o " + (folder / "parted");
+    CHECK(deadpoint(parted + " --shard 1/2").code == 0);
+    CHECK(has(deadpoint(parted + " --gather").err, "2 of 4 points are missing"));
+    CHECK(deadpoint(parted + " --shard 2/2").code == 0);
+    CHECK(deadpoint(parted + " --gather").code == 0);
+    const auto gathered = content(folder / "parted/sweep.csv");
+    CHECK(gathered == table);
 
     // The same study with more points continues from whole rows; those whose course is drawn are computed again.
     auto longer = content(folder / "map.toml");

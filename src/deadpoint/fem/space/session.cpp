@@ -6,7 +6,9 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <dlfcn.h>
 #include <fmt/format.h>
+#include <fstream>
 #include <petscblaslapack.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -19,22 +21,6 @@ namespace {
 /// Of addresses, beyond the program itself, for MPI, the workspace of products and a small case [byte].
 constexpr std::size_t least_room = std::size_t{512} << 20;
 
-/// @throws InputError if a limit (ulimit -v) leaves less; MPI would fail with its own message
-void require_room()
-{
-    void* room = mmap(nullptr, least_room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (room == MAP_FAILED) {
-        rlimit limit{};
-        getrlimit(RLIMIT_AS, &limit);
-        throw InputError(
-            fmt::format("the memory that this program may address is limited to {:.2f} GB, which leaves less "
-                        "than the {:.2f} GB that the smallest case needs\n  help: raise the limit (ulimit -v "
-                        "unlimited)",
-                        1e-9 * static_cast<double>(limit.rlim_cur), 1e-9 * least_room));
-    }
-    munmap(room, least_room);
-}
-
 /// OpenBLAS requests its workspace (some 128 MiB of addresses) at the first large product. If it gets none, it repeats
 /// the request for ever and ignores interrupts. So it gets the workspace now, and keeps it.
 void take_workspace_of_products()
@@ -45,6 +31,21 @@ void take_workspace_of_products()
     std::vector<PetscScalar> product(factor);
     BLASgemm_("N", "N", &size, &size, &size, &one, factor.data(), &size, factor.data(), &size, &one, product.data(),
               &size);
+}
+
+/// What of the resident memory counts for other processes, if pages that are shared count for each in equal parts
+/// [byte].
+double shared_memory()
+{
+    double resident = 0, proportional = 0;
+    std::ifstream in("/proc/self/smaps_rollup");
+    for (std::string key; in >> key;) {
+        if (key == "Rss:")
+            in >> resident;
+        if (key == "Pss:")
+            in >> proportional;
+    }
+    return 1024 * (resident - proportional);
 }
 
 bool mpi_runs()
@@ -144,6 +145,28 @@ Session::~Session()
         MPI_Finalize();
 }
 
+void require_room()
+{
+    void* room = mmap(nullptr, least_room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (room == MAP_FAILED) {
+        rlimit limit{};
+        getrlimit(RLIMIT_AS, &limit);
+        throw InputError(
+            fmt::format("the memory that this program may address is limited to {:.2f} GB, which leaves less "
+                        "than the {:.2f} GB that the smallest case needs\n  help: raise the limit (ulimit -v "
+                        "unlimited)",
+                        1e-9 * static_cast<double>(limit.rlim_cur), 1e-9 * least_room));
+    }
+    munmap(room, least_room);
+}
+
+void use_one_thread()
+{
+    for (const char* name : {"openblas_set_num_threads", "omp_set_num_threads"})
+        if (void* function = dlsym(RTLD_DEFAULT, name))
+            reinterpret_cast<void (*)(int)>(function)(1);
+}
+
 bool is_open()
 {
     PetscBool started = PETSC_FALSE;
@@ -169,6 +192,8 @@ int ranks()
 
 std::string from_first_rank(std::string text)
 {
+    if (ranks() == 1)
+        return text;
     unsigned long long size = text.size();
     MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, communicator());
     text.resize(size);
@@ -187,6 +212,9 @@ double peak_memory()
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     double bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    if (ranks() == 1)
+        return bytes;
+    bytes -= shared_memory();
     MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_SUM, communicator());
     return bytes;
 }

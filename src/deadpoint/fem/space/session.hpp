@@ -39,6 +39,12 @@ private:
     bool closes_petsc_ = false;
 };
 
+/// @throws InputError if a limit (ulimit -v) leaves no room for MPI and the smallest case; both would fail with
+/// messages of their own
+void require_room();
+/// From now on this process computes on one thread: with several ranks, each core has a process.
+void use_one_thread();
+
 /// True if MPI and PETSc are open.
 bool is_open();
 
@@ -46,12 +52,12 @@ bool is_open();
 int rank();
 int ranks();
 
-/// The text of rank 0, on all ranks. Collective.
+/// The text of rank 0, on all ranks; before a Session exists, this process's. Collective.
 std::string from_first_rank(std::string text);
 /// Ends all ranks at once, for an error that only this rank has found.
 [[noreturn]] void abort_ranks(int exit_code);
 
-/// Largest resident memory so far, summed over the ranks [byte]. Collective.
+/// Largest resident memory so far, summed over the ranks; memory that processes share counts once [byte]. Collective.
 double peak_memory();
 
 }  // namespace deadpoint::fem

@@ -38,6 +38,8 @@ public:
     /// @throws IoError if the target may not be replaced or the disk fails; the results then stay in a folder
     ///         "<target>.kept-...", which the message names
     void commit();
+    /// Leaves the folder to another process that has a copy of this object (fork).
+    void disown() { partial_.clear(); }
 
 private:
     void take_name();

@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/io/resources.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
@@ -45,15 +46,8 @@ struct Worker {
 // As many processes as cores; fewer if the memory does not hold `per_point` bytes for each.
 int workers_that_fit(double per_point)
 {
-    double available = 0;
-    std::ifstream meminfo("/proc/meminfo");
-    for (std::string line; std::getline(meminfo, line);)
-        if (line.rfind("MemAvailable:", 0) == 0)
-            available = 1024 * std::stod(line.substr(13));
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    if (!(available > 0) || !(per_point > 0))
-        return cores;
-    return std::clamp(static_cast<int>(0.8 * available / per_point), 1, cores);
+    const double fit = per_point > 0 ? 0.8 * available_memory() / per_point : usable_cores();
+    return static_cast<int>(std::clamp<double>(fit, 1, usable_cores()));
 }
 
 double resident_memory()
@@ -119,6 +113,9 @@ private:
             const auto point = queue.back();
             try {
                 start_press(cases_[point]);
+                press_->mesh(observer_);
+                if (options_.on_meshed)
+                    options_.on_meshed(press_->machine(observer_));
                 press_->prepare(observer_);
                 return true;
             } catch (const Error& error) {
@@ -272,6 +269,22 @@ private:
     bool told_to_stop_ = false;
 };
 
+using Groups = std::vector<std::pair<std::string, std::vector<std::size_t>>>;
+
+/// Points that share meshes and model, under the text of what they share.
+Groups groups_of(const std::vector<casefile::Case>& cases, const std::vector<std::size_t>& pending)
+{
+    Groups groups;
+    for (const auto point : pending) {
+        const auto shared = shared_part(cases[point]);
+        auto group = std::ranges::find(groups, shared, &Groups::value_type::first);
+        if (group == groups.end())
+            group = groups.insert(groups.end(), {shared, {}});
+        group->second.push_back(point);
+    }
+    return groups;
+}
+
 }  // namespace
 
 void scale_sizes(casefile::Case& input, double factor)
@@ -282,20 +295,20 @@ void scale_sizes(casefile::Case& input, double factor)
             *part.size *= factor;
 }
 
+std::size_t most_alike(const std::vector<casefile::Case>& cases, const std::vector<std::size_t>& pending)
+{
+    std::size_t most = 0;
+    for (const auto& [shared, members] : groups_of(cases, pending))
+        most = std::max(most, members.size());
+    return most;
+}
+
 std::vector<PointOutcome> run_points(const std::vector<SweepPoint>& points, const std::vector<casefile::Case>& cases,
                                      const std::vector<std::size_t>& pending, const SweepOptions& options,
                                      const PointAction& action, Observer& observer)
 {
     std::vector<PointOutcome> outcomes(points.size());
-    std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
-    for (const auto point : pending) {
-        const auto shared = shared_part(cases[point]);
-        auto group = std::ranges::find(groups, shared, &std::pair<std::string, std::vector<std::size_t>>::first);
-        if (group == groups.end())
-            group = groups.insert(groups.end(), {shared, {}});
-        group->second.push_back(point);
-    }
-    for (const auto& [shared, members] : groups)
+    for (const auto& [shared, members] : groups_of(cases, pending))
         if (!observer.cancelled())
             Group(points, cases, options, action, observer, outcomes).run(members);
     return outcomes;

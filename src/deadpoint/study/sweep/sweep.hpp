@@ -1,6 +1,7 @@
 #pragma once
 
 #include <csignal>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -34,9 +35,14 @@ inline constexpr int stop_signal = SIGUSR1;
 
 struct SweepOptions {
     int workers = 0;  ///< points at a time, on one rank; 0: as many as cores and memory hold
+    /// Called when the machine of a group is meshed, before its model is prepared.
+    std::function<void(const Machine&)> on_meshed;
     /// Called when a group of points is prepared, with their number and how many will run at a time.
     std::function<void(const Machine&, std::size_t points, int workers)> on_prepared;
 };
+
+/// The largest number of the pending points that share meshes and model.
+std::size_t most_alike(const std::vector<casefile::Case>& cases, const std::vector<std::size_t>& pending);
 
 /// Runs points, grouped by what they share (shared_part): each group's machine is meshed and its model prepared once;
 /// with several workers, child processes then take the points over in turn, each with the prepared memory as it is.
