@@ -57,7 +57,7 @@ if(TARGET deadpoint_reduced_module)
 endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# MPI starts without mpirun; dense kernels take half the time by OpenBLAS.
+# Without mpirun the program uses one core; dense kernels take half the time by OpenBLAS.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "openmpi-bin, libopenblas0-serial")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS paraview)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)

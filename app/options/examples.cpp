@@ -25,7 +25,7 @@ constexpr std::array examples{
     Example{"run", "deadpoint run my-press/case.toml -o my-press/results      warm it up and see the gap move"},
     Example{"run", "deadpoint run my-press/case.toml -o fast --size 2 --set \"operation.0.speed=300 rpm\""},
     Example{"run", "deadpoint run my-press/case.toml -o quick --reduced press.rom   in seconds, on a reduced model"},
-    Example{"run", "mpirun -n 2 deadpoint run my-press/case.toml -o results   the same on two processes"},
+    Example{"run", "deadpoint run my-press/case.toml -o results --ranks 2     on two cores; default: as many as help"},
     Example{"reduce", "deadpoint reduce my-press/case.toml -o press.rom          build a model for quick runs"},
     Example{"sweep", "deadpoint sweep my-press/study.toml -o study              many runs: speeds, forces, ..."},
     Example{"sensitivity", "deadpoint sensitivity my-press/study.toml --reduced press.rom -o what-matters   which "
