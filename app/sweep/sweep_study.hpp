@@ -3,7 +3,7 @@
 #include "console.hpp"
 #include "deadpoint/casefile/syntax/file_access.hpp"
 #include "deadpoint/io/csv_style.hpp"
-#include "deadpoint/report/folder/study_folder.hpp"
+#include "deadpoint/report/shards/study_folder.hpp"
 #include "deadpoint/study/sweep/shard.hpp"
 #include "deadpoint/study/sweep/sweep_plan.hpp"
 #include "ranks/ranks.hpp"

@@ -1027,8 +1027,14 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
     CHECK(has(deadpoint(parted + " --gather").err, "2 of 4 points are missing"));
     CHECK(deadpoint(parted + " --shard 2/2").code == 0);
     CHECK(deadpoint(parted + " --gather").code == 0);
-    const auto gathered = content(folder / "parted/sweep.csv");
-    CHECK(gathered == table);
+    const auto without_wall_times = [](const std::string& of) {  // the last column but one
+        std::string result;
+        std::istringstream in(of);
+        for (std::string line; std::getline(in, line);)
+            result += line.substr(0, line.rfind(',', line.rfind(',') - 1)) + '\n';
+        return result;
+    };
+    CHECK(without_wall_times(content(folder / "parted/sweep.csv")) == without_wall_times(table));
 
     // The same study with more points continues from whole rows; those whose course is drawn are computed again.
     auto longer = content(folder / "map.toml");

@@ -1,4 +1,4 @@
-#include "deadpoint/report/folder/study_folder.hpp"
+#include "deadpoint/report/shards/study_folder.hpp"
 
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/core/version.hpp"
