@@ -94,7 +94,7 @@ std::vector<PointOutcome> outcomes_of(const Study& study, int workers, const Scr
                                       const std::function<void(const SweepPoint&)>& before = {})
 {
     return deadpoint::study::run_points(
-        study.points, study.cases, study.all, {workers, {}},
+        study.points, study.cases, study.all, {workers, {}, {}},
         [&](const SweepPoint& point, Press& press) {
             if (before)
                 before(point);

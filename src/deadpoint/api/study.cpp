@@ -113,7 +113,7 @@ std::vector<SweepRun> sweep(const Press& press, const std::vector<SweepAxis>& ax
         runs[static_cast<std::size_t>(&point - points.data())].result =
             public_run(shared.input(), result, quiet.warnings, {});
     };
-    const auto outcomes = study::run_points(points, cases, all_of(points.size()), {1, {}}, action, to.get());
+    const auto outcomes = study::run_points(points, cases, all_of(points.size()), {1, {}, {}}, action, to.get());
     for (std::size_t p = 0; p < runs.size(); ++p)
         runs[p].error = outcomes[p].reason;
     return runs;
