@@ -102,7 +102,7 @@ TEST_CASE("a wrong command line is exit code 2 and says what is wrong")
     CHECK(has(misspelt.err, "did you mean 'run'?"));
     const auto missing = deadpoint("run " + two_blocks);
     CHECK(missing.code == 2);
-    CHECK(has(missing.err, "--output"));
+    CHECK(has(missing.err, "-o is missing"));
     CHECK(deadpoint("check " + two_blocks + " --size 0").code == 2);
 }
 

@@ -30,7 +30,7 @@ struct BuiltModels {
 /// 2. Training runs of the large model in the box. The small model has the states that occur most in them and in the
 ///    dual problem of E_SW.
 /// The basis of the full model is that of the small model afterwards.
-/// Pieces that were kept are not computed again; the result is the same bit by bit on as many ranks.
+/// Pieces that were kept are not computed again; on one rank the result is the same bit by bit.
 /// @param base  with constant convection coefficients; its operation is trained, half of the runs with a pause
 /// @param kept  where finished pieces are kept
 /// @return nothing after Observer::cancelled()
