@@ -3,7 +3,6 @@
 #include "deadpoint/fem/space/vectors.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace deadpoint::fem {
 namespace {
