@@ -4,6 +4,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <set>
 
@@ -216,22 +217,42 @@ TEST_CASE("a cell's nodes are found by their unknowns, whatever the numbering")
 TEST_CASE("the matrix has a place where two unknowns share a cell, and only there; bonds add those across")
 {
     const bricks::Space both(two_bricks(), {1, 1});
-    auto pattern = both.space.cell_pattern();
-    std::set<std::pair<dealii::types::global_dof_index, dealii::types::global_dof_index>> expected;
+    auto couplings = both.space.cell_couplings();
+    const auto exists = [](const SparseRows& rows, PetscInt i, PetscInt j) {
+        const auto begin = rows.columns.begin() + rows.starts[static_cast<std::size_t>(i)];
+        return std::binary_search(begin, rows.columns.begin() + rows.starts[static_cast<std::size_t>(i) + 1], j);
+    };
+    std::set<std::pair<PetscInt, PetscInt>> expected;
     for (std::uint32_t c = 0; c < both.machine.cells.size(); ++c)
         for (const auto i : both.space.unknowns_of(c))
             for (const auto j : both.space.unknowns_of(c))
                 expected.emplace(i, j);
-    CHECK(pattern.n_nonzero_elements() == expected.size());
+    const auto within = couplings.rows();
+    CHECK(within.columns.size() == expected.size());
     for (const auto& [i, j] : expected)
-        CHECK(pattern.exists(i, j));
-    both.space.add_bond_pattern(pattern);
+        CHECK(exists(within, i, j));
+    both.space.add_bond_couplings(couplings);
+    const auto all = couplings.rows();
     for (const auto& point : both.machine.bonds[0].points)
         for (const auto i : both.space.unknowns_of(both.machine.faces[point.face_a].cell))
             for (const auto j : both.space.unknowns_of(both.machine.faces[point.face_b].cell)) {
-                CHECK(pattern.exists(i, j));
-                CHECK(pattern.exists(j, i));
+                CHECK(exists(all, i, j));
+                CHECK(exists(all, j, i));
             }
+}
+
+TEST_CASE("couplings are rows, sorted, of each column once; blocks repeat them for each component")
+{
+    Couplings couplings(2, 5);
+    couplings.add(std::vector<PetscInt>{4, 1, 2});
+    couplings.add(std::vector<PetscInt>{2, 7}, std::vector<PetscInt>{9, 1});
+    couplings.add(std::vector<PetscInt>{0, 8});
+    const auto rows = couplings.rows();
+    CHECK(rows.starts == std::vector<PetscInt>{0, 4, 4, 7});
+    CHECK(rows.columns == std::vector<PetscInt>{1, 2, 4, 9, 1, 2, 4});
+    const auto blocks = by_blocks({{0, 2, 3}, {0, 3, 1}}, 2);
+    CHECK(blocks.starts == std::vector<PetscInt>{0, 4, 8, 10, 12});
+    CHECK(blocks.columns == std::vector<PetscInt>{0, 1, 6, 7, 0, 1, 6, 7, 2, 3, 2, 3});
 }
 
 TEST_CASE("bonded cells: their points cover the bond once, with both sides' shape functions there")
@@ -300,7 +321,7 @@ TEST_CASE("vectors and matrices have a block of rows for each unknown")
     PetscInt size = 0, rows = 0;
     DEADPOINT_PETSC(VecGetSize(vector, &size));
     CHECK(size == 36);
-    const auto matrix = create_matrix(part.space, part.space.cell_pattern(), 3);
+    const auto matrix = create_matrix(by_blocks(part.space.cell_couplings().rows(), 3));
     DEADPOINT_PETSC(MatGetSize(matrix, &rows, nullptr));
     CHECK(rows == 36);
     auto copy = duplicate(vector);

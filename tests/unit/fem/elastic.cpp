@@ -4,6 +4,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/elastic/condensation.hpp"
 #include "deadpoint/fem/elastic/dual_functions.hpp"
 #include "deadpoint/fem/elastic/elastic_law.hpp"
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
@@ -174,6 +175,94 @@ TEST_CASE("the expansion makes all displacements of the free ones, and holds wha
     CHECK(ties.follows(node, 0));
     CHECK(bricks::dense(ties.expansion(both.space)).row(3 * node + 1).norm() == 0);
     CHECK(bricks::dense(ties.expansion(both.space)).row(3 * node) == expansion.row(3 * node));
+}
+
+TEST_CASE("a condensed cell matrix is that of the free displacements")
+{
+    const bricks::Space both(bonded(), {1, 1});
+    Ties ties(both.space);
+    ties.hold({3 * ties.ties().front().node + 1});
+    const Condensation condensation(both.space, ties);
+    const auto expansion = bricks::dense(ties.expansion(both.space));
+    CHECK(condensation.first() == 0);
+    CHECK(3 * condensation.last() == expansion.cols());
+    bool some_tied = false;
+    for (std::uint32_t cell = 0; cell < both.machine.cells.size(); ++cell) {
+        const auto nodes = both.space.unknowns_of(cell);
+        const auto count = static_cast<Eigen::Index>(3 * nodes.size());
+        std::vector<double> matrix(static_cast<std::size_t>(count * count));
+        for (std::size_t k = 0; k < matrix.size(); ++k)
+            matrix[k] = std::sin(1.0 + static_cast<double>(k));
+        Eigen::MatrixXd all = Eigen::MatrixXd::Zero(expansion.rows(), expansion.rows());
+        for (Eigen::Index i = 0; i < count; ++i)
+            for (Eigen::Index j = 0; j < count; ++j)
+                all(3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3,
+                    3 * nodes[static_cast<std::size_t>(j / 3)] + j % 3) =
+                    matrix[static_cast<std::size_t>(i * count + j)];
+        const auto free = condensation.condense(nodes, matrix);
+        REQUIRE(matrix.size() == free.size() * free.size());
+        some_tied = some_tied || free.size() != 3 * nodes.size();
+        Eigen::MatrixXd condensed = Eigen::MatrixXd::Zero(expansion.cols(), expansion.cols());
+        for (std::size_t i = 0; i < free.size(); ++i)
+            for (std::size_t j = 0; j < free.size(); ++j)
+                condensed(free[i], free[j]) = matrix[i * free.size() + j];
+        CHECK((condensed - expansion.transpose() * all * expansion).norm() < 1e-12 * all.norm());
+        const auto numbers = condensation.free_nodes(nodes);
+        for (const PetscInt displacement : free)
+            CHECK(std::ranges::find(numbers, displacement / 3) != numbers.end());
+    }
+    CHECK(some_tied);
+}
+
+TEST_CASE("a factor that is not exact is found out and refined")
+{
+    // A tridiagonal matrix, and the factor of one that differs by a share.
+    constexpr PetscInt count = 50;
+    const auto matrix_of = [&](double diagonal) {
+        OwnedMat matrix;
+        DEADPOINT_PETSC(MatCreateSeqAIJ(PETSC_COMM_SELF, count, count, 3, nullptr, matrix.out()));
+        for (PetscInt i = 0; i < count; ++i)
+            for (PetscInt j = std::max(0, i - 1); j < std::min(count, i + 2); ++j)
+                DEADPOINT_PETSC(MatSetValue(matrix, i, j, i == j ? diagonal : -1, INSERT_VALUES));
+        DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+        DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+        return matrix;
+    };
+    const auto matrix = matrix_of(3);
+    const auto right = dense_columns(matrix, 2), solution = dense_columns(matrix, 2);
+    double* entries = nullptr;
+    DEADPOINT_PETSC(MatDenseGetArray(right, &entries));
+    for (PetscInt i = 0; i < 2 * count; ++i)
+        entries[i] = std::sin(1.0 + i);
+    DEADPOINT_PETSC(MatDenseRestoreArray(right, &entries));
+    const auto solve_with = [&](double diagonal) {
+        const auto other = matrix_of(diagonal);
+        OwnedKsp direct;
+        PC preconditioner = nullptr;
+        Mat factor = nullptr;
+        DEADPOINT_PETSC(KSPCreate(PETSC_COMM_SELF, direct.out()));
+        DEADPOINT_PETSC(KSPGetPC(direct, &preconditioner));
+        DEADPOINT_PETSC(PCSetType(preconditioner, PCLU));
+        DEADPOINT_PETSC(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
+        DEADPOINT_PETSC(KSPSetOperators(direct, other, other));
+        DEADPOINT_PETSC(KSPSetUp(direct));
+        DEADPOINT_PETSC(PCFactorGetMatrix(preconditioner, &factor));
+        FactorSolver solver;
+        return solver.solve(matrix, factor, right, solution, 1e-10);
+    };
+    const auto residual = [&] {
+        OwnedMat product;
+        double size = 0;
+        DEADPOINT_PETSC(MatMatMult(matrix, solution, MAT_INITIAL_MATRIX, PETSC_DEFAULT, product.out()));
+        DEADPOINT_PETSC(MatAXPY(product, -1, right, SAME_NONZERO_PATTERN));
+        DEADPOINT_PETSC(MatNorm(product, NORM_FROBENIUS, &size));
+        return size;
+    };
+    CHECK(solve_with(3));
+    CHECK(residual() < 1e-13);
+    CHECK(solve_with(3 + 1e-6));  // each round gains six places
+    CHECK(residual() < 1e-10);
+    CHECK_FALSE(solve_with(4));
 }
 
 TEST_CASE("a free body has six motions to hold; what is supported needs fewer, what is bonded is one piece")

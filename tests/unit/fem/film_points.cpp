@@ -66,7 +66,7 @@ struct Films {
     }
     Eigen::MatrixXd tangent(const Eigen::VectorXd& temperature)
     {
-        const auto matrix = create_matrix(both.space, both.space.cell_pattern(), 1);
+        const auto matrix = create_matrix(both.space.cell_couplings().rows());
         const auto at = bricks::vector_of(both.space, {temperature.begin(), temperature.end()});
         points->build_tangents(films, at, matrix);
         return dense(matrix);
@@ -160,7 +160,7 @@ TEST_CASE("where a law leaves its range the area is told")
 TEST_CASE("films of given coefficients are those of constant films")
 {
     const Films at;
-    const auto matrix = create_matrix(at.both.space, at.both.space.cell_pattern(), 1);
+    const auto matrix = create_matrix(at.both.space.cell_couplings().rows());
     at.points->build_constant({7, 11, 13}, matrix);
     auto constant = at.problem;
     for (auto& condition : constant.surfaces) {
@@ -168,7 +168,7 @@ TEST_CASE("films of given coefficients are those of constant films")
         condition.laws.clear();
     }
     const auto terms = film_terms(at.both.space, constant);
-    const auto expected = create_matrix(at.both.space, at.both.space.cell_pattern(), 1);
+    const auto expected = create_matrix(at.both.space.cell_couplings().rows());
     for (std::size_t s = 0; s < 3; ++s)
         terms[s].add_to(expected, std::array{7.0, 11.0, 13.0}[s]);
     DEADPOINT_PETSC(MatAssemblyBegin(expected, MAT_FINAL_ASSEMBLY));

@@ -41,9 +41,9 @@ HeatProblem problem_with(bool turns)
 /// A dense matrix of the terms with these coefficients.
 Eigen::MatrixXd matrix_of(const Discretisation& space, const JointTerms& terms, const JointCoefficients& coefficients)
 {
-    auto pattern = space.cell_pattern();
-    terms.add_pattern(pattern);
-    const auto matrix = create_matrix(space, pattern, 1);
+    auto couplings = space.cell_couplings();
+    terms.add_couplings(couplings);
+    const auto matrix = create_matrix(couplings.rows());
     terms.add_to(matrix, {coefficients});
     DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
     DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
@@ -214,7 +214,7 @@ TEST_CASE("film terms: of constant films only, by the share that is exposed")
     CHECK(terms[0].entries() > 0);
     CHECK(terms[1].entries() == 0);
     CHECK(terms[2].entries() == 0);
-    const auto matrix = create_matrix(both.space, both.space.cell_pattern(), 1);
+    const auto matrix = create_matrix(both.space.cell_couplings().rows());
     terms[0].add_to(matrix, 10);
     terms[3].add_to(matrix, 4);
     DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
@@ -242,7 +242,7 @@ TEST_CASE("entries of a term are summed by place, whatever order they come in")
     term.add(5, 5, 0.5);
     term.finish();
     CHECK(term.entries() == 5);
-    const auto matrix = create_matrix(part.space, part.space.cell_pattern(), 1);
+    const auto matrix = create_matrix(part.space.cell_couplings().rows());
     term.add_to(matrix, 10);
     term.add_to(matrix, 0);
     insert_block(matrix, shape, shape, 1);
@@ -263,7 +263,7 @@ TEST_CASE("an empty term adds nothing")
     term.finish();
     CHECK(term.entries() == 0);
     const bricks::Space part(Brick{}, 1);
-    const auto matrix = create_matrix(part.space, part.space.cell_pattern(), 1);
+    const auto matrix = create_matrix(part.space.cell_couplings().rows());
     term.add_to(matrix, 3);
     DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
     DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));

@@ -10,8 +10,6 @@ constexpr int estimate_iterations = 10;
 // Factor above the estimate, which is a lower bound. If films are far stiffer than the metal, too low a bound makes
 // the preconditioner indefinite.
 constexpr double room = 1.2;
-// Share of the bound; coarser levels handle lower eigenvalues.
-constexpr double smoothed_from = 0.05;
 
 // Ordered from the coarsest.
 std::vector<KSP> solvers_of_levels(PC multigrid)
@@ -58,6 +56,15 @@ double largest_eigenvalue(Mat matrix)
 
 }  // namespace
 
+std::vector<double> smoother_bounds(PC multigrid)
+{
+    const auto solvers = solvers_of_levels(multigrid);
+    std::vector<double> bounds(solvers.size(), 0.0);
+    for (std::size_t level = 1; level < solvers.size(); ++level)
+        bounds[level] = room * largest_eigenvalue(matrix_of(solvers[level]));
+    return bounds;
+}
+
 void CoarseMatrices::keep(PC multigrid, double factor)
 {
     const auto solvers = solvers_of_levels(multigrid);
@@ -65,9 +72,10 @@ void CoarseMatrices::keep(PC multigrid, double factor)
     auto& kept = first ? first_ : slopes_;
     for (std::size_t level = 0; level + 1 < solvers.size(); ++level)
         DEADPOINT_PETSC(MatDuplicate(matrix_of(solvers[level]), MAT_COPY_VALUES, kept.emplace_back().out()));
+    const auto bounds = smoother_bounds(multigrid);
     bounds_.resize(solvers.size());
-    for (std::size_t level = 1; level < solvers.size(); ++level)
-        bounds_[level] = std::max(bounds_[level], largest_eigenvalue(matrix_of(solvers[level])));
+    for (std::size_t level = 0; level < solvers.size(); ++level)
+        bounds_[level] = std::max(bounds_[level], bounds[level]);
     if (first) {
         first_factor_ = factor;
         return;
@@ -75,10 +83,6 @@ void CoarseMatrices::keep(PC multigrid, double factor)
     for (std::size_t level = 0; level < slopes_.size(); ++level) {
         DEADPOINT_PETSC(MatAXPY(slopes_[level], -1, first_[level], SAME_NONZERO_PATTERN));
         DEADPOINT_PETSC(MatScale(slopes_[level], 1 / (factor - first_factor_)));
-    }
-    for (std::size_t level = 1; level < solvers.size(); ++level) {
-        const double bound = room * bounds_[level];
-        DEADPOINT_PETSC(KSPChebyshevSetEigenvalues(solvers[level], bound, smoothed_from * bound));
     }
 }
 

@@ -14,20 +14,24 @@ namespace deadpoint::fem {
 /// at both ends with positive weights.
 class CoarseMatrices {
 public:
-    /// Keeps the coarse matrices and bounds of a multigrid that is set up for `factor` [s] (PCMG or
-    /// PCML, smoothed by Chebyshev polynomials of the diagonally scaled matrix). With the second
-    /// factor the bounds of its smoothers become final.
+    /// Keeps the coarse matrices and bounds of a multigrid that is set up for `factor` [s] (PCMG or PCML).
     void keep(PC multigrid, double factor);
+    /// True if two factors are kept.
     [[nodiscard]] bool complete() const { return slopes_.size() + 1 == bounds_.size(); }
     /// Sets the coarse levels to the matrices of M + factor K. Needs two kept factors; the bounds
     /// are valid between them.
     void follow(PC multigrid, double factor) const;
+    /// Upper bounds of the eigenvalues of D^-1 A per level, from the coarsest on; 0 for the coarsest.
+    [[nodiscard]] const std::vector<double>& bounds() const { return bounds_; }
 
 private:
     double first_factor_ = 0;
     std::vector<OwnedMat> first_;   ///< at the first factor, from the coarsest level on
     std::vector<OwnedMat> slopes_;  ///< change with the factor [1/s]
-    std::vector<double> bounds_;    ///< largest eigenvalue of each level; none of the coarsest
+    std::vector<double> bounds_;
 };
+
+/// Such bounds of a multigrid that is set up.
+std::vector<double> smoother_bounds(PC multigrid);
 
 }  // namespace deadpoint::fem

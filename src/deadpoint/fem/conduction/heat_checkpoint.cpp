@@ -234,11 +234,10 @@ void HeatCheckpoint::make_preconditioner(const heat::PreconditionerOrigin& origi
     auto& system = run_.system();
     auto& sources = run_.sources();
     sources.enter(run_.problem().segments[origin.segment]);
-    OwnedVec temperature = system.make_vector(), work = system.make_vector();
+    OwnedVec temperature = system.make_vector();
     const Vec followed = system.stage().preconditioner_temperature();
     DEADPOINT_PETSC(VecCopy(followed ? followed : Vec(run_.temperature()), temperature));
     system.build(origin.factor, temperature, sources.films.following(origin.time, origin.air));
-    system.stage().set_up(run_.temperature(), work);
 }
 
 void HeatCheckpoint::hand_on_again(BinaryReader& reader, std::size_t count, const FieldCallback& on_field) const

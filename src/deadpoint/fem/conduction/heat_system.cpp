@@ -13,13 +13,14 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace deadpoint::fem {
 namespace {
 
 // Of each solve of the adjoint, in the norm of its solution: what is left out of the shares of all causes together is
-// of this size.
-constexpr double adjoint_tolerance = 1e-8;
+// of this size. The temperatures leave out as much of a rise of 1 K.
+double adjoint_tolerance(const HeatProblem& problem) { return std::min(problem.solver_tolerance, 1e-6); }
 
 /// A bound on the steps, which does not change where a run of some length is prolonged.
 double longest_step(const HeatProblem& problem)
@@ -204,17 +205,16 @@ std::vector<double> HeatSystem::observe(const OwnedVec& vector, const OwnedVec& 
     std::vector<double> sums(adjoints.size() + split * parts, 0.0);
     {
         const ConstEntries data(vector), at(temperature);
-        const auto rise = [&](std::size_t i) {
-            return is_slope ? parts_->expansion.slope(i, at[i]) * data[i]
-                            : parts_->expansion.rise(i, data[i], observation_.reference);
-        };
+        std::vector<double> rise(part_of.size());
+        for (std::size_t i = 0; i < rise.size(); ++i)
+            rise[i] = is_slope ? parts_->expansion.slope(i, at[i]) * data[i]
+                               : parts_->expansion.rise(i, data[i], observation_.reference);
         for (std::size_t k = 0; k < adjoints.size(); ++k)
-            for (std::size_t i = 0; i < adjoints[k].owned.size(); ++i)
-                sums[k] += adjoints[k].owned[i] * rise(i);
+            sums[k] = std::inner_product(rise.begin(), rise.end(), adjoints[k].owned.begin(), 0.0);
         for (std::size_t k = 0; k < split; ++k) {
             const auto& weights = adjoints[static_cast<std::size_t>(observation_.attribution.first) + k].owned;
             for (std::size_t i = 0; i < weights.size(); ++i)
-                sums[adjoints.size() + k * parts + part_of[i]] += weights[i] * rise(i);
+                sums[adjoints.size() + k * parts + part_of[i]] += weights[i] * rise[i];
         }
     }
     sum_over_ranks(sums);
@@ -261,7 +261,7 @@ int HeatSystem::solve_adjoint(double factor, const OwnedVec& right, OwnedVec& so
 {
     if (factor != parts_->stage.factor())
         parts_->stage.combine(factor, nullptr);
-    return parts_->stage.solve_from_guess(right, solution, adjoint_tolerance, "the weights of the heat");
+    return parts_->stage.solve_from_guess(right, solution, adjoint_tolerance(*problem_), "the weights of the heat");
 }
 
 void HeatSystem::observe_with(Observation observation) { observation_ = observation; }

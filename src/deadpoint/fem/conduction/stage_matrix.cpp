@@ -1,6 +1,7 @@
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
 
 #include "deadpoint/fem/conduction/coarse_matrices.hpp"
+#include "deadpoint/fem/conduction/float_cycle.hpp"
 #include "deadpoint/fem/conduction/terms/film_points.hpp"
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 #include "deadpoint/fem/conduction/terms/material_maps.hpp"
@@ -9,6 +10,7 @@
 #include "deadpoint/fem/space/shell_matrix.hpp"
 #include "deadpoint/fem/space/vectors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ml_utils.h>
 
@@ -19,6 +21,10 @@ namespace {
 constexpr double largest_reuse = 2.5;
 // Below the value of the shortest step: the mass dominates the matrix [s].
 constexpr double shortest_factor = 1e-7;
+// The norms of residual and correction do not fall alike, but nearly; see test().
+constexpr double caution = 1.2;
+constexpr double largest_growth = 1e10;  // of a residual, before a solve counts as failed
+constexpr int most_iterations = 2000;
 
 // Options that the user gave to PETSc take precedence.
 void default_option(const char* name, const char* value)
@@ -32,16 +38,12 @@ void default_option(const char* name, const char* value)
 void set_default_options()
 {
     // Aggregates ignore weak couplings across films, which would only make them worse.
-    default_option("-heat_pc_ml_Threshold", "0.01");
+    default_option("-heat_cycle_pc_ml_Threshold", "0.01");
     // Reuses aggregates and their interpolation, which are half of a hierarchy's cost; see prepare().
-    default_option("-heat_pc_ml_reuse_interpolation", "true");
-    // Chebyshev reaches the memory's bandwidth (Gauss-Seidel does not) and is the same on any number of ranks.
-    default_option("-heat_mg_levels_ksp_type", "chebyshev");
-    default_option("-heat_mg_levels_ksp_max_it", "2");
-    default_option("-heat_mg_levels_pc_type", "jacobi");
-    // If films are far stiffer than the metal, too low a bound makes the preconditioner indefinite.
-    default_option("-heat_mg_levels_ksp_chebyshev_esteig", "0,0.1,0,1.2");
-    default_option("-heat_mg_levels_esteig_ksp_type", "cg");
+    default_option("-heat_cycle_pc_ml_reuse_interpolation", "true");
+    // The library's smoothers are not used; these need no set-up.
+    default_option("-heat_cycle_mg_levels_ksp_type", "richardson");
+    default_option("-heat_cycle_mg_levels_pc_type", "jacobi");
 }
 
 PC preconditioner_of(KSP solver)
@@ -51,16 +53,10 @@ PC preconditioner_of(KSP solver)
     return preconditioner;
 }
 
-// Makes the next multigrid hierarchy a function of its matrices alone, so that a resumed run can build it again:
-// without what smoothers keep of the last one, and with the same random vectors, from which ML estimates eigenvalues.
-void begin_anew(KSP solver)
+PetscErrorCode report(const std::exception& error)
 {
-    const PC multigrid = preconditioner_of(solver);
-    DEADPOINT_PETSC(PCSetType(multigrid, PCNONE));
-    DEADPOINT_PETSC(PCSetType(multigrid, PCML));
-    DEADPOINT_PETSC(PCSetUseAmat(multigrid, PETSC_FALSE));
-    DEADPOINT_PETSC(PCSetFromOptions(multigrid));
-    ML_set_random_seed(1 + rank());
+    return PetscError(PETSC_COMM_SELF, __LINE__, "multigrid", __FILE__, PETSC_ERR_LIB, PETSC_ERROR_INITIAL, "%s",
+                      error.what());
 }
 
 }  // namespace
@@ -88,11 +84,86 @@ void StageMatrix::create_solver()
         DEADPOINT_PETSC(KSPSetType(solver_, KSPBCGS));
     }
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_FALSE));
-    DEADPOINT_PETSC(PCSetType(preconditioner_of(solver_), PCML));
+    const PC preconditioner = preconditioner_of(solver_);
+    DEADPOINT_PETSC(PCSetType(preconditioner, PCSHELL));
+    DEADPOINT_PETSC(PCShellSetContext(preconditioner, this));
+    DEADPOINT_PETSC(PCShellSetApply(preconditioner, &StageMatrix::apply_cycle));
+    DEADPOINT_PETSC(PCShellSetView(preconditioner, &StageMatrix::view_cycle));
     set_default_options();
     DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "heat_"));
     DEADPOINT_PETSC(KSPSetFromOptions(solver_));
     DEADPOINT_PETSC(KSPSetOperators(solver_, *shell_, system_));
+    choose_test();
+}
+
+// Where options leave conjugate gradients and the cycle.
+void StageMatrix::choose_test()
+{
+    PetscBool conjugate = PETSC_FALSE, cycles = PETSC_FALSE;
+    DEADPOINT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(KSP(solver_)), KSPCG, &conjugate));
+    DEADPOINT_PETSC(
+        PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner_of(solver_)), PCSHELL, &cycles));
+    predicts_ = conjugate == PETSC_TRUE && cycles == PETSC_TRUE;
+    if (!predicts_)
+        return;
+    DEADPOINT_PETSC(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED));
+    DEADPOINT_PETSC(KSPSetConvergenceTest(solver_, &StageMatrix::test, this, nullptr));
+}
+
+// A correction, B times the residual, is about as large as the error. Its norm decides when to stop. Before the next
+// cycle is run, its correction is expected to be smaller than the last one as the residual became smaller, so that no
+// cycle runs only to say that none is needed.
+PetscErrorCode StageMatrix::test(KSP, PetscInt iteration, PetscReal residual, KSPConvergedReason* reason,
+                                 void* stage) noexcept
+{
+    auto& self = *static_cast<StageMatrix*>(stage);
+    auto& progress = self.progress_;
+    *reason = KSP_CONVERGED_ITERATING;
+    if (!std::isfinite(residual))
+        *reason = KSP_DIVERGED_NANORINF;
+    else if (residual == 0)
+        *reason = KSP_CONVERGED_ATOL;
+    else if (iteration > 0) {
+        const double expected = caution * progress.correction * residual / progress.residual;
+        if (expected <= std::max(progress.relative * progress.size, progress.absolute))
+            *reason = KSP_CONVERGED_ATOL;
+        else if (residual > largest_growth * progress.first_residual)
+            *reason = KSP_DIVERGED_DTOL;
+    } else {
+        progress.first_residual = residual;
+    }
+    progress.residual = residual;
+    return 0;
+}
+
+PetscErrorCode StageMatrix::apply_cycle(PC shell, Vec in, Vec out) noexcept
+{
+    void* stage = nullptr;
+    if (const PetscErrorCode code = PCShellGetContext(shell, static_cast<void*>(&stage)); code != 0)
+        return code;
+    auto& self = *static_cast<StageMatrix*>(stage);
+    try {
+        self.cycle_->apply(in, out);
+    } catch (const std::exception& error) {
+        return report(error);
+    }
+    auto& progress = self.progress_;
+    const PetscErrorCode code = VecNorm(out, NORM_2, &progress.correction);
+    progress.size = std::max(progress.size, progress.correction);
+    return code;
+}
+
+PetscErrorCode StageMatrix::view_cycle(PC shell, PetscViewer viewer) noexcept
+{
+    void* stage = nullptr;
+    if (const PetscErrorCode code = PCShellGetContext(shell, static_cast<void*>(&stage)); code != 0)
+        return code;
+    try {
+        static_cast<StageMatrix*>(stage)->cycle_->view(viewer);
+        return 0;
+    } catch (const std::exception& error) {
+        return report(error);
+    }
 }
 
 StageMatrix::~StageMatrix() = default;
@@ -106,21 +177,33 @@ void StageMatrix::reset(double longest)
     coarse_.reset();
 }
 
+// A new hierarchy is a function of its matrices alone, so that a resumed run can build it again: ML estimates
+// eigenvalues from the same random vectors.
+void StageMatrix::create_multigrid()
+{
+    cycle_.reset();
+    DEADPOINT_PETSC(PCCreate(PETSC_COMM_WORLD, multigrid_.out()));
+    DEADPOINT_PETSC(PCSetOperators(multigrid_, system_, system_));
+    DEADPOINT_PETSC(PCSetType(multigrid_, PCML));
+    DEADPOINT_PETSC(PCSetOptionsPrefix(multigrid_, "heat_cycle_"));
+    DEADPOINT_PETSC(PCSetFromOptions(multigrid_));
+    ML_set_random_seed(1 + rank());
+}
+
 // Aggregates and interpolation of the multigrid, from a matrix that conduction rules, where coarse levels matter; they
 // serve every step size. So do two sets of coarse matrices, where nothing but the factor changes.
 void StageMatrix::prepare()
 {
     if (coarse_)
         return;
-    begin_anew(solver_);
+    create_multigrid();
     coarse_ = std::make_unique<CoarseMatrices>();
-    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, PETSC_FALSE));
     for (const double factor : {longest_, shortest_factor}) {
         fill(factor, nullptr, nullptr);
-        DEADPOINT_PETSC(PCSetUp(preconditioner_of(solver_)));  // KSPSetUp does this only the first time
+        DEADPOINT_PETSC(PCSetUp(multigrid_));
         if (follows_temperature())
             break;
-        coarse_->keep(preconditioner_of(solver_), factor);
+        coarse_->keep(multigrid_, factor);
     }
 }
 
@@ -131,8 +214,6 @@ bool StageMatrix::combine(double factor, Vec temperature)
     factor_ = factor;
     const bool near = factor < largest_reuse * multigrid_factor_ && multigrid_factor_ < largest_reuse * factor;
     // A temperature-dependent matrix changes little per step, so the old multigrid remains usable.
-    const bool anew = follows_temperature() && !near;
-    DEADPOINT_PETSC(KSPSetReusePreconditioner(solver_, anew ? PETSC_FALSE : PETSC_TRUE));
     if (follows_temperature() && near)
         return false;
     multigrid_factor_ = factor;
@@ -140,9 +221,21 @@ bool StageMatrix::combine(double factor, Vec temperature)
         prepare_preconditioner_temperature(temperature);
         DEADPOINT_PETSC(VecCopy(temperature, origin_));
     }
-    if (coarse_->complete())
-        coarse_->follow(preconditioner_of(solver_), factor);
+    if (coarse_->complete()) {
+        coarse_->follow(multigrid_, factor);
+        renew_cycle(coarse_->bounds());
+    } else {
+        DEADPOINT_PETSC(PCSetUp(multigrid_));
+        renew_cycle(smoother_bounds(multigrid_));
+    }
     return true;
+}
+
+void StageMatrix::renew_cycle(const std::vector<double>& bounds)
+{
+    if (!cycle_)
+        cycle_ = std::make_unique<FloatCycle>(multigrid_);
+    cycle_->take_values(bounds);
 }
 
 Vec StageMatrix::prepare_preconditioner_temperature(Vec pattern)
@@ -165,13 +258,6 @@ void StageMatrix::fill(double factor, Mat films, Vec temperature)
     if (prescribed_.some())
         DEADPOINT_PETSC(
             MatZeroRowsColumns(system_, static_cast<PetscInt>(held.size()), held.data(), 1, nullptr, nullptr));
-}
-
-// The first use of a multigrid completes its set-up.
-void StageMatrix::set_up(Vec any, Vec work)
-{
-    DEADPOINT_PETSC(KSPSetUp(solver_));
-    DEADPOINT_PETSC(PCApply(preconditioner_of(solver_), any, work));
 }
 
 // Heat that falls with temperature adds a few rank-one terms to the matrix; the preconditioner may ignore them.
@@ -200,20 +286,29 @@ void StageMatrix::multiply(Vec in, Vec out) const
 int StageMatrix::solve(Vec right, Vec solution, const heat::LowRank<OwnedVec>& low_rank, heat::SolveTolerance tolerance,
                        const char* what)
 {
-    const double scale = std::sqrt(static_cast<double>(space_.total));
-    DEADPOINT_PETSC(KSPSetTolerances(solver_, tolerance.relative, tolerance.absolute * scale, 1e10, 2000));
     low_rank_ = &low_rank;
-    return shell_->use([&] { return fem::solve(solver_, right, solution, what); });
+    return solve(right, solution, 0, tolerance, what);
 }
 
 int StageMatrix::solve_from_guess(Vec right, Vec solution, double relative, const char* what)
 {
     low_rank_ = nullptr;
-    DEADPOINT_PETSC(KSPSetTolerances(solver_, relative, 1e-300, 1e10, 2000));
+    PetscReal size = 0;
+    DEADPOINT_PETSC(VecNorm(solution, NORM_2, &size));
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_TRUE));
-    const int iterations = shell_->use([&] { return fem::solve(solver_, right, solution, what); });
+    const int iterations = solve(right, solution, size, {relative, 0}, what);
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_FALSE));
     return iterations;
+}
+
+// The relative tolerance counts for `size` or the size of the largest correction.
+int StageMatrix::solve(Vec right, Vec solution, double size, heat::SolveTolerance tolerance, const char* what)
+{
+    const double absolute = tolerance.absolute * std::sqrt(static_cast<double>(space_.total));
+    progress_ = {tolerance.relative, absolute, size, 0, 0, 0};
+    DEADPOINT_PETSC(
+        KSPSetTolerances(solver_, tolerance.relative, std::max(absolute, 1e-300), largest_growth, most_iterations));
+    return shell_->use([&] { return fem::solve(solver_, right, solution, what); });
 }
 
 }  // namespace deadpoint::fem

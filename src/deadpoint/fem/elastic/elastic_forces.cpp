@@ -148,6 +148,7 @@ void ElasticSolver::stiffness_times(const std::vector<double>& shape, Vec target
 std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<ForceGauge>& gauges)
 {
     std::vector<Adjoint> result;
+    Pending pending;
     Gathered gathered(solution_);
     const auto load_gauge = [&](std::size_t k) {
         if (gauges[k].kind == ForceGauge::Kind::feet && foundation_.kind == Foundation::Kind::elastic)
@@ -162,8 +163,9 @@ std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<ForceGauge>& gaug
         std::vector<double> weights(described.shape.size());
         for (std::size_t i = 0; i < weights.size(); ++i)
             weights[i] = described.factor * (solved[i] - described.shape[i]);
-        result.push_back(temperature_weights(gauges[k].name, weights.data()));
+        add_adjoint(pending, gauges[k].name, std::move(weights), result);
     });
+    finish_adjoints(pending, result);
     return result;
 }
 

@@ -6,8 +6,10 @@
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/fields.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/vectors.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace deadpoint::fem {
@@ -56,7 +58,8 @@ double ElasticSolver::thermal_modulus(int part) const
 }
 
 // Pads: integral of k N_i N_j over the feet, separately for each direction (Winkler).
-void ElasticSolver::add_pads(Mat all) const
+void ElasticSolver::for_each_pad(
+    const std::function<void(const PointShape& shape, const std::vector<double>& stiffness)>& visit) const
 {
     if (foundation_.surface < 0 || foundation_.kind != Foundation::Kind::elastic)
         return;
@@ -78,8 +81,7 @@ void ElasticSolver::add_pads(Mat all) const
                     for (std::size_t c = 0; c < 3; ++c)
                         block[(3 * i + c) * 3 * n + 3 * j + c] =
                             stiffness[c] * foot.fraction * point.weight * shape.value[i] * shape.value[j];
-            DEADPOINT_PETSC(MatSetValuesBlocked(all, shape.count, shape.dof.data(), shape.count, shape.dof.data(),
-                                                block.data(), ADD_VALUES));
+            visit(shape, block);
         }
     }
 }
@@ -152,30 +154,55 @@ void ElasticSolver::load_weight(const Vec3& gravity, Vec target) const
     finish(target);
 }
 
-// a_i = integral of E alpha / (1 - 2 nu) div(displacement) N_i
-Adjoint ElasticSolver::temperature_weights(const std::string& name, const double* displacement) const
+void ElasticSolver::add_adjoint(Pending& pending, const std::string& name, std::vector<double> displacement,
+                                std::vector<Adjoint>& result) const
 {
-    OwnedVec weights = create_vector(space_, 1);
+    constexpr std::size_t at_once = 8;
+    pending.names.push_back(name);
+    pending.displacements.push_back(std::move(displacement));
+    if (pending.names.size() == at_once)
+        finish_adjoints(pending, result);
+}
+
+void ElasticSolver::finish_adjoints(Pending& pending, std::vector<Adjoint>& result) const
+{
+    std::ranges::move(temperature_weights(pending), std::back_inserter(result));
+    pending = {};
+}
+
+// a_i = integral of E alpha / (1 - 2 nu) div(displacement) N_i
+std::vector<Adjoint> ElasticSolver::temperature_weights(const Pending& pending) const
+{
+    const auto& names = pending.names;
+    std::vector<OwnedVec> weights;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        weights.push_back(create_vector(space_, 1));
+    std::vector<PetscInt> unknowns;
     std::vector<double> cell_weights;
     for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
         const double modulus = thermal_modulus(part);
-        cell_weights.assign(dofs.size(), 0.0);
-        for (const auto q : v.quadrature_point_indices()) {
-            double divergence = 0;
-            for (unsigned i = 0; i < dofs.size(); ++i)
-                for (unsigned c = 0; c < 3; ++c)
-                    divergence += v.shape_grad(i, q)[c] * displacement[3 * dofs[i] + c];
-            for (unsigned i = 0; i < dofs.size(); ++i)
-                cell_weights[i] += modulus * v.JxW(q) * divergence * v.shape_value(i, q);
+        unknowns.assign(dofs.begin(), dofs.end());
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            const auto& displacement = pending.displacements[k];
+            cell_weights.assign(dofs.size(), 0.0);
+            for (const auto q : v.quadrature_point_indices()) {
+                double divergence = 0;
+                for (unsigned i = 0; i < dofs.size(); ++i)
+                    for (unsigned c = 0; c < 3; ++c)
+                        divergence += v.shape_grad(i, q)[c] * displacement[3 * dofs[i] + c];
+                for (unsigned i = 0; i < dofs.size(); ++i)
+                    cell_weights[i] += modulus * v.JxW(q) * divergence * v.shape_value(i, q);
+            }
+            DEADPOINT_PETSC(VecSetValues(weights[k], static_cast<PetscInt>(unknowns.size()), unknowns.data(),
+                                         cell_weights.data(), ADD_VALUES));
         }
-        for (unsigned i = 0; i < dofs.size(); ++i)
-            DEADPOINT_PETSC(VecSetValue(weights, static_cast<PetscInt>(dofs[i]), cell_weights[i], ADD_VALUES));
     });
-    finish(weights);
-    const double* owned = nullptr;
-    DEADPOINT_PETSC(VecGetArrayRead(weights, &owned));
-    Adjoint result{name, {owned, owned + (space_.last - space_.first)}};
-    DEADPOINT_PETSC(VecRestoreArrayRead(weights, &owned));
+    std::vector<Adjoint> result;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        finish(weights[k]);
+        const ConstEntries owned(weights[k]);
+        result.push_back({names[k], {owned.data(), owned.data() + (space_.last - space_.first)}});
+    }
     return result;
 }
 

@@ -2,12 +2,13 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/face_points.hpp"
+#include "deadpoint/fem/elastic/condensation.hpp"
 #include "deadpoint/fem/elastic/elastic_cells.hpp"
-#include "deadpoint/fem/elastic/refined_solve.hpp"
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/fields.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <set>
 #include <variant>
@@ -17,6 +18,22 @@ namespace {
 
 constexpr double relative_tolerance = 1e-10;
 constexpr std::size_t block = 32;  ///< loads that are solved for together
+
+void set_column(Mat dense, PetscInt k, Vec from)
+{
+    Vec column = nullptr;
+    DEADPOINT_PETSC(MatDenseGetColumnVecWrite(dense, k, &column));
+    DEADPOINT_PETSC(VecCopy(from, column));
+    DEADPOINT_PETSC(MatDenseRestoreColumnVecWrite(dense, k, &column));
+}
+
+void take_column(Mat dense, PetscInt k, Vec to)
+{
+    Vec column = nullptr;
+    DEADPOINT_PETSC(MatDenseGetColumnVecRead(dense, k, &column));
+    DEADPOINT_PETSC(VecCopy(column, to));
+    DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(dense, k, &column));
+}
 
 }  // namespace
 
@@ -109,17 +126,35 @@ void ElasticSolver::take_free_load()
     clear_fixed(free_rhs_);
 }
 
-// Solves for rhs_ and stores the result in solution_. A previous solution in free_solution_ is the first guess.
+// Solves for rhs_ and stores the result in solution_. Without a factor a previous solution in free_solution_ is the
+// first guess.
 void ElasticSolver::solve_free(const char* what)
 {
     take_free_load();
     PetscReal size = 0;
     DEADPOINT_PETSC(VecNorm(free_rhs_, NORM_INFINITY, &size));
-    if (size > 0)
-        iterations_ += solve(solver_, free_rhs_, free_solution_, what);
-    else
+    if (!(size > 0) && !std::isnan(size)) {
         DEADPOINT_PETSC(VecSet(free_solution_, 0));
+    } else if (has_factor_) {
+        const auto right = dense_columns(matrix_, 1), solution = dense_columns(matrix_, 1);
+        set_column(right, 0, free_rhs_);
+        const bool solved = solve_with_factor(right, solution);
+        take_column(solution, 0, free_solution_);
+        iterations_ += solved ? 1 : solve(solver_, free_rhs_, free_solution_, what);
+    } else {
+        iterations_ += solve(solver_, free_rhs_, free_solution_, what);
+    }
     DEADPOINT_PETSC(MatMult(expansion_, free_solution_, solution_));
+}
+
+bool ElasticSolver::solve_with_factor(Mat right, Mat solution)
+{
+    PC preconditioner = nullptr;
+    Mat factor = nullptr;
+    DEADPOINT_PETSC(KSPSetUp(solver_));
+    DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
+    DEADPOINT_PETSC(PCFactorGetMatrix(preconditioner, &factor));
+    return factor_.solve(matrix_, factor, right, solution, relative_tolerance);
 }
 
 void ElasticSolver::solve_all(std::size_t count, const char* what, const std::function<void(std::size_t)>& load,
@@ -144,24 +179,14 @@ void ElasticSolver::solve_block(std::size_t first, std::size_t last, const char*
 {
     const auto count = static_cast<PetscInt>(last - first);
     const auto right = dense_columns(matrix_, count), solution = dense_columns(matrix_, count);
-    Vec column = nullptr;
     for (PetscInt k = 0; k < count; ++k) {
         load(first + static_cast<std::size_t>(k));
         take_free_load();
-        DEADPOINT_PETSC(MatDenseGetColumnVecWrite(right, k, &column));
-        DEADPOINT_PETSC(VecCopy(free_rhs_, column));
-        DEADPOINT_PETSC(MatDenseRestoreColumnVecWrite(right, k, &column));
+        set_column(right, k, free_rhs_);
     }
-    PC preconditioner = nullptr;
-    Mat factor = nullptr;
-    DEADPOINT_PETSC(KSPSetUp(solver_));
-    DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
-    DEADPOINT_PETSC(PCFactorGetMatrix(preconditioner, &factor));
-    const bool solved = solve_refined(matrix_, factor, right, solution, relative_tolerance);
+    const bool solved = solve_with_factor(right, solution);
     for (PetscInt k = 0; k < count; ++k) {
-        DEADPOINT_PETSC(MatDenseGetColumnVecRead(solution, k, &column));
-        DEADPOINT_PETSC(VecCopy(column, free_solution_));
-        DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(solution, k, &column));
+        take_column(solution, k, free_solution_);
         if (solved) {
             DEADPOINT_PETSC(MatMult(expansion_, free_solution_, solution_));
         } else {
@@ -263,23 +288,33 @@ void ElasticSolver::clear_fixed(Vec vector) const
 
 void ElasticSolver::assemble()
 {
-    OwnedMat all = create_matrix(space_, space_.cell_pattern(), 3);
+    const Condensation condensation(space_, ties_);
+    Couplings couplings(condensation.first(), condensation.last());
+    for (std::uint32_t cell = 0; cell < space_.machine.cells.size(); ++cell)
+        couplings.add(condensation.free_nodes(space_.unknowns_of(cell)));
+    matrix_ = create_matrix(by_blocks(couplings.rows(), 3));
+    couplings = {0, 0};
     std::vector<PetscInt> nodes;
     std::vector<double> block;
+    const auto add = [&] {
+        const auto free = condensation.condense(nodes, block);
+        const auto count = static_cast<PetscInt>(free.size());
+        DEADPOINT_PETSC(MatSetValues(matrix_, count, free.data(), count, free.data(), block.data(), ADD_VALUES));
+    };
     for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
         cell_stiffness(v, materials_[part], block);
         nodes.assign(dofs.begin(), dofs.end());
-        const auto count = static_cast<PetscInt>(nodes.size());
-        DEADPOINT_PETSC(MatSetValuesBlocked(all, count, nodes.data(), count, nodes.data(), block.data(), ADD_VALUES));
+        add();
     });
-    add_pads(all);
-    DEADPOINT_PETSC(MatAssemblyBegin(all, MAT_FINAL_ASSEMBLY));
-    DEADPOINT_PETSC(MatAssemblyEnd(all, MAT_FINAL_ASSEMBLY));
-    expansion_ = ties_.expansion(space_);
-    DEADPOINT_PETSC(MatPtAP(all, expansion_, MAT_INITIAL_MATRIX, 2.0, matrix_.out()));
-    DEADPOINT_PETSC(MatProductClear(matrix_));  // otherwise it keeps the matrix of all displacements in memory
+    for_each_pad([&](const PointShape& shape, const std::vector<double>& pad) {
+        nodes.assign(shape.dof.begin(), shape.dof.begin() + shape.count);
+        block = pad;
+        add();
+    });
+    DEADPOINT_PETSC(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
+    DEADPOINT_PETSC(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
     DEADPOINT_PETSC(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
-    DEADPOINT_PETSC(MatSetOption(matrix_, MAT_USE_INODES, PETSC_FALSE));
+    expansion_ = ties_.expansion(space_);
 }
 
 void ElasticSolver::set_near_null_space()
@@ -333,10 +368,15 @@ Displacement ElasticSolver::dual(const Functional& functional)
 std::vector<Adjoint> ElasticSolver::adjoints(const std::vector<Functional>& functionals)
 {
     std::vector<Adjoint> result;
+    Pending pending;
     Gathered gathered(solution_);
     solve_all(
         functionals.size(), "the deformation's adjoint", [&](std::size_t k) { load_dual(functionals[k]); },
-        [&](std::size_t k) { result.push_back(temperature_weights(functionals[k].name, gathered.gather(solution_))); });
+        [&](std::size_t k) {
+            const double* all = gathered.gather(solution_);
+            add_adjoint(pending, functionals[k].name, {all, all + 3 * space_.total}, result);
+        });
+    finish_adjoints(pending, result);
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "deadpoint/exchange/deformation.hpp"
 #include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/fem/elastic/factor_solver.hpp"
 #include "deadpoint/fem/elastic/ties.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
 
@@ -55,6 +56,7 @@ private:
     void find_factor();
     void set_near_null_space();
     void solve_free(const char* what);
+    bool solve_with_factor(Mat right, Mat solution);
     /// @param load  sets rhs_ to the load of that number
     /// @param take  reads its displacement in solution_
     void solve_all(std::size_t count, const char* what, const std::function<void(std::size_t)>& load,
@@ -64,12 +66,22 @@ private:
     void take_free_load();
     void require_equilibrium();
     [[nodiscard]] Displacement owned_solution() const;
-    void add_pads(Mat all) const;
+    /// Calls visit(shape functions at a point of a pad, its stiffness with three rows per unknown).
+    void
+    for_each_pad(const std::function<void(const PointShape& shape, const std::vector<double>& stiffness)>& visit) const;
     void load(const Functional& functional, Vec target) const;
     void load_thermal(const Field& rise, Vec target) const;
     void load_initial_strain(const std::vector<Tensor6>& strain, Vec target) const;
     void load_weight(const Vec3& gravity, Vec target) const;
-    [[nodiscard]] Adjoint temperature_weights(const std::string& name, const double* displacement) const;
+    /// Displacements on all ranks that are to become adjoints, a few at a time: each round visits all cells.
+    struct Pending {
+        std::vector<std::string> names;
+        std::vector<std::vector<double>> displacements;
+    };
+    void add_adjoint(Pending& pending, const std::string& name, std::vector<double> displacement,
+                     std::vector<Adjoint>& result) const;
+    void finish_adjoints(Pending& pending, std::vector<Adjoint>& result) const;
+    [[nodiscard]] std::vector<Adjoint> temperature_weights(const Pending& pending) const;
     void load_dual(const Functional& functional);
     void clear_fixed(Vec vector) const;
     [[nodiscard]] double thermal_modulus(int part) const;  ///< E alpha / (1 - 2 nu) [Pa/K], alpha the expansion_scale()
@@ -91,6 +103,7 @@ private:
     OwnedMat expansion_;  ///< from free to all displacements
     OwnedMat matrix_;     ///< of the free displacements
     OwnedKsp solver_;
+    FactorSolver factor_;
     OwnedVec solution_, rhs_;  ///< all displacements
     OwnedVec free_solution_, free_rhs_;
     std::unique_ptr<RigidPieces> pieces_;

@@ -161,10 +161,8 @@ void RigidPieces::choose_holds(const Ties& ties)
 
 std::array<double, 3> RigidPieces::motion(const Piece& piece, const Mode& mode, std::size_t node) const
 {
-    std::array<double, 3> u{};
-    for (int c = 0; c < 3; ++c)
-        u[c] = column(row(piece, position_[node], c)).dot(column(mode));
-    return u;
+    const Vec3 arm = (1 / piece.size) * (position_[node] - piece.centre);
+    return Vec3{mode[0], mode[1], mode[2]} + cross(Vec3{mode[3], mode[4], mode[5]}, arm);
 }
 
 // Visits (number of the motion, share of the node's volume in its piece, the motion there, the node's values).

@@ -59,7 +59,6 @@ void Ties::hold(const std::vector<PetscInt>& unknowns)
         held_[static_cast<std::size_t>(unknown)] = true;
 }
 
-// Masters of each tied node. All are free: a master that is tied itself is replaced by its own masters.
 std::map<PetscInt, Masters> Ties::followed_in_the_end(PetscInt component) const
 {
     std::map<PetscInt, Masters> result;

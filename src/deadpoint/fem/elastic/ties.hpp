@@ -45,10 +45,11 @@ public:
     [[nodiscard]] OwnedMat expansion(const Discretisation& space) const;
     /// This rank's free nodes, counted from its first node, in order.
     [[nodiscard]] std::vector<PetscInt> free_nodes(const Discretisation& space) const;
-
-private:
+    /// Of each tied node, the free nodes that it follows in one component: a master that is tied itself is replaced by
+    /// its own masters.
     [[nodiscard]] std::map<PetscInt, Masters> followed_in_the_end(PetscInt component) const;
 
+private:
     std::vector<bool> tied_;  ///< per node
     std::vector<bool> held_;  ///< per displacement
     std::vector<Tie> ties_;

@@ -184,28 +184,39 @@ Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_
         depth_.push_back(cell_volume(machine, machine.cells[face.cell]) / face_area(machine, face));
 }
 
+namespace {
+
+// Without the columns of other ranks, counted from the first.
+SparseRows among_themselves(SparseRows rows, PetscInt first, PetscInt last)
+{
+    std::size_t kept = 0, next = 0;
+    for (std::size_t row = 0; row + 1 < rows.starts.size(); ++row) {
+        for (; next < static_cast<std::size_t>(rows.starts[row + 1]); ++next)
+            if (const PetscInt column = rows.columns[next]; column >= first && column < last)
+                rows.columns[kept++] = column - first;
+        rows.starts[row + 1] = static_cast<PetscInt>(kept);
+    }
+    rows.columns.resize(kept);
+    return rows;
+}
+
+}  // namespace
+
 // Reverse Cuthill and McKee over each rank's unknowns, with all that couples them: parts that touch are neighbours too.
 // Products with the matrices then read nearby memory. PETSc's version begins at the end of the longest path through
 // the graph; deal.II's does not and gives wider bands.
 void Discretisation::number_neighbours_alike()
 {
-    auto pattern = cell_pattern();
-    add_bond_pattern(pattern);
+    auto couplings = cell_couplings();
+    add_bond_couplings(couplings);
     for (const auto& interface : machine.interfaces)
-        add_pattern_across(interface.points, pattern);
+        add_couplings_across(interface.points, couplings);
+    auto graph_rows = among_themselves(couplings.rows(), first, last);
     const PetscInt count = last - first;
-    std::vector<PetscInt> starts{0}, columns;
-    for (auto row = static_cast<dealii::types::global_dof_index>(first);
-         starts.size() <= static_cast<std::size_t>(count); ++row) {
-        for (auto entry = pattern.begin(row); entry != pattern.end(row); ++entry)
-            if (owns(static_cast<PetscInt>(entry->column())))
-                columns.push_back(static_cast<PetscInt>(entry->column()) - first);
-        starts.push_back(static_cast<PetscInt>(columns.size()));
-    }
-    std::vector<double> values(columns.size());
     OwnedMat graph;
-    DEADPOINT_PETSC(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, count, count, starts.data(), columns.data(),
-                                              values.data(), graph.out()));
+    DEADPOINT_PETSC(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, count, count, graph_rows.starts.data(),
+                                              graph_rows.columns.data(), nullptr, graph.out()));
+    DEADPOINT_PETSC(MatSetOption(graph, MAT_STRUCTURALLY_SYMMETRIC, PETSC_TRUE));
     IS rows = nullptr, same = nullptr;
     DEADPOINT_PETSC(MatGetOrdering(graph, MATORDERINGRCM, &rows, &same));
     const PetscInt* ordered = nullptr;
@@ -373,29 +384,22 @@ dealii::Point<3> Discretisation::nearest_inside(std::uint32_t index, const deali
     return inside_reference_cell(*cells_[index], unit);
 }
 
-dealii::DynamicSparsityPattern Discretisation::cell_pattern() const
+Couplings Discretisation::cell_couplings() const
 {
-    dealii::IndexSet rows = dofs.locally_owned_dofs();
-    dealii::DynamicSparsityPattern pattern(dofs.n_dofs(), dofs.n_dofs(), rows);
-    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
-        auto indices = unknowns_of(cell);
-        std::sort(indices.begin(), indices.end());
-        for (const auto row : indices)
-            if (owns(static_cast<PetscInt>(row)))
-                pattern.add_entries(row, indices.begin(), indices.end(), true);
-    }
-    return pattern;
+    Couplings couplings(first, last);
+    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell)
+        couplings.add(unknowns_of(cell));
+    return couplings;
 }
 
-std::vector<dealii::types::global_dof_index> Discretisation::unknowns_of(std::uint32_t cell) const
+std::vector<PetscInt> Discretisation::unknowns_of(std::uint32_t cell) const
 {
     std::vector<dealii::types::global_dof_index> indices(cells_[cell]->get_fe().n_dofs_per_cell());
     cells_[cell]->get_dof_indices(indices);
-    return indices;
+    return {indices.begin(), indices.end()};
 }
 
-void Discretisation::add_pattern_across(const std::vector<ContactPoint>& points,
-                                        dealii::DynamicSparsityPattern& pattern) const
+void Discretisation::add_couplings_across(const std::vector<ContactPoint>& points, Couplings& couplings) const
 {
     std::pair<std::uint32_t, std::uint32_t> previous{~0U, ~0U};
     for (const auto& point : points) {
@@ -405,18 +409,16 @@ void Discretisation::add_pattern_across(const std::vector<ContactPoint>& points,
         previous = faces;
         const auto a = unknowns_of(machine.faces[point.face_a].cell);
         const auto b = unknowns_of(machine.faces[point.face_b].cell);
-        for (const auto& [rows, columns] : {std::tie(a, b), std::tie(b, a)})
-            for (const auto row : rows)
-                if (owns(static_cast<PetscInt>(row)))
-                    pattern.add_entries(row, columns.begin(), columns.end());
+        couplings.add(a, b);
+        couplings.add(b, a);
     }
 }
 
-void Discretisation::add_bond_pattern(dealii::DynamicSparsityPattern& pattern) const
+void Discretisation::add_bond_couplings(Couplings& couplings) const
 {
     for (const auto& bond : machine.bonds)
         if (bond.perfect)
-            add_pattern_across(bond.points, pattern);
+            add_couplings_across(bond.points, couplings);
 }
 
 void Discretisation::cell_nodes(std::uint32_t index, std::vector<std::size_t>& unknowns,
@@ -514,25 +516,15 @@ void add_to(Vec vector, const SparseFunctional& functional, double factor)
     DEADPOINT_PETSC(VecRestoreArray(vector, &data));
 }
 
-OwnedMat create_matrix(const Discretisation& space, const dealii::DynamicSparsityPattern& pattern, int block)
+OwnedMat create_matrix(const SparseRows& rows)
 {
-    const PetscInt rows = space.last - space.first;
-    std::vector<PetscInt> diagonal(static_cast<std::size_t>(rows)), off(static_cast<std::size_t>(rows));
-    for (PetscInt r = 0; r < rows; ++r) {
-        const auto row = static_cast<dealii::types::global_dof_index>(space.first + r);
-        PetscInt inside = 0;
-        const auto length = static_cast<PetscInt>(pattern.row_length(row));
-        for (PetscInt k = 0; k < length; ++k)
-            inside += space.owns(static_cast<PetscInt>(pattern.column_number(row, static_cast<unsigned>(k))));
-        diagonal[r] = inside;
-        off[r] = length - inside;
-    }
+    const auto count = static_cast<PetscInt>(rows.starts.size()) - 1;
     OwnedMat matrix;
     DEADPOINT_PETSC(MatCreate(PETSC_COMM_WORLD, matrix.out()));
-    DEADPOINT_PETSC(MatSetSizes(matrix, block * rows, block * rows, block * space.total, block * space.total));
+    DEADPOINT_PETSC(MatSetSizes(matrix, count, count, PETSC_DETERMINE, PETSC_DETERMINE));
     DEADPOINT_PETSC(MatSetType(matrix, MATAIJ));
-    DEADPOINT_PETSC(MatSetBlockSize(matrix, block));
-    DEADPOINT_PETSC(MatXAIJSetPreallocation(matrix, block, diagonal.data(), off.data(), nullptr, nullptr));
+    DEADPOINT_PETSC(MatSeqAIJSetPreallocationCSR(matrix, rows.starts.data(), rows.columns.data(), nullptr));
+    DEADPOINT_PETSC(MatMPIAIJSetPreallocationCSR(matrix, rows.starts.data(), rows.columns.data(), nullptr));
     DEADPOINT_PETSC(MatSetOption(matrix, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_TRUE));
     DEADPOINT_PETSC(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
     DEADPOINT_PETSC(MatSetOption(matrix, MAT_USE_INODES, PETSC_FALSE));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
+#include "deadpoint/fem/space/couplings.hpp"
 #include "deadpoint/fem/space/petsc.hpp"
 #include <deal.II/base/index_set.h>
 #include <deal.II/distributed/shared_tria.h>
@@ -8,7 +9,6 @@
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/hp/mapping_collection.h>
 #include <deal.II/hp/q_collection.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <array>
 #include <cstdint>
@@ -64,11 +64,12 @@ public:
     /// Shape functions of a cell extrapolated to a point that may lie outside; returns the distance
     /// as a share of the cell's size.
     double continue_cell(std::uint32_t cell, const Vec3& position, PointShape& shape) const;
-    [[nodiscard]] dealii::DynamicSparsityPattern cell_pattern() const;
-    void add_bond_pattern(dealii::DynamicSparsityPattern& pattern) const;
+    /// Couplings of this rank's unknowns within cells.
+    [[nodiscard]] Couplings cell_couplings() const;
+    void add_bond_couplings(Couplings& couplings) const;
     /// Couples the cells on both sides of each point.
-    void add_pattern_across(const std::vector<ContactPoint>& points, dealii::DynamicSparsityPattern& pattern) const;
-    [[nodiscard]] std::vector<dealii::types::global_dof_index> unknowns_of(std::uint32_t cell) const;
+    void add_couplings_across(const std::vector<ContactPoint>& points, Couplings& couplings) const;
+    [[nodiscard]] std::vector<PetscInt> unknowns_of(std::uint32_t cell) const;
     /// Positions of the owned unknowns.
     [[nodiscard]] std::vector<Vec3> support_points() const;
     /// Part of each owned unknown.
@@ -111,8 +112,9 @@ void sum_over_ranks(std::vector<double>& values);
 std::vector<double> evaluate(const std::vector<const SparseFunctional*>& functionals, Vec vector);
 void add_to(Vec vector, const SparseFunctional& functional, double factor);
 
-/// An assembled-matrix shell of block size `block` for the given scalar pattern.
-OwnedMat create_matrix(const Discretisation& space, const dealii::DynamicSparsityPattern& pattern, int block);
+/// A matrix of zeros at the given places.
+/// @param rows  this rank's, by row counted from its first
+OwnedMat create_matrix(const SparseRows& rows);
 OwnedVec create_vector(const Discretisation& space, int block);
 
 /// All ranks' entries of a field with `block` values per unknown, on every rank.

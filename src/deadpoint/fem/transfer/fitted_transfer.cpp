@@ -34,7 +34,7 @@ std::vector<double> volumes(const Discretisation& space)
 
 FittedTransfer::FittedTransfer(const Discretisation& fine, const Discretisation& coarse, const Transfer& values,
                                const Transfer& back)
-    : values_(values), back_(back), weight_(volumes(fine)), matrix_(create_matrix(coarse, coarse.cell_pattern(), 1)),
+    : values_(values), back_(back), weight_(volumes(fine)), matrix_(create_matrix(coarse.cell_couplings().rows())),
       rhs_(create_vector(coarse, 1)), solution_(create_vector(coarse, 1))
 {
     assemble(coarse);

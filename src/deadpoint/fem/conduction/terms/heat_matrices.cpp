@@ -106,23 +106,10 @@ void HeatMatrices::keep_solid() { DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_C
 
 void HeatMatrices::create_pattern()
 {
-    auto pattern = space_.cell_pattern();
-    space_.add_bond_pattern(pattern);
-    joints_.add_pattern(pattern);
-    stiffness_ = create_matrix(space_, pattern, 1);
-    std::vector<PetscInt> columns;
-    std::vector<double> zeros;
-    for (PetscInt row = space_.first; row < space_.last; ++row) {
-        const auto entries = static_cast<dealii::types::global_dof_index>(row);
-        columns.clear();
-        for (auto entry = pattern.begin(entries); entry != pattern.end(entries); ++entry)
-            columns.push_back(static_cast<PetscInt>(entry->column()));
-        zeros.assign(columns.size(), 0.0);
-        DEADPOINT_PETSC(MatSetValues(stiffness_, 1, &row, static_cast<PetscInt>(columns.size()), columns.data(),
-                                     zeros.data(), INSERT_VALUES));
-    }
-    DEADPOINT_PETSC(MatAssemblyBegin(stiffness_, MAT_FINAL_ASSEMBLY));
-    DEADPOINT_PETSC(MatAssemblyEnd(stiffness_, MAT_FINAL_ASSEMBLY));
+    auto couplings = space_.cell_couplings();
+    space_.add_bond_couplings(couplings);
+    joints_.add_couplings(couplings);
+    stiffness_ = create_matrix(couplings.rows());
 }
 
 void HeatMatrices::create_matrices(bool some_films_follow)

@@ -173,26 +173,22 @@ void JointTerms::integrate_turning(std::size_t i)
     term.finish();
 }
 
-void JointTerms::add_pattern(dealii::DynamicSparsityPattern& pattern) const
+void JointTerms::add_couplings(Couplings& couplings) const
 {
-    using Index = dealii::types::global_dof_index;
-    const auto couple = [&](const std::vector<Index>& rows, const std::vector<Index>& columns) {
-        for (const auto row : rows)
-            if (space_.owns(static_cast<PetscInt>(row)))
-                pattern.add_entries(row, columns.begin(), columns.end());
+    const auto unknowns = [](const auto& moments) {
+        std::vector<PetscInt> result;
+        for (const auto& entry : moments)
+            result.push_back(entry.first);
+        return result;
     };
     for (std::size_t i = 0; i < terms_.size(); ++i) {
         for (const auto& strip : strips_[i]) {
-            std::vector<Index> a, b;
-            for (const auto& entry : strip.a)
-                a.push_back(static_cast<Index>(entry.first));
-            for (const auto& entry : strip.b)
-                b.push_back(static_cast<Index>(entry.first));
-            couple(a, b);
-            couple(b, a);
+            const auto a = unknowns(strip.a), b = unknowns(strip.b);
+            couplings.add(a, b);
+            couplings.add(b, a);
         }
         if (across_[i])
-            space_.add_pattern_across(space_.machine.interfaces[i].points, pattern);
+            space_.add_couplings_across(space_.machine.interfaces[i].points, couplings);
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/fem/conduction/terms/sparse_term.hpp"
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <vector>
 
@@ -39,7 +38,7 @@ public:
     JointTerms(const Discretisation& space, const HeatProblem& problem);
 
     /// Adds the places of all entries.
-    void add_pattern(dealii::DynamicSparsityPattern& pattern) const;
+    void add_couplings(Couplings& couplings) const;
     /// True if the terms can be used for these laws; false if a joint turns that did not turn when
     /// they were integrated.
     [[nodiscard]] bool serve(const std::vector<InterfaceLaw>& laws) const;

@@ -1,4 +1,4 @@
-#include "deadpoint/fem/elastic/refined_solve.hpp"
+#include "deadpoint/fem/elastic/factor_solver.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -7,6 +7,8 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr int rounds = 3;
+// Of the expected change: residuals of other loads may be less favourable than those with which the gain was measured.
+constexpr double caution = 10;
 
 PetscInt columns_of(Mat dense)
 {
@@ -59,16 +61,46 @@ OwnedMat dense_columns(Mat matrix, PetscInt columns)
     return result;
 }
 
-bool solve_refined(Mat matrix, Mat factor, Mat right, Mat solution, double tolerance)
+bool FactorSolver::is_sharp(Mat factor, Mat residual, Mat solution, double tolerance)
 {
-    const auto residual = dense_columns(matrix, columns_of(right)), change = dense_columns(matrix, columns_of(right));
+    const auto residuals = column_norms(residual), sizes = column_norms(solution);
+    if (gain_ == 0) {
+        const auto sum = dense_columns(residual, 1), change = dense_columns(residual, 1);
+        Vec total = nullptr, column = nullptr;
+        DEADPOINT_PETSC(MatDenseGetColumnVecWrite(sum, 0, &total));
+        DEADPOINT_PETSC(VecSet(total, 0));
+        for (PetscInt k = 0; k < columns_of(residual); ++k) {
+            const double size = residuals[static_cast<std::size_t>(k)];
+            DEADPOINT_PETSC(MatDenseGetColumnVecRead(residual, k, &column));
+            if (size > 0)
+                DEADPOINT_PETSC(VecAXPY(total, 1 / size, column));
+            DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(residual, k, &column));
+        }
+        DEADPOINT_PETSC(MatDenseRestoreColumnVecWrite(sum, 0, &total));
+        DEADPOINT_PETSC(MatMatSolve(factor, sum, change));
+        if (const double size = column_norms(sum)[0]; size > 0)
+            gain_ = column_norms(change)[0] / size;
+    }
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+        if (!(caution * gain_ * residuals[k] <= tolerance * sizes[k]))
+            return false;
+    return true;
+}
+
+bool FactorSolver::solve(Mat matrix, Mat factor, Mat right, Mat solution, double tolerance)
+{
+    const auto residual = dense_columns(matrix, columns_of(right));
     DEADPOINT_PETSC(MatMatSolve(factor, right, solution));
+    set_residual(matrix, right, solution, residual);
+    if (is_sharp(factor, residual, solution, tolerance))
+        return true;
+    const auto change = dense_columns(matrix, columns_of(right));
     for (int round = 0; round < rounds; ++round) {
-        set_residual(matrix, right, solution, residual);
         DEADPOINT_PETSC(MatMatSolve(factor, residual, change));
         DEADPOINT_PETSC(MatAXPY(solution, 1, change, SAME_NONZERO_PATTERN));
         if (is_settled(change, solution, tolerance))
             return true;
+        set_residual(matrix, right, solution, residual);
     }
     return false;
 }

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "deadpoint/fem/conduction/float_matrix.hpp"
+
+#include <optional>
+#include <vector>
+
+/// Internal to fem/: a multigrid cycle in single precision.
+namespace deadpoint::fem {
+
+/// A V-cycle on the hierarchy of a multigrid of PETSc, with copies of its matrices in single precision: two thirds of
+/// the memory traffic. It approximates the inverse as well as a cycle in double precision; a solver around it keeps
+/// residuals and solution in double.
+///
+/// Smoothing before and after: two steps of Chebyshev's iteration for D^-1 A on [b / 20, b], D the diagonal and b the
+/// bound of the level (Saad, Iterative Methods for Sparse Linear Systems, 2003, algorithm 12.1). The same polynomial
+/// before and after makes the cycle symmetric. The multigrid's own solver solves the coarsest level, in double.
+class FloatCycle {
+public:
+    /// @param multigrid  that is set up and outlives this; its smoothers are not used
+    explicit FloatCycle(PC multigrid);
+
+    /// Copies the present matrices of all levels.
+    /// @param bounds  upper bounds of the eigenvalues of D^-1 A, per level from the coarsest on; none of the coarsest
+    void take_values(const std::vector<double>& bounds);
+    /// correction = B residual. Collective.
+    void apply(Vec residual, Vec correction);
+    /// Writes rows and entries of the levels, and entries of the interpolation from the next coarser one, finest last.
+    void view(PetscViewer viewer) const;
+
+private:
+    /// Between values of two levels. On several ranks the library keeps it in a format of its own and multiplies in
+    /// double.
+    class Transfer {
+    public:
+        explicit Transfer(Mat matrix);
+        void multiply(std::vector<float>& in, std::vector<float>& out, bool adds);
+        [[nodiscard]] std::size_t ghosts() const { return copy_ ? copy_->ghosts() : 0; }
+        [[nodiscard]] std::size_t entries() const;
+
+    private:
+        Mat matrix_;
+        std::optional<FloatMatrix> copy_;
+        OwnedVec in_, out_;  ///< where there is no copy
+    };
+    struct Level {
+        Mat source;
+        FloatMatrix matrix;
+        Transfer restriction, interpolation;
+        std::vector<float> inverse_diagonal;
+        std::vector<float> right, solution, work;
+        double bound = 1;
+    };
+    void smooth(Level& level, bool from_zero) const;
+    void cycle(std::size_t index);
+    void solve_coarsest();
+
+    std::vector<Level> levels_;  ///< from the finest on, without the coarsest
+    KSP coarsest_ = nullptr;
+    std::vector<float> coarsest_right_, coarsest_solution_;
+    OwnedVec coarsest_in_, coarsest_out_;
+};
+
+}  // namespace deadpoint::fem
