@@ -1,7 +1,10 @@
 #include "deadpoint/fem/conduction/coarse_matrices.hpp"
 
+#include "deadpoint/fem/space/vectors.hpp"
+
 #include <algorithm>
 #include <array>
+#include <random>
 
 namespace deadpoint::fem {
 namespace {
@@ -30,6 +33,18 @@ Mat matrix_of(KSP level)
     return matrix;
 }
 
+// With values in which all eigenvectors occur, the same at every call, so that a resumed run finds the same bounds.
+void fill_unevenly(Vec vector)
+{
+    PetscInt first = 0, last = 0;
+    DEADPOINT_PETSC(VecGetOwnershipRange(vector, &first, &last));
+    std::minstd_rand numbers(static_cast<unsigned>(1 + first));
+    std::uniform_real_distribution<double> values(-0.5, 0.5);
+    Entries entries(vector);
+    for (PetscInt i = 0; i < last - first; ++i)
+        entries[i] = values(numbers);
+}
+
 // Estimate of the largest eigenvalue of D^-1 A from below, by conjugate gradients.
 double largest_eigenvalue(Mat matrix)
 {
@@ -45,8 +60,7 @@ double largest_eigenvalue(Mat matrix)
     DEADPOINT_PETSC(KSPSetComputeEigenvalues(solver, PETSC_TRUE));
     OwnedVec load, solution;
     DEADPOINT_PETSC(MatCreateVecs(matrix, solution.out(), load.out()));
-    DEADPOINT_PETSC(VecSetRandom(load, nullptr));
-    DEADPOINT_PETSC(VecShift(load, -0.5));  // values were in 0..1; now all eigenvectors contribute
+    fill_unevenly(load);
     DEADPOINT_PETSC(KSPSolve(solver, load, solution));
     std::array<double, estimate_iterations> real{}, imaginary{};
     PetscInt count = 0;

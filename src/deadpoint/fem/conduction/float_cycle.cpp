@@ -3,6 +3,7 @@
 #include "deadpoint/fem/space/vectors.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace deadpoint::fem {
 namespace {
