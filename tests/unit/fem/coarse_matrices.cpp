@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <vector>
 
 using namespace deadpoint::fem;
 
@@ -108,6 +109,45 @@ double norm(Mat matrix)
 }
 
 }  // namespace
+
+namespace {
+
+// `own` on the diagonal, `other` everywhere else: eigenvalues own + (count - 1) other, and own - other.
+OwnedMat full(PetscInt count, double own, double other)
+{
+    OwnedMat matrix;
+    DEADPOINT_PETSC(MatCreateSeqAIJ(PETSC_COMM_SELF, count, count, count, nullptr, matrix.out()));
+    for (PetscInt row = 0; row < count; ++row)
+        for (PetscInt column = 0; column < count; ++column)
+            DEADPOINT_PETSC(MatSetValue(matrix, row, column, row == column ? own : other, INSERT_VALUES));
+    DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+    DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+    return matrix;
+}
+
+// Memory that is used next holds large numbers.
+void soil_memory()
+{
+    for (std::size_t count = 4; count < 256; count += 2) {
+        std::vector<std::vector<double>> freed;
+        for (int block = 0; block < 7; ++block)
+            freed.emplace_back(count, 1e3);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the largest eigenvalue of a small level is that of its matrix, whatever the memory held before")
+{
+    for (const double own : {1.0, 3.0}) {
+        soil_memory();
+        CHECK(largest_eigenvalue(full(40, 2, 1)) == doctest::Approx(20.5));
+        soil_memory();
+        CHECK(largest_eigenvalue(full(2, own, 0)) == doctest::Approx(1));                 // solved in one iteration
+        CHECK(largest_eigenvalue(full(2, own, -0.5)) == doctest::Approx(1 + 0.5 / own));  // in two
+        CHECK(largest_eigenvalue(full(1, own, 0)) == doctest::Approx(1));
+    }
+}
 
 TEST_CASE("coarse matrices of two step sizes give those of any other")
 {

@@ -10,6 +10,9 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr int estimate_iterations = 10;
+// Share of the start's residual. A small level is solved exactly before the last iteration. PETSc would then count one
+// iteration too many, whose coefficients were never written.
+constexpr double exact = 1e-10;
 // Factor above the estimate, which is a lower bound. If films are far stiffer than the metal, too low a bound makes
 // the preconditioner indefinite.
 constexpr double room = 1.2;
@@ -45,7 +48,8 @@ void fill_unevenly(Vec vector)
         entries[i] = values(numbers);
 }
 
-// Estimate of the largest eigenvalue of D^-1 A from below, by conjugate gradients.
+}  // namespace
+
 double largest_eigenvalue(Mat matrix)
 {
     OwnedKsp solver;
@@ -55,8 +59,8 @@ double largest_eigenvalue(Mat matrix)
     PC diagonal = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver, &diagonal));
     DEADPOINT_PETSC(PCSetType(diagonal, PCJACOBI));
-    DEADPOINT_PETSC(KSPSetNormType(solver, KSP_NORM_NONE));
-    DEADPOINT_PETSC(KSPSetTolerances(solver, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, estimate_iterations));
+    DEADPOINT_PETSC(KSPSetNormType(solver, KSP_NORM_NATURAL));
+    DEADPOINT_PETSC(KSPSetTolerances(solver, exact, PETSC_DEFAULT, PETSC_DEFAULT, estimate_iterations));
     DEADPOINT_PETSC(KSPSetComputeEigenvalues(solver, PETSC_TRUE));
     OwnedVec load, solution;
     DEADPOINT_PETSC(MatCreateVecs(matrix, solution.out(), load.out()));
@@ -67,8 +71,6 @@ double largest_eigenvalue(Mat matrix)
     DEADPOINT_PETSC(KSPComputeEigenvalues(solver, estimate_iterations, real.data(), imaginary.data(), &count));
     return count > 0 ? *std::max_element(real.begin(), real.begin() + count) : 1;
 }
-
-}  // namespace
 
 std::vector<double> smoother_bounds(PC multigrid)
 {

@@ -31,6 +31,9 @@ private:
     std::vector<double> bounds_;
 };
 
+/// Estimate of the largest eigenvalue of D^-1 A from below, D the diagonal, by ten iterations of conjugate gradients.
+/// @param matrix  symmetric and positive definite
+double largest_eigenvalue(Mat matrix);
 /// Such bounds of a multigrid that is set up.
 std::vector<double> smoother_bounds(PC multigrid);
 
