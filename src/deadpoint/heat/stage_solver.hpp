@@ -143,12 +143,19 @@ private:
         const auto of_air = sources_.air.residual(current.balance);
         sources_.air.eliminate(of_air, residual_);
         source_slopes_ = current.balance.source_slope;
-        solve_linear(residual_, correction_, {1e-13, sources_.problem().solver_tolerance}, "the temperature field");
+        solve_linear(residual_, correction_, {1e-13, solver_tolerance()}, "the temperature field");
         ++solves;
         system_.add(-1, correction_, temperature);
         require_finite(temperature, time);
         const double air_change = sources_.air.update(of_air, correction_);
         return system_.follows_temperature() ? std::max(system_.largest(correction_), air_change) : 0;
+    }
+
+    // Where Newton's method must settle, a solve must leave less than that.
+    [[nodiscard]] double solver_tolerance() const
+    {
+        const double wanted = sources_.problem().solver_tolerance;
+        return system_.follows_temperature() ? std::min(wanted, 0.1 * settled) : wanted;
     }
 
     // M h(T) - factor (sources - K T) - known. Where the matrix is M + factor K, it takes one product.
