@@ -102,6 +102,9 @@ void say_what_was_found(const deadpoint::study::Draft& draft)
                       joint.name);
         }
     }
+    for (const auto& doubt : deadpoint::study::doubts_about(draft)) {
+        print_out("{}.\n", doubt);
+    }
     print_out("Is a solid in the wrong body? Begin again in another folder with --body NAME=SOLID,SOLID.\n"
               "Lines with TO DO in the case hold guesses.\n");
 }

@@ -1,8 +1,11 @@
+#include "../../scratch_folder.hpp"
 #include "deadpoint/machine/cad/cad_contacts.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
 #include "fixture.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 using namespace machine_test;
 using namespace deadpoint::machine;
@@ -119,6 +122,23 @@ TEST_CASE("the solids of an assembly come with names, volumes and places")
     CHECK(solid("gib_left").bounds.min[0] == Approx(-0.22).epsilon(1e-9));
     CHECK(solid("wrist_pin").bounds.max[2] == Approx(0.12).epsilon(1e-9));  // this one has a placement of its own
     CHECK(solid("bearing_front_outer_ring").faces.size() == 4);
+}
+
+TEST_CASE("umlauts in names become two letters, however the file writes them")
+{
+    const ScratchFolder folder;
+    for (const std::string name : {"St\\X2\\00F600DF\\X0\\el oben", "St\\X\\F6\\X\\DFel oben",
+                                   "St\xc3\xb6\xc3\x9f"
+                                   "el oben"}) {
+        std::ifstream stream(data + "/plate_with_hole.step");
+        std::string text(std::istreambuf_iterator<char>(stream), {});
+        const std::string old = "'Open CASCADE STEP translator 7.6 1'";
+        for (auto at = text.find(old); at != std::string::npos; at = text.find(old)) {
+            text.replace(at, old.size(), "'" + name + "'");
+        }
+        CAPTURE(name);
+        CHECK(read(folder.file("plate.step", text).string()).solids.at(0).name == "Stoessel_oben");
+    }
 }
 
 TEST_CASE("every contact of the drawn press is found, and no other")

@@ -75,6 +75,10 @@ TEST_CASE("words in names of solids say what they are")
     CHECK(role_of("connecting_rod") == Role::rod);
     CHECK(role_of("Kurbelwelle") == Role::crank);
     CHECK(role_of("motor_shaft") == Role::frame);
+    CHECK(role_of("rod") == Role::rod);
+    CHECK(role_of("tie_rod_front") == Role::frame);
+    CHECK(role_of("guide_rod") == Role::frame);
+    CHECK(role_of("Stoessel_oben") == Role::slide);
     CHECK(role_of("part_17") == Role::unknown);
     CHECK(material_of("bush_front", Role::frame) == "bronze");
     CHECK(is_ring("bearing_front_inner_ring"));
@@ -179,6 +183,80 @@ TEST_CASE("the crankshaft and the slide of a drawing say where z and up are")
     CHECK(draft.joints.size() == 4);
     const auto& pin = draft.contacts[joint(draft, "rod_crank").contacts.front()];
     CHECK(pin.point[1] == Approx(-0.03).epsilon(1e-9));
+    // The front view of a drawing looks along -z where y points up; along y where z does, which is here the case's x.
+    CHECK(draft_text(straight, "press.step").find("front = \"z\" ") != std::string::npos);
+    CHECK(draft_text(draft, "press.step").find("front = \"-x\" ") != std::string::npos);
+}
+
+TEST_CASE("two faces of one solid on another have interfaces of two names")
+{
+    auto model = drawing();
+    const auto of = [&](const std::string& name) {
+        return std::ranges::find(model.solids, name, &machine::CadSolid::name);
+    };
+    auto& both = *of("gib_left");  // both gibs as one solid
+    const auto& right = *of("gib_right");
+    both.faces.insert(both.faces.end(), right.faces.begin(), right.faces.end());
+    both.bounds.max = right.bounds.max;
+    model.solids.erase(of("gib_right"));
+    const ScratchFolder folder;
+    std::filesystem::copy_file(press, folder.path / "press.step");
+    const auto file = folder.file("case.toml", draft_text(draft_of(model), "press.step"));
+    const auto input = casefile::read_case(file.string()).value;
+    const auto& interfaces = input.joints.at("slide_frame").interfaces;
+    REQUIRE(interfaces.size() == 2);
+    CHECK(interfaces[0].name == "slide_gib_left");
+    CHECK(interfaces[1].name == "slide_gib_left_2");
+}
+
+TEST_CASE("what keeps a drawing from being a press is said")
+{
+    const auto said = [](const machine::CadModel& model) {
+        std::string all;
+        for (const auto& doubt : doubts_about(draft_of(model))) {
+            all += doubt + "\n";
+        }
+        return all;
+    };
+    const auto without = [](const std::string& name) {
+        auto model = drawing();
+        std::erase_if(model.solids, [&](const auto& solid) { return solid.name == name; });
+        return model;
+    };
+    const auto holds = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+    CHECK(said(drawing()).empty());
+    CHECK(draft_of(drawing()).near_misses.empty());
+
+    const auto no_rod = said(without("connecting_rod"));
+    CHECK(holds(no_rod, "No solid is a connecting rod by its name: say which with --body rod=SOLID"));
+    CHECK_FALSE(holds(no_rod, "No joint"));  // one cause, one sentence
+    CHECK(holds(said(without("wrist_pin")), "No joint of rod and slide was found"));
+
+    auto twice = drawing();
+    twice.solids.push_back(twice.solids.front());
+    twice.solids.back().name = "frame_2";
+    CHECK(holds(said(twice), "'frame_2' lies where 'frame' lies"));
+
+    auto sheet = drawing();
+    sheet.without_solid = {"cover"};
+    CHECK(holds(said(sheet), "'cover' is left out, since it holds surfaces or curves"));
+}
+
+TEST_CASE("what would touch if it were drawn a little thinner is listed")
+{
+    auto model = drawing();
+    for (auto& solid : model.solids) {  // a rod whose bore is 0.6 mm too narrow
+        for (auto& face : solid.faces) {
+            auto* cylinder = std::get_if<machine::CadCylinder>(&face.form);
+            if (solid.name == "connecting_rod" && cylinder != nullptr && std::abs(cylinder->radius - 0.09) < 1e-9) {
+                cylinder->radius -= 0.3e-3;
+            }
+        }
+    }
+    const Draft draft = draft_of(model);
+    REQUIRE(draft.near_misses.size() == 1);
+    CHECK(draft.near_misses.front().clearance == Approx(-0.6e-3));
+    CHECK(draft_text(draft, "press.step").find("drawn into each other by 0.6 mm: TO DO") != std::string::npos);
 }
 
 TEST_CASE("the first case of a drawing is a case")

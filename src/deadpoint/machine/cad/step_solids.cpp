@@ -31,6 +31,7 @@
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -60,14 +61,32 @@ double length_of(const std::string& name)
     return found == units.end() ? 0 : found->second;
 }
 
+/// Letters of European names as they are written without marks.
+std::string plain_letter(Standard_ExtCharacter letter)
+{
+    static const std::map<Standard_ExtCharacter, std::string> plain{
+        {u'\u00e4', "ae"}, {u'\u00f6', "oe"}, {u'\u00fc', "ue"}, {u'\u00df', "ss"}, {u'\u00c4', "Ae"},
+        {u'\u00d6', "Oe"}, {u'\u00dc', "Ue"}, {u'\u00e9', "e"},  {u'\u00e8', "e"},  {u'\u00ea', "e"},
+        {u'\u00e0', "a"},  {u'\u00e1', "a"},  {u'\u00e2', "a"},  {u'\u00e5', "a"},  {u'\u00e7', "c"},
+        {u'\u00ed', "i"},  {u'\u00f1', "n"},  {u'\u00f3', "o"},  {u'\u00f8', "o"},  {u'\u00fa', "u"}};
+    const auto found = plain.find(letter);
+    if (found != plain.end()) {
+        return found->second;
+    }
+    return letter < 128 ? std::string(1, static_cast<char>(letter)) : "_";
+}
+
 std::string name_of(const TDF_Label& label)
 {
     Handle(TDataStd_Name) name;
     if (label.IsNull() || !label.FindAttribute(TDataStd_Name::GetID(), name)) {
         return {};
     }
-    const TCollection_AsciiString text(name->Get(), '_');
-    return text.ToCString();
+    std::string text;
+    for (int i = 1; i <= name->Get().Length(); ++i) {
+        text += plain_letter(name->Get().Value(i));
+    }
+    return text;
 }
 
 /// Whether a program wrote the name for want of a better one: "SOLID", "Solid1", "=>[0:1:1:2]".

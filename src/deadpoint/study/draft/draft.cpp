@@ -447,6 +447,20 @@ void add_rolling(Draft& draft)
     }
 }
 
+/// What would be of a joint if it were drawn a little nearer, or thinner.
+std::vector<CadContact> near_misses(const Draft& draft)
+{
+    const machine::CadReach farther{.plane = 3e-3, .into = 1e-3, .cylinder = 0.03, .axes = 2e-3};
+    std::vector<CadContact> misses = machine::find_contacts(draft.model, farther);
+    std::erase_if(misses, [&](const CadContact& miss) {
+        return draft.body_of[miss.a] == draft.body_of[miss.b] || !kind_of_joint(draft, miss) ||
+               std::ranges::any_of(draft.contacts, [&](const CadContact& known) {
+                   return std::minmax(known.a, known.b) == std::minmax(miss.a, miss.b);
+               });
+    });
+    return misses;
+}
+
 }  // namespace
 
 Draft draft_of(CadModel model, const std::vector<WantedBody>& wanted)
@@ -462,6 +476,7 @@ Draft draft_of(CadModel model, const std::vector<WantedBody>& wanted)
     for (DraftJoint& joint : draft.joints) {
         joint.rolling = std::ranges::all_of(joint.contacts, [&](std::size_t c) { return draft.rolling.contains(c); });
     }
+    draft.near_misses = near_misses(draft);
     return draft;
 }
 

@@ -61,6 +61,7 @@ struct Draft {
     std::vector<std::size_t> body_of;           ///< of each solid
     std::vector<DraftJoint> joints;
     DraftAxes axes;
+    std::vector<machine::CadContact> near_misses;  ///< would be of joints, but are drawn a little too far or too thick
 };
 
 /// Groups the solids of a drawing, and proposes joints.
@@ -73,6 +74,10 @@ struct Draft {
 /// drawn apart by up to half of their diameter. Everything else is a contact without a joint.
 /// @throws InputError if a wanted body names no solid of the drawing, or one that another one has
 Draft draft_of(machine::CadModel model, const std::vector<WantedBody>& wanted = {});
+
+/// Whatever in a drawing keeps its case from being a press: solids that are left out or lie in one place, roles that no
+/// name tells, bodies that should touch and do not, axes that nothing shows. Each is a sentence with its remedy.
+std::vector<std::string> doubts_about(const Draft& draft);
 
 /// The case as text with comments: parts, bodies, joints, surfaces, films, operation and chain, and every contact that
 /// is no joint. What the drawing cannot say has a number that is marked "TO DO".

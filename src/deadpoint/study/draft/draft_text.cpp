@@ -132,20 +132,26 @@ private:
         line("# The drawing must show the press at bottom dead point. y points up, z along the crankshaft; seen from z "
              "> 0, "
              "x points to the right.");
-        for (const auto& name : draft_.model.without_solid) {
-            line("# TO DO: '{}' holds no solid, only surfaces or curves; it is left out. Export it as a closed solid "
-                 "if it matters.",
-                 name);
-        }
-        if (!draft_.axes.found) {
-            line("# TO DO: the drawing does not show which way the crankshaft lies; the axes are those of the drawing. "
-                 "If they are others,");
-            line("# turn every part by `axes`.");
+        for (const auto& doubt : doubts_about(draft_)) {
+            line("# TO DO: {}.", doubt);
         }
         line("format = 1\n\n[machine]\nname = \"press\"\ninitial_temperature = \"20 degC\"\nambient = \"20 degC\"");
-        line("front = \"z\"                       # TO DO: where the operator stands: \"z\", \"-z\" or, with the "
-             "crankshaft "
-             "from left to right, \"x\", \"-x\"");
+        line("{:<33} # TO DO: where the operator stands: \"z\", \"-z\" or, with the crankshaft from left to right, "
+             "\"x\", \"-x\"",
+             fmt::format("front = \"{}\"", front()));
+    }
+
+    /// The machine's axis that points to the viewer of a drawing's front view: -y where its z points up, else z.
+    std::string front() const
+    {
+        const bool z_up = axis_of(draft_.axes.rows[1]) == 2;
+        const std::size_t viewer = z_up ? 1 : 2;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (axis_of(draft_.axes.rows[i]) == viewer) {
+                return fmt::format("{}{}", (draft_.axes.rows[i][viewer] < 0) != z_up ? "-" : "", letter(i));
+            }
+        }
+        return "z";
     }
 
     void materials()
@@ -421,6 +427,20 @@ private:
         return contact.kind == CadContact::Kind::cylinder && std::abs(contact.clearance) <= drawn_exactly;
     }
 
+    /// "bush_shaft", with a number from the second contact of a joint's same two solids on.
+    std::string interface_name(const DraftJoint& joint, const CadContact& contact, const std::string& stem) const
+    {
+        std::size_t number = 1;
+        for (const std::size_t c : joint.contacts) {
+            const CadContact& other = draft_.contacts[c];
+            if (&other == &contact) {
+                break;
+            }
+            number += std::minmax(other.a, other.b) == std::minmax(contact.a, contact.b) ? 1 : 0;
+        }
+        return number == 1 ? stem : fmt::format("{}_{}", stem, number);
+    }
+
     void interface(const DraftJoint& joint, const CadContact& contact, const std::string& conductance, bool seat)
     {
         // The other side must cover side a: the smaller face.
@@ -437,8 +457,9 @@ private:
                             ? fmt::format(", drawn_gap = {}", mm(1.01 * std::abs(contact.clearance) + 1e-5))
                             : "");
         line("    # {:.4g} cm2, drawn with {} of clearance", 1e4 * contact.area, in_words(contact.clearance));
-        line("    {{ name = \"{}_{}\", a = \"{}\", b = \"{}\"{}, conductance = {{ {} }} }},", solid(one).name,
-             solid(other).name, by_part ? solid(one).name : surface_name(joint, one, contact),
+        line("    {{ name = \"{}\", a = \"{}\", b = \"{}\"{}, conductance = {{ {} }} }},",
+             interface_name(joint, contact, solid(one).name + "_" + solid(other).name),
+             by_part ? solid(one).name : surface_name(joint, one, contact),
              by_part ? solid(other).name : surface_name(joint, other, contact), more, conductance);
     }
 
@@ -507,6 +528,11 @@ private:
                  1e4 * contact.area, in_words(contact.clearance),
                  inside ? (apart ? "not bonded, since drawn apart" : "bonded")
                         : "TO DO: two bodies that touch without a joint; no heat passes here");
+        }
+        for (const CadContact& miss : draft_.near_misses) {
+            line("# {} | {}: {}, {:.4g} cm2, {} {}: TO DO: too far to touch; if they should, correct the drawing",
+                 solid(miss.a).name, solid(miss.b).name, form_of(miss), 1e4 * miss.area,
+                 miss.clearance < 0 ? "drawn into each other by" : "apart by", in_words(std::abs(miss.clearance)));
         }
     }
 
