@@ -125,20 +125,37 @@ std::string against_bad_cells(const PartDescription& part)
     return "choose another cell size for this part, set tetrahedra = true, or correct outlines that nearly touch there";
 }
 
+/// The face of a part that is nearest to a place: by its name, or by its form.
+std::string nearest_face(const PartMesh& mesh, const Vec3& where)
+{
+    const auto away = [&](const Face& face) { return norm(centre(face, mesh.nodes) - where); };
+    const auto nearest = std::ranges::min_element(mesh.faces, {}, away);
+    const auto index = static_cast<std::uint32_t>(nearest - mesh.faces.begin());
+    for (const FaceGroup& group : mesh.groups) {
+        if (std::ranges::find(group.faces, index) != group.faces.end()) {
+            return fmt::format("face '{}'", group.name);
+        }
+    }
+    return describe(mesh.geometries[nearest->geometry]);
+}
+
 /// One rule for all parts. @throws InputError
 void check_quality(const PartDescription& part, const PartMesh& mesh, Observer& observer)
 {
     const Worst worst = worst_cell(mesh);
     if (worst.quality < least_quality) {
-        throw InputError(fmt::format("part '{}' has inverted or flat cells: the worst, at {}, has quality {:.2g}, but "
-                                     "{} is needed; {}",
-                                     part.name, place(worst.where), worst.quality, least_quality,
-                                     against_bad_cells(part)));
+        throw InputError(
+            fmt::format("part '{}' has inverted or flat cells: the worst, at {} by its {}, has quality {:.2g}, but "
+                        "{} is needed; {}",
+                        part.name, place(worst.where), nearest_face(mesh, worst.where), worst.quality, least_quality,
+                        against_bad_cells(part)));
     }
     if (worst.quality < poor_quality) {
-        observer.warn(fmt::format("part '{}': its worst cell, at {}, has quality {:.3f}, which is poor below {}; {} if "
-                                  "temperatures there matter",
-                                  part.name, place(worst.where), worst.quality, poor_quality, against_bad_cells(part)));
+        observer.warn(
+            fmt::format("part '{}': its worst cell, at {} by its {}, has quality {:.3f}, which is poor below {}; {} if "
+                        "temperatures there matter",
+                        part.name, place(worst.where), nearest_face(mesh, worst.where), worst.quality, poor_quality,
+                        against_bad_cells(part)));
     }
 }
 
