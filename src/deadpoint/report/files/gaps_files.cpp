@@ -192,14 +192,17 @@ std::string compliance_text(const casefile::Case& input, const study::PressCompl
     std::string text =
         fmt::format("  static, apart from heat: {:.3g} um/kN open the gap, {:.4g} kN/mm of solid parts alone\n",
                     per_kilonewton * compliance.opening, kilonewton_per_millimetre * compliance.stiffness());
+    const bool stiff = std::max(input.numerics.order, input.numerics.deformation_order) < 2;
+    const std::string note =
+        stiff ? "    elements of first order bend too little: numerics.deformation_order = 2 finds more\n" : "";
     const double force = largest_force(input);
     if (!(force > 0))
-        return text;
+        return text + note;
     text += fmt::format("    at {:.4g} kN: {:.1f} um", 1e-3 * force, micrometre * compliance.opening * force);
     if (!compliance.corners.empty())
         text += fmt::format(", left to right {:+.1f} um/m, front to back {:+.1f} um/m",
                             micrometre * compliance.left_right * force, micrometre * compliance.front_back * force);
-    return text + "\n";
+    return text + "\n" + note;
 }
 
 }  // namespace deadpoint::report
