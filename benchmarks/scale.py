@@ -71,8 +71,7 @@ def without_chain(case, scratch):
 
 def run(options, size, ranks, scratch):
     folder, log = os.path.join(scratch, f"{size}-{ranks}"), os.path.join(scratch, f"{size}-{ranks}.log")
-    launcher = [] if ranks == 1 else ["mpirun", "-n", str(ranks), "--oversubscribe", "--bind-to", "none"]
-    command = launcher + [options.program, "run", options.case, "--size", str(size), "-o", folder, "-q"]
+    command = [options.program, "run", options.case, "--size", str(size), "--ranks", str(ranks), "-o", folder, "-q"]
     command += (["--set", "output.fields=false"] if options.heat_only else []) + options.more
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                        PETSC_OPTIONS="-heat_ksp_view")

@@ -1,6 +1,7 @@
 #include "deadpoint/fem/conduction/float_matrix.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace deadpoint::fem {
 namespace {
@@ -55,25 +56,25 @@ struct Parts {
     PetscInt ghost_count = 0;
 };
 
-/// Calls visit(row, local column, value), row by row.
+/// Calls visit(row, k, local column, value) for the k-th entry of each row.
 template <class Visit>
 void for_each_entry(const Parts& parts, std::size_t columns, const Visit& visit)
 {
     const Rows own(parts.own);
-    const auto visit_row = [&](const Rows& rows, PetscInt row, std::size_t before) {
-        for (PetscInt k = rows.starts[row]; k < rows.starts[row + 1]; ++k)
-            visit(row, static_cast<PetscInt>(before) + rows.columns[k], rows.values[k]);
+    const auto visit_row = [&](const Rows& rows, std::size_t row, std::size_t k, std::size_t before) {
+        for (PetscInt entry = rows.starts[row]; entry < rows.starts[row + 1]; ++entry)
+            visit(row, k++, static_cast<PetscInt>(before) + rows.columns[entry], rows.values[entry]);
+        return k;
     };
+    const auto count = static_cast<std::size_t>(own.count);
     if (!parts.other) {
-        for (PetscInt row = 0; row < own.count; ++row)
-            visit_row(own, row, 0);
+        for (std::size_t row = 0; row < count; ++row)
+            visit_row(own, row, 0, 0);
         return;
     }
     const Rows other(parts.other);
-    for (PetscInt row = 0; row < own.count; ++row) {
-        visit_row(own, row, 0);
-        visit_row(other, row, columns);
-    }
+    for (std::size_t row = 0; row < count; ++row)
+        visit_row(other, row, visit_row(own, row, 0, 0), columns);
 }
 
 }  // namespace
@@ -87,40 +88,39 @@ FloatMatrix::FloatMatrix(Mat matrix) : communicator_(PetscObjectComm(reinterpret
     const Parts parts(matrix);
     columns_ = static_cast<std::size_t>(columns);
     ghosts_ = static_cast<std::size_t>(parts.ghost_count);
-    starts_.assign(static_cast<std::size_t>(rows) + 1, 0);
-    std::size_t count = 0;
-    for (const Mat part : {parts.own, parts.other})
-        if (part) {
-            const Rows of_part(part);
-            count += static_cast<std::size_t>(of_part.starts[of_part.count]);
-        }
-    places_.reserve(count);
-    values_.reserve(count);
-    for_each_entry(parts, columns_, [&](PetscInt row, PetscInt column, double value) {
-        places_.push_back(column);
-        values_.push_back(static_cast<float>(value));
-        starts_[static_cast<std::size_t>(row) + 1] = static_cast<PetscInt>(places_.size());
+    lengths_.assign(static_cast<std::size_t>(rows), 0);
+    for_each_entry(parts, columns_, [&](std::size_t row, std::size_t, PetscInt, double) { ++lengths_[row]; });
+    starts_.push_back(0);
+    for (std::size_t first = 0; first < lengths_.size(); first += slice) {
+        const std::span of_slice(lengths_.data() + first, std::min(slice, lengths_.size() - first));
+        starts_.push_back(starts_.back() + slice * *std::ranges::max_element(of_slice));
+    }
+    places_.assign(starts_.back(), 0);
+    values_.assign(starts_.back(), 0);
+    for_each_entry(parts, columns_, [&](std::size_t row, std::size_t k, PetscInt column, double value) {
+        places_[position(row, k)] = column;
+        values_[position(row, k)] = static_cast<float>(value);
     });
-    for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)  // rows without entries
-        starts_[row + 1] = std::max(starts_[row + 1], starts_[row]);
     if (parts.other)
         find_exchanges(communicator_, matrix, {parts.ghosts, ghosts_});
 }
 
 void FloatMatrix::take_values(Mat matrix)
 {
-    std::size_t k = 0;
-    for_each_entry(Parts(matrix), columns_,
-                   [&](PetscInt, PetscInt, double value) { values_[k++] = static_cast<float>(value); });
+    for_each_entry(Parts(matrix), columns_, [&](std::size_t row, std::size_t k, PetscInt, double value) {
+        values_[position(row, k)] = static_cast<float>(value);
+    });
 }
+
+std::size_t FloatMatrix::entries() const { return std::accumulate(lengths_.begin(), lengths_.end(), std::size_t{0}); }
 
 std::vector<float> FloatMatrix::inverse_diagonal() const
 {
     std::vector<float> result(rows(), 1);
     for (std::size_t row = 0; row < rows(); ++row)
-        for (PetscInt k = starts_[row]; k < starts_[row + 1]; ++k)
-            if (static_cast<std::size_t>(places_[static_cast<std::size_t>(k)]) == row)
-                result[row] = 1 / values_[static_cast<std::size_t>(k)];
+        for (std::size_t k = 0; k < lengths_[row]; ++k)
+            if (static_cast<std::size_t>(places_[position(row, k)]) == row)
+                result[row] = 1 / values_[position(row, k)];
     return result;
 }
 

@@ -2,7 +2,10 @@
 
 #include "deadpoint/fem/space/petsc.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <experimental/simd>
 #include <span>
 #include <vector>
 
@@ -11,6 +14,10 @@ namespace deadpoint::fem {
 
 /// This rank's rows of a matrix of PETSc (AIJ, on one rank or many) in single precision. Columns are local: first this
 /// rank's, then the ghosts, entries that other ranks own.
+///
+/// Eight rows make a slice: the first entry of each, then the second, and so on, filled up with zeros (SELL, Kreutzer
+/// et al., SIAM J. Sci. Comput. 36, 2014). So the processor multiplies several rows at once and keeps up with the
+/// memory.
 class FloatMatrix {
 public:
     explicit FloatMatrix(Mat matrix);
@@ -18,9 +25,9 @@ public:
     /// Copies the values of a matrix of the same pattern.
     void take_values(Mat matrix);
 
-    [[nodiscard]] std::size_t rows() const { return starts_.size() - 1; }
+    [[nodiscard]] std::size_t rows() const { return lengths_.size(); }
     [[nodiscard]] std::size_t columns() const { return columns_; }
-    [[nodiscard]] std::size_t entries() const { return values_.size(); }
+    [[nodiscard]] std::size_t entries() const;  ///< without the zeros that fill up
     [[nodiscard]] std::size_t ghosts() const { return ghosts_; }
     [[nodiscard]] std::vector<float> inverse_diagonal() const;
 
@@ -32,18 +39,24 @@ public:
     void multiply(const std::vector<float>& vector, const Take& take) const
     {
         const float* x = vector.data();
-        const float* value = values_.data();
-        const PetscInt* column = places_.data();
-        for (std::size_t row = 0; row < rows(); ++row) {
-            const float* end = values_.data() + starts_[row + 1];
-            float sum = 0;
-            for (; value != end; ++value, ++column)
-                sum += *value * x[*column];
-            take(row, sum);
+        std::array<float, slice> sums{};
+        for (std::size_t first = 0; first < rows(); first += slice) {
+            Lanes sum = 0;
+            for (std::size_t k = starts_[first / slice]; k < starts_[first / slice + 1]; k += slice) {
+                const PetscInt* place = places_.data() + k;
+                const Lanes value(values_.data() + k, std::experimental::element_aligned);
+                sum += value * Lanes([&](auto lane) { return x[place[lane]]; });
+            }
+            sum.copy_to(sums.data(), std::experimental::element_aligned);
+            const std::size_t count = std::min(slice, rows() - first);
+            for (std::size_t lane = 0; lane < count; ++lane)
+                take(first + lane, sums[lane]);
         }
     }
 
 private:
+    static constexpr std::size_t slice = 8;
+    using Lanes = std::experimental::fixed_size_simd<float, slice>;
     struct Exchange {
         int rank = 0;
         std::vector<PetscInt> sent;  ///< local columns that this rank needs
@@ -52,7 +65,15 @@ private:
     };
     void find_exchanges(MPI_Comm communicator, Mat matrix, std::span<const PetscInt> ghosts);
 
-    std::vector<PetscInt> starts_, places_;
+    /// Of the k-th entry of a row.
+    [[nodiscard]] std::size_t position(std::size_t row, std::size_t k) const
+    {
+        return starts_[row / slice] + k * slice + row % slice;
+    }
+
+    std::vector<std::size_t> lengths_;  ///< entries per row
+    std::vector<std::size_t> starts_;   ///< per slice, and the end
+    std::vector<PetscInt> places_;      ///< columns
     std::vector<float> values_;
     std::size_t columns_ = 0, ghosts_ = 0;
     std::vector<Exchange> exchanges_;
