@@ -373,7 +373,7 @@ TEST_CASE("a pipe in place of a result's file is refused, not waited for")
     REQUIRE(run("", run_into(folder.path / "first")).code == 0);
     fs::remove(folder.path / "first/state.bin");
     REQUIRE(mkfifo((folder.path / "first/state.bin").c_str(), 0600) == 0);
-    const auto outcome = run("timeout -s KILL 20",
+    const auto outcome = run("timeout -s KILL 120",
                              run_into(folder.path / "second", fmt::format("--from {}/first", folder.path.string())));
     CHECK(outcome.code == 5);
     CHECK(has(outcome.text, "state.bin"));
