@@ -121,7 +121,7 @@ function mainSteps(steps, kind) {
 function causeSteps(entry) {
     const named = (group, what) => Object.entries(entry[group] ?? {}).map(([name, value]) =>
         ({ name: what ? `${what} ${words(name)}` : words(name), value }));
-    const single = { oil: "oil", air: "ambient", start: "warm start", remainder: "films over temperature" };
+    const single = { oil: "oil", air: "ambient", start: "warm start", remainder: entry.fields ? "remainder" : "films over temperature" };
     return mainSteps([...named("friction", "friction in"), ...named("heat source"), ...named("surface", "surface"),
         ...Object.entries(single).map(([key, name]) => ({ name, value: entry[key] ?? 0 }))]
         .filter((row) => row.value !== 0), "causes");
@@ -133,7 +133,10 @@ function causeFigure(entry, end) {
         title: last ? `Which heat causes the change at the end, after ${duration(end)}`
             : `Which heat causes the largest change, after ${duration(entry.time_s)}`,
         text: "Each cause counts with the effect of its heat anywhere in the machine up to this time, with the heat of all joints "
-            + "as in the run. Oil and ambient count with the difference of their temperature from the start.", note: null });
+            + "as in the run. Oil and ambient count with the difference of their temperature from the start."
+            + (entry.fields ? ` The shares were computed on ${entry.fields} fields of temperature instead of all; the last four of `
+                + `them changed no share by more than ${entry.change.toPrecision(1)} µm. The remainder is the gap's change less all shares, ${fixed(entry.remainder, 2, true)} µm.` : ""),
+        note: null });
 }
 
 function driftSection(run) {

@@ -34,6 +34,8 @@ struct DriftCauses {
     double air = 0;                                            ///< the same of the ambient
     double start = 0;                                          ///< temperatures from which the run started
     double remainder = 0;  ///< remainder: coefficients that depend on temperature, and the error of the solvers
+    int fields = 0;        ///< on which the contributions were computed; 0: in all unknowns
+    double change = 0;     ///< of a contribution by the last few of these fields: how far one may be off
 };
 
 }  // namespace deadpoint

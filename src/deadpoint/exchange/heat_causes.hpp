@@ -13,6 +13,8 @@ struct HeatCauses {
     std::vector<double> surfaces;   ///< per HeatProblem::surfaces: its air, its prescribed temperature, or its flux
     std::vector<double> body_heat;  ///< per HeatProblem::body_heat
     double start = 0;               ///< the temperatures from which the run started
+    int fields = 0;                 ///< on which they were computed; 0: in all unknowns
+    double change = 0;              ///< of one of them by the last few of these fields: how far they may be off
 };
 
 }  // namespace deadpoint

@@ -249,6 +249,13 @@ HeatCauses Model::heat_causes(const Adjoint& weights, std::size_t row)
     return implementation_->finished->causes(weights.owned, row);
 }
 
+HeatCauses Model::heat_causes_on_basis(const Adjoint& weights, std::size_t row)
+{
+    if (!implementation_->finished)
+        throw std::logic_error("Model::heat_causes_on_basis() needs heat() before it");
+    return implementation_->finished->causes_on_basis(weights.owned, row);
+}
+
 void Model::release_heat() { implementation_->finished.reset(); }
 
 std::unique_ptr<HeatProjector> Model::projector(const HeatProblem& problem, const std::vector<Adjoint>& observed,

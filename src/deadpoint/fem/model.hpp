@@ -78,6 +78,8 @@ public:
     /// @param weights  need not be an adjoint of heat(): value = sum of weight (T - T_reference)
     /// @param row      of the history that heat() returned: the time
     HeatCauses heat_causes(const Adjoint& weights, std::size_t row);
+    /// The same on a basis of a few fields, which takes a fraction of the time (reduce/causes/reduced_adjoint.hpp).
+    HeatCauses heat_causes_on_basis(const Adjoint& weights, std::size_t row);
     /// Frees matrices and steps of the last heat().
     void release_heat();
     /// The heat terms of a problem for a reduced model. The model must outlive it.

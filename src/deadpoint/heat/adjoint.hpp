@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,16 @@ namespace deadpoint::heat {
 
 template <class System>
 class HeatRun;  // run.hpp
+template <class System>
+class HeatSources;  // sources.hpp
+
+/// What the adjoint of the steps reads of a run that is over.
+template <class System>
+struct FinishedRun {
+    HeatSources<System>& sources;
+    std::span<const StepRecord> steps;
+    const typename System::Vector& start;  ///< temperatures
+};
 
 /// Interface that the adjoint of the steps needs besides HeatSystem: matrices with constant
 /// convection coefficients, and the shares of prescribed temperatures.
@@ -60,7 +72,10 @@ public:
 
     /// The run cannot continue afterwards.
     HeatAdjoint(HeatRun<System>& run, double reference)
-        : run_(run), system_(run.system()), reference_(reference), weights_(system_.make_vector()),
+        : HeatAdjoint(run.system(), {run.sources(), run.steps(), run.start()}, reference)
+    {}
+    HeatAdjoint(System& system, FinishedRun<System> run, double reference)
+        : run_(run), system_(system), reference_(reference), weights_(system_.make_vector()),
           solution_(system_.make_vector()), middle_weights_(system_.make_vector()),
           middle_solution_(system_.make_vector()), change_(system_.make_vector()), mass_product_(system_.make_vector()),
           stiffness_product_(system_.make_vector())
@@ -69,12 +84,12 @@ public:
     }
 
     /// Weights of a functional, to be set before causes():  value = sum of weight (T -
-    /// T_reference).
+    /// T_reference). Afterwards those on the temperatures before the first step.
     [[nodiscard]] Vector& weights() { return weights_; }
     /// @param row  of the run's history: the time of the functional
     HeatCauses causes(std::size_t row)
     {
-        const auto& problem = run_.problem();
+        const auto& problem = run_.sources.problem();
         causes_ = {};
         causes_.friction.assign(system_.geometry().layout.interfaces, 0.0);
         causes_.oil = causes_.friction;
@@ -84,25 +99,35 @@ public:
         film_coefficients_.clear();
         system_.combine({}, solution_);
         system_.combine({}, middle_solution_);
-        for (auto step = run_.steps().rbegin(); step != run_.steps().rend(); ++step)
-            if (step->row <= row) {
-                enter(step->segment);
-                step_back(*step);
+        entered_ = nullptr;
+        for (const auto& step : run_.steps | std::views::reverse)
+            if (step.row <= row) {
+                enter(step.segment);
+                step_back(step);
             }
-        const auto start = system_.start_shares(weights_, run_.start(), reference_);
+        const auto start = system_.start_shares(weights_, run_.start, reference_);
         causes_.start = start.back();
         for (std::size_t i = 0; i < problem.surfaces.size(); ++i)
             causes_.surfaces[i] += start[i];
         return causes_;
+    }
+    /// Sets laws and convection coefficients as at the end of a step.
+    void look_at(const StepRecord& step)
+    {
+        entered_ = nullptr;
+        enter(step.segment);
+        use_films(step.end);
     }
     [[nodiscard]] int iterations() const { return iterations_; }
 
 private:
     void enter(std::size_t segment)
     {
-        if (run_.sources().segment_index() == segment)
+        const auto& wanted = run_.sources.problem().segments[segment];
+        if (entered_ == &wanted)
             return;
-        run_.sources().enter(run_.problem().segments[segment]);
+        entered_ = &wanted;
+        run_.sources.enter(wanted);
         film_coefficients_.clear();
     }
 
@@ -161,7 +186,7 @@ private:
 
     [[nodiscard]] bool radiates_inside(std::size_t surface) const
     {
-        const auto& condition = run_.problem().surfaces[surface];
+        const auto& condition = run_.sources.problem().surfaces[surface];
         return condition.enclosure >= 0 && condition.emissivity > 0;
     }
 
@@ -172,7 +197,7 @@ private:
         if (radiates_inside(surface))
             return stage.film_mean[surface] -
                    stage.variable_to_air[surface] / (mean_coefficient(surface, stage) * area(surface));
-        return run_.sources().films.surroundings(surface, stage.time, air_of(stage));
+        return run_.sources.films.surroundings(surface, stage.time, air_of(stage));
     }
     [[nodiscard]] static std::vector<double> air_of(const StageRecord& stage)
     {
@@ -187,8 +212,8 @@ private:
     // the law's.
     [[nodiscard]] double mean_coefficient(std::size_t surface, const StageRecord& stage) const
     {
-        const auto& condition = run_.problem().surfaces[surface];
-        const auto& films = run_.sources().films;
+        const auto& condition = run_.sources.problem().surfaces[surface];
+        const auto& films = run_.sources.films;
         const double mean = stage.film_mean[surface];
         if (radiates_inside(surface)) {
             const double inside = stage.air[static_cast<std::size_t>(condition.enclosure)].temperature;
@@ -204,9 +229,9 @@ private:
 
     void use_films(const StageRecord& stage)
     {
-        if (!run_.sources().films.some_follow())
+        if (!run_.sources.films.some_follow())
             return;
-        const auto& surfaces = run_.problem().surfaces;
+        const auto& surfaces = run_.sources.problem().surfaces;
         std::vector<double> coefficients(surfaces.size(), 0.0);
         for (std::size_t i = 0; i < surfaces.size(); ++i)
             if (follows_temperature(surfaces[i]) && area(i) > 0)
@@ -233,7 +258,7 @@ private:
 
     void add_joints(const std::vector<double>& products, double factor, const StageRecord& stage)
     {
-        const auto& joints = run_.sources().joints;
+        const auto& joints = run_.sources.joints;
         const auto& layout = system_.geometry().layout;
         for (std::size_t i = 0; i < layout.interfaces; ++i) {
             const auto& law = joints.laws()[i];
@@ -249,7 +274,7 @@ private:
             double received = stage.source_heat[r] *
                               (in_volume ? products[layout.part(static_cast<std::size_t>(law.heat_part))] : by_film);
             if (law.load_zone)
-                received += run_.problem().sources[r].share * run_.sources().segment().zoned_heat[r] *
+                received += run_.sources.problem().sources[r].share * run_.sources.segment().zoned_heat[r] *
                             (in_volume ? products[layout.zone(i, false)]
                                        : through_film(layout.zone(i, false), layout.zone(i, true)));
             causes_.friction[i] += factor * joints.heat_share(i) * received;
@@ -258,7 +283,7 @@ private:
 
     void add_surfaces(const std::vector<double>& products, double factor, const StageRecord& stage)
     {
-        const auto& surfaces = run_.problem().surfaces;
+        const auto& surfaces = run_.sources.problem().surfaces;
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
             const auto& condition = surfaces[i];
             double density = 0;
@@ -271,10 +296,11 @@ private:
         }
     }
 
-    HeatRun<System>& run_;
+    FinishedRun<System> run_;
     System& system_;
     double reference_;
     HeatCauses causes_;
+    const HeatSegment* entered_ = nullptr;
     std::vector<double> film_coefficients_;  ///< as set last, per surface condition
     Vector weights_, solution_, middle_weights_, middle_solution_, change_, mass_product_, stiffness_product_;
     double change_over_ = 0;  ///< length of the step that change_ belongs to; 0: none [s]

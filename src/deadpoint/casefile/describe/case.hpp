@@ -209,10 +209,13 @@ struct Numerics {
 };
 
 struct Output {
+    /// How contributions are computed: by the number of temperatures, in all unknowns, or on a few fields.
+    enum class CausesBy { size, steps, basis };
     double history_interval = 60;
     std::vector<double> field_times;  ///< [s]; the end is always written
     bool fields = true;
     bool causes = true;
+    CausesBy causes_by = CausesBy::size;
     std::vector<std::string> stress;  ///< bodies, parts or patterns of parts
 };
 
@@ -285,6 +288,8 @@ inline constexpr auto spelling<Joint::Kind> = std::array<std::string_view, 3>{"r
 template <>
 inline constexpr auto spelling<Surface::Select> =
     std::array<std::string_view, 6>{"exposed", "all", "plane", "cylinder", "box", "group"};
+template <>
+inline constexpr auto spelling<Output::CausesBy> = std::array<std::string_view, 3>{"size", "steps", "basis"};
 template <>
 inline constexpr auto spelling<Chain::Play> = std::array<std::string_view, 3>{"limited", "none", "paper"};
 

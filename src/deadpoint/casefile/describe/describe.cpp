@@ -616,9 +616,15 @@ void describe(Visitor& v, Output& o)
     v.quantities({"field_times", "times at which fields are written, in addition to the end"}, o.field_times, D::time,
                  non_negative);
     v.flag({"fields", "write temperature and displacement fields"}, o.fields);
-    v.flag({"causes", "compute the contributions of the heat sources to the gap; takes as long as the time steps. A "
-                      "sweep does not compute them"},
+    v.flag({"causes", "compute the contributions of the heat sources to the gap. A sweep does not compute them"},
            o.causes);
+    choose(
+        v,
+        {"causes_by",
+         "`steps`: run backward over all time steps, which takes as long as the time steps; `basis`: the same on some "
+         "twenty fields, with each contribution right to about 0.1 %; `size`: `basis` from 100 000 temperatures on. "
+         "Where a temperature is prescribed, always `steps`"},
+        o.causes_by);
     v.texts({"stress", "bodies or parts (`*` stands for any letters) whose stress is computed at the times of the "
                        "fields: stress in the fields, and the largest of each part in stress.csv"},
             o.stress);

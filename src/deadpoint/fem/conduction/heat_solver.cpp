@@ -9,6 +9,7 @@
 #include "deadpoint/heat/adjoint.hpp"
 #include "deadpoint/heat/run.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/causes/reduced_adjoint.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -110,6 +111,18 @@ HeatCauses HeatSolver::causes(const std::vector<double>& weights, std::size_t ro
         adjoint_ = std::make_unique<heat::HeatAdjoint<HeatSystem>>(*run_, reference_);
     set(adjoint_->weights(), weights);
     return adjoint_->causes(row);
+}
+
+HeatCauses HeatSolver::causes_on_basis(const std::vector<double>& weights, std::size_t row)
+{
+    if (system_.some_prescribed())
+        return causes(weights, row);
+    if (!reduced_adjoint_)
+        reduced_adjoint_ = std::make_unique<reduce::ReducedAdjoint<HeatSystem>>(
+            system_, heat::FinishedRun<HeatSystem>{run_->sources(), run_->steps(), run_->start()}, reference_);
+    auto load = system_.make_vector();
+    set(load, weights);
+    return reduced_adjoint_->causes(load, row);
 }
 
 std::vector<Field> HeatSolver::duals(double time, const Field& temperature, const std::vector<Adjoint>& weights)

@@ -22,6 +22,13 @@ class HeatAdjoint;
 
 }  // namespace deadpoint::heat
 
+namespace deadpoint::reduce {
+
+template <class System>
+class ReducedAdjoint;
+
+}  // namespace deadpoint::reduce
+
 /// Internal to fem/: transient heat conduction with contact layers.
 namespace deadpoint::fem {
 
@@ -47,6 +54,8 @@ public:
     /// Contributions of the heat sources to a functional of the temperatures at a time of the run.
     /// The run cannot continue afterwards.
     HeatCauses causes(const std::vector<double>& weights, std::size_t row);
+    /// The same on a basis of a few fields, unless a temperature is prescribed.
+    HeatCauses causes_on_basis(const std::vector<double>& weights, std::size_t row);
 
 private:
     using Run = heat::HeatRun<HeatSystem>;
@@ -57,6 +66,7 @@ private:
     ThermalState state_;  ///< at the start
     std::unique_ptr<Run> run_;
     std::unique_ptr<heat::HeatAdjoint<HeatSystem>> adjoint_;
+    std::unique_ptr<reduce::ReducedAdjoint<HeatSystem>> reduced_adjoint_;
     double reference_ = 0;
 };
 

@@ -257,11 +257,12 @@ void HeatSystem::apply_stiffness(const OwnedVec& in, OwnedVec& out) const
             DEADPOINT_PETSC(MatMultAdd(further, in, out, out));
 }
 
-int HeatSystem::solve_adjoint(double factor, const OwnedVec& right, OwnedVec& solution)
+int HeatSystem::solve_adjoint(double factor, const OwnedVec& right, OwnedVec& solution, double tolerance)
 {
     if (factor != parts_->stage.factor())
         parts_->stage.combine(factor, nullptr);
-    return parts_->stage.solve_from_guess(right, solution, adjoint_tolerance(*problem_), "the weights of the heat");
+    return parts_->stage.solve_from_guess(right, solution, tolerance > 0 ? tolerance : adjoint_tolerance(*problem_),
+                                          "the weights of the heat");
 }
 
 void HeatSystem::observe_with(Observation observation) { observation_ = observation; }

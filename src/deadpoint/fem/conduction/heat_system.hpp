@@ -103,7 +103,8 @@ public:
     void set_film_coefficients(const std::vector<double>& coefficients);
     void apply_mass(const OwnedVec& in, OwnedVec& out) const;
     void apply_stiffness(const OwnedVec& in, OwnedVec& out) const;
-    int solve_adjoint(double factor, const OwnedVec& right, OwnedVec& solution);
+    /// @param tolerance  as a share of the solution's norm; 0: as sharp as the steps
+    int solve_adjoint(double factor, const OwnedVec& right, OwnedVec& solution, double tolerance = 0);
     [[nodiscard]] std::vector<double> prescribed_shares(const OwnedVec& right, const OwnedVec& left, double time,
                                                         double reference) const;
     [[nodiscard]] std::vector<double> start_shares(const OwnedVec& weights, const OwnedVec& start,

@@ -360,7 +360,7 @@ void DenseSystem::set_film_coefficients(const std::vector<double>& coefficients)
 
 const Eigen::MatrixXd& DenseSystem::of_adjoint() const { return follows_ ? with_films_ : stiffness_; }
 
-int DenseSystem::solve_adjoint(double factor, const Vector& right, Vector& solution)
+int DenseSystem::solve_adjoint(double factor, const Vector& right, Vector& solution, double)
 {
     auto found = adjoint_.find(factor);
     if (found == adjoint_.end()) {

@@ -118,7 +118,7 @@ public:
     {
         out.noalias() = of_adjoint().selfadjointView<Eigen::Lower>() * in;
     }
-    int solve_adjoint(double factor, const Vector& right, Vector& solution);
+    int solve_adjoint(double factor, const Vector& right, Vector& solution, double tolerance = 0);
     [[nodiscard]] std::vector<double> prescribed_shares(const Vector&, const Vector&, double, double) const
     {
         return std::vector<double>(problem_->surfaces.size(), 0.0);

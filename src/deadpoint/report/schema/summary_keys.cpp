@@ -61,13 +61,17 @@ Keys drift_keys()
         {"final_by_part/{part}", "um", "contribution of each part's warming to E_SW, at the end"},
         {"by_cause/[]/time_s", "s", "time of this list; there is one for the largest change and one for the end"},
         {"by_cause/[]/E_SW", "um", "change of the gap at that time, the sum of all contributions below"},
+        {"by_cause/[]/fields", "", "number of fields on which they were computed; 0: in all unknowns"},
+        {"by_cause/[]/change", "um",
+         "largest change of a contribution by the last two or four of these fields: how far one may be off"},
         {"by_cause/[]/friction/{joint}", "um", "contribution of the joint's friction heat"},
         {"by_cause/[]/heat source/{source}", "um", "contribution of the heat source"},
         {"by_cause/[]/surface/{surface}", "um", "contribution of a prescribed temperature or flux"},
         {"by_cause/[]/oil", "um", "contribution of oil that is warmer or colder than the machine at the start"},
         {"by_cause/[]/air", "um", "contribution of an ambient that is warmer or colder than the machine at the start"},
         {"by_cause/[]/start", "um", "contribution of the temperatures of --from"},
-        {"by_cause/[]/remainder", "um", "remainder, from coefficients that depend on temperature"}};
+        {"by_cause/[]/remainder", "um",
+         "remainder, from coefficients that depend on temperature and from the fields that are left out"}};
 }
 
 /// Largest and last value of a course.

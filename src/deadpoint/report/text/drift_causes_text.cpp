@@ -34,6 +34,15 @@ std::vector<Row> rows_of(const DriftCauses& causes)
     return rows;
 }
 
+/// How the causes were computed, if not in all unknowns.
+std::string basis_note(const DriftCauses& causes)
+{
+    return causes.fields == 0 ? ""
+                              : fmt::format("computed on {} fields of temperature; the last four changed no share "
+                                            "by more than {:.1g} um",
+                                            causes.fields, micrometre * causes.change);
+}
+
 const std::string& shown_name(const Row& row) { return row.name.empty() ? row.kind : row.name; }
 
 }  // namespace
@@ -46,6 +55,10 @@ void write_drift_causes(const std::filesystem::path& path, std::span<const std::
         kinds.push_back(row.kind);
         names.push_back(row.name);
     }
+    std::vector<std::string> lines(comments.begin(), comments.end());
+    for (const auto& at : causes)
+        if (at.fields > 0)
+            lines.push_back(fmt::format("shares after {:.0f} s: {}", at.time, basis_note(at)));
     std::vector<CsvColumn> columns{csv_column(schema::causes::cause, kinds), csv_column(schema::causes::name, names)};
     for (const auto& at : causes) {
         std::vector<double> values;
@@ -53,14 +66,17 @@ void write_drift_causes(const std::filesystem::path& path, std::span<const std::
             values.push_back(row.value);
         columns.push_back(csv_column(schema::causes::share, std::move(values), fmt::format("{:.0f}", at.time)));
     }
-    write_table(path, comments, columns);
+    write_table(path, lines, columns);
 }
 
 nlohmann::ordered_json drift_causes_json(const std::vector<DriftCauses>& causes)
 {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const auto& at : causes) {
-        nlohmann::ordered_json json{{"time_s", at.time}, {"E_SW", micrometre * at.gap}};
+        nlohmann::ordered_json json{{"time_s", at.time},
+                                    {"E_SW", micrometre * at.gap},
+                                    {"fields", at.fields},
+                                    {"change", micrometre * at.change}};
         for (const auto& row : rows_of(at)) {
             if (row.name.empty())
                 json[row.kind] = row.value;
@@ -83,7 +99,10 @@ std::string drift_causes_line(const std::vector<DriftCauses>& causes)
     for (std::size_t i = 0; i < std::min(shown, rows.size()); ++i)
         if (std::abs(rows[i].value) >= 0.05)
             text += fmt::format("{} {} {:+.1f}", i ? "," : "", shown_name(rows[i]), rows[i].value);
-    return text + " um\n";
+    text += " um\n";
+    if (causes.back().fields > 0)
+        text += "    (" + basis_note(causes.back()) + ")\n";
+    return text;
 }
 
 }  // namespace deadpoint::report

@@ -23,7 +23,8 @@ void write_drift_causes(const std::filesystem::path& path, std::span<const std::
 /// A list with an object per time.
 nlohmann::ordered_json drift_causes_json(const std::vector<DriftCauses>& causes);
 
-/// "  by cause at the end: ...", the strongest first, with a line break; empty without causes.
+/// "  by cause at the end: ...", the strongest first, and if they are not exact, how far they may be off; each with a
+/// line break; empty without causes.
 std::string drift_causes_line(const std::vector<DriftCauses>& causes);
 
 }  // namespace deadpoint::report

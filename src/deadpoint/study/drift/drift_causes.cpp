@@ -10,6 +10,9 @@
 namespace deadpoint::study {
 namespace {
 
+// Below, the backward run takes some seconds.
+constexpr long long many_temperatures = 100'000;
+
 using Named = std::vector<std::pair<std::string, double>>;
 
 Named by_joint(const casefile::Case& input, const HeatProblem& problem, const std::vector<double>& friction)
@@ -56,6 +59,8 @@ DriftCauses at_row(const casefile::Case& input, const HeatProblem& problem, cons
     for (const double value : found.oil)
         causes.oil += value;
     causes.start = found.start;
+    causes.fields = found.fields;
+    causes.change = found.change;
     causes.remainder = causes.gap - sum_of(causes.joints) - sum_of(causes.heat_sources) - sum_of(causes.surfaces) -
                        causes.oil - causes.air - causes.start;
     return causes;
@@ -75,6 +80,12 @@ std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatPro
     for (const auto row : rows)
         result.push_back(at_row(input, problem, drift, row, causes_at(row)));
     return result;
+}
+
+bool causes_on_basis(const casefile::Output& output, long long temperatures)
+{
+    using By = casefile::Output::CausesBy;
+    return output.causes_by == By::basis || (output.causes_by == By::size && temperatures >= many_temperatures);
 }
 
 }  // namespace deadpoint::study

@@ -13,7 +13,8 @@ struct DriftSeries;
 }  // namespace deadpoint
 namespace deadpoint::casefile {
 struct Case;
-}
+struct Output;
+}  // namespace deadpoint::casefile
 
 /// Internal to study/: contributions of the heat sources to the gap (attribution).
 namespace deadpoint::study {
@@ -22,5 +23,8 @@ namespace deadpoint::study {
 /// @param causes_at  of E_SW at a row of the history, with the share of the crank's play that counts there
 std::vector<DriftCauses> drift_causes(const casefile::Case& input, const HeatProblem& problem, const DriftSeries& drift,
                                       const std::function<HeatCauses(std::size_t row)>& causes_at);
+
+/// True if the causes are computed on a basis of a few fields.
+bool causes_on_basis(const casefile::Output& output, long long temperatures);
 
 }  // namespace deadpoint::study

@@ -138,7 +138,10 @@ private:
             return;
         watch_.start("causes");
         result_.causes = drift_causes(input_, problem_, *result_.drift, [&](std::size_t row) {
-            return parts_.model->heat_causes(gap_adjoint(*parts_.chain, parts_.adjoints, shares_at(row)), row);
+            const auto weights = gap_adjoint(*parts_.chain, parts_.adjoints, shares_at(row));
+            return causes_on_basis(input_.output, result_.heat_unknowns)
+                       ? parts_.model->heat_causes_on_basis(weights, row)
+                       : parts_.model->heat_causes(weights, row);
         });
         watch_.stop();
     }
