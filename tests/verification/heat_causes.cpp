@@ -125,6 +125,32 @@ TEST_CASE("causes add up: a turning joint, heat into a part's volume by load zon
     check_sums(bench, problem);
 }
 
+TEST_CASE(
+    "causes on few fields agree with those in all unknowns: a turning joint, heat into a part's volume by load zone")
+{
+    Bench bench(read("shaft-in-block"));
+    auto problem = bench.problem();
+    for (auto* laws : {&problem.interfaces, &problem.segments[0].interfaces})
+        for (auto& law : *laws) {
+            law.heat_part = 0;
+            law.load_zone = [](const deadpoint::Vec3& x) { return std::max(0.0, x[1]); };
+        }
+    problem.segments[0].zoned_heat = {15};
+    const std::size_t row = bench.run(problem).time.size() - 1;
+    const auto exact = bench.model.heat_causes(bench.weights, row);
+    bench.run(problem);
+    const auto found = bench.model.heat_causes_on_basis(bench.weights, row);
+    CHECK(exact.fields == 0);
+    CHECK(found.fields >= 8);
+    CHECK(found.fields <= 30);
+    // Two more fields would change a cause by 1e-3 of it; 0.5 % of the sum is the smallest that counts.
+    const double least = 5e-3 * std::abs(sum(exact));
+    for (std::size_t i = 0; i < exact.friction.size(); ++i)
+        CHECK(std::abs(found.friction[i] - exact.friction[i]) <= 2e-3 * std::max(std::abs(exact.friction[i]), least));
+    for (std::size_t i = 0; i < exact.surfaces.size(); ++i)
+        CHECK(std::abs(found.surfaces[i] - exact.surfaces[i]) <= 2e-3 * std::max(std::abs(exact.surfaces[i]), least));
+}
+
 namespace {
 
 // The problem with nothing but what `keep` puts back, at the reference temperature.
