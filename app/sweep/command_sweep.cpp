@@ -12,6 +12,7 @@
 #include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
 #include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/sweep/point_observer.hpp"
 #include "deadpoint/study/sweep/sweep.hpp"
 #include "interrupt.hpp"
 #include "options/case_options.hpp"
@@ -34,18 +35,6 @@ namespace {
 
 /// A point of the shipped press takes about this; only to tell a long study from a short one beforehand [s].
 constexpr double seconds_per_cell = 2e-4;
-
-/// Keeps the warnings of one point for its files; says nothing.
-class PointObserver : public Observer {
-public:
-    explicit PointObserver(const Observer& study) : study_(study) {}
-    void warn(std::string_view text) override { warnings.emplace_back(text); }
-    [[nodiscard]] bool cancelled() const override { return study_.cancelled(); }
-    std::vector<std::string> warnings;
-
-private:
-    const Observer& study_;
-};
 
 std::vector<casefile::Case> read_cases(const std::vector<study::SweepPoint>& points, const SweepOptions& options,
                                        const std::string& base)
@@ -80,7 +69,7 @@ std::optional<study::RunRecord> finished(const fs::path& folder, const casefile:
 study::PointAction action_of(const SweepOptions& options, const std::vector<fs::path>& inputs, Ranks& ranks)
 {
     return [&options, &inputs, &ranks](const study::SweepPoint& point, study::Press& press) {
-        PointObserver observer(ranks.console);
+        study::PointObserver observer(ranks.console);
         const auto& input = press.input();
         const auto& machine = press.machine(observer);
         for (const auto& warning : report::plan_warnings(input, machine)) {

@@ -41,16 +41,4 @@ private:
     Observer& to_;
 };
 
-/// Keeps the warnings of one run; forwards only the request to stop.
-class QuietRun : public Observer {
-public:
-    explicit QuietRun(const Observer& to) : to_(to) {}
-    void warn(std::string_view text) override { warnings.emplace_back(text); }
-    [[nodiscard]] bool cancelled() const override { return to_.cancelled(); }
-    std::vector<std::string> warnings;
-
-private:
-    const Observer& to_;
-};
-
 }  // namespace deadpoint

@@ -16,6 +16,7 @@
 #include "deadpoint/study/pipeline/run_record.hpp"
 #include "deadpoint/study/refine/refine.hpp"
 #include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/sweep/point_observer.hpp"
 #include "deadpoint/study/sweep/sweep.hpp"
 #include "deadpoint/study/sweep/sweep_plan.hpp"
 
@@ -108,7 +109,7 @@ std::vector<SweepRun> sweep(const Press& press, const std::vector<SweepAxis>& ax
         runs.push_back({point.name, settings_of(point, axes), std::nullopt, {}});
     }
     const auto action = [&](const study::SweepPoint& point, study::Press& shared) {
-        QuietRun quiet(to.get());
+        study::PointObserver quiet(to.get());
         const auto result = shared.run({}, quiet);
         runs[static_cast<std::size_t>(&point - points.data())].result =
             public_run(shared.input(), result, quiet.warnings, {});

@@ -8,6 +8,7 @@
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
 #include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/sweep/point_observer.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -21,18 +22,6 @@ namespace deadpoint::study {
 namespace {
 
 constexpr std::size_t points_per_thread = 8;  // at a time: a study that is killed loses no more
-
-/// Keeps the warnings of a point.
-class PointObserver : public Observer {
-public:
-    explicit PointObserver(const Observer& study) : study_(study) {}
-    void warn(std::string_view text) override { warnings.emplace_back(text); }
-    [[nodiscard]] bool cancelled() const override { return study_.cancelled(); }
-    std::vector<std::string> warnings;
-
-private:
-    const Observer& study_;
-};
 
 /// A point on its way.
 struct Work {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "deadpoint/observer.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace deadpoint::study {
+
+/// Of one run among many: keeps its warnings, says nothing, and stops when the study is told to stop.
+class PointObserver : public Observer {
+public:
+    /// @param study  outlives this
+    explicit PointObserver(const Observer& study) : study_(study) {}
+    void warn(std::string_view text) override { warnings.emplace_back(text); }
+    [[nodiscard]] bool cancelled() const override { return study_.cancelled(); }
+
+    std::vector<std::string> warnings;
+
+private:
+    const Observer& study_;
+};
+
+}  // namespace deadpoint::study
