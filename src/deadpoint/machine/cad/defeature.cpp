@@ -1,5 +1,6 @@
 #include "deadpoint/machine/cad/defeature.hpp"
 
+#include "deadpoint/machine/cad/face_middle.hpp"
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Defeaturing.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -38,19 +39,8 @@ double volume_of(const TopoDS_Shape& shape)
 /// Whether the solid lies outside of the face's radius, by its normal in the middle of the face.
 bool hollow(const TopoDS_Face& face, const gp_Pnt& centre)
 {
-    const BRepAdaptor_Surface surface(face);
-    double u[2]{};
-    double v[2]{};
-    BRepTools::UVBounds(face, u[0], u[1], v[0], v[1]);
-    gp_Pnt point;
-    gp_Vec along_u;
-    gp_Vec along_v;
-    surface.D1(0.5 * (u[0] + u[1]), 0.5 * (v[0] + v[1]), point, along_u, along_v);
-    gp_Vec out = along_u.Crossed(along_v);
-    if (face.Orientation() == TopAbs_REVERSED) {
-        out.Reverse();
-    }
-    return out.Dot(gp_Vec(centre, point)) < 0;
+    const FaceMiddle middle = middle_of(face);
+    return middle.out.Dot(gp_Vec(centre, middle.point)) < 0;
 }
 
 double turn_of(const TopoDS_Face& face)

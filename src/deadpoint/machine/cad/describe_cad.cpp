@@ -1,5 +1,6 @@
 #include "deadpoint/machine/cad/describe_cad.hpp"
 
+#include "deadpoint/machine/cad/face_middle.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -80,23 +81,10 @@ CadPlane plane_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face)
     return plane;
 }
 
-/// A point of a face and the direction out of the solid there.
-struct Outward {
-    Vec3 point{};
-    Vec3 direction{};
-};
-
-Outward outward_in_middle(const BRepAdaptor_Surface& surface, const TopoDS_Face& face)
+/// Whether the solid lies on the far side of a face, seen from a direction in its middle.
+bool faces_back(const FaceMiddle& middle, const Vec3& from_centre)
 {
-    double u[2]{};
-    double v[2]{};
-    BRepTools::UVBounds(face, u[0], u[1], v[0], v[1]);
-    gp_Pnt point;
-    gp_Vec along_u;
-    gp_Vec along_v;
-    surface.D1(0.5 * (u[0] + u[1]), 0.5 * (v[0] + v[1]), point, along_u, along_v);
-    const gp_Vec out = (face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0) * along_u.Crossed(along_v);
-    return {metres(point), {out.X(), out.Y(), out.Z()}};
+    return dot({middle.out.X(), middle.out.Y(), middle.out.Z()}, from_centre) < 0;
 }
 
 CadCylinder cylinder_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face)
@@ -114,9 +102,9 @@ CadCylinder cylinder_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& f
     // A left-handed frame turns the other way.
     result.angles = frame.Direct() ? std::array{u[0], u[1]} : std::array{-u[1], -u[0]};
     result.range = {v[0] * gmsh_unit, v[1] * gmsh_unit};
-    const auto out = outward_in_middle(surface, face);
-    const Vec3 from_axis = out.point - result.point;
-    result.bore = dot(out.direction, from_axis - dot(from_axis, result.axis) * result.axis) < 0;
+    const FaceMiddle middle = middle_of(face);
+    const Vec3 from_axis = metres(middle.point) - result.point;
+    result.bore = faces_back(middle, from_axis - dot(from_axis, result.axis) * result.axis);
     return result;
 }
 
@@ -124,8 +112,8 @@ CadSphere sphere_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face)
 {
     const gp_Sphere geometry = surface.Sphere();
     CadSphere sphere{metres(geometry.Location()), geometry.Radius() * gmsh_unit};
-    const auto out = outward_in_middle(surface, face);
-    sphere.hollow = dot(out.direction, out.point - sphere.centre) < 0;
+    const FaceMiddle middle = middle_of(face);
+    sphere.hollow = faces_back(middle, metres(middle.point) - sphere.centre);
     return sphere;
 }
 
