@@ -397,11 +397,16 @@ def cells(page, selector):
         [...row.cells].map((cell) => cell.textContent))""")
 
 
-def check_study(page, folder, width, pictures):
+def open_report(page, folder, width, what):
+    """Opens the page of a folder in a window or on a phone, which it fills."""
     page.size(width, 900, phone=width < 500)
     page.open(folder + "/report.html")
     page.settle()
-    near(page.run("document.documentElement.scrollWidth"), width, 0, f"study, {width} px: width of the page")
+    near(page.run("document.documentElement.scrollWidth"), width, 0, f"{what}, {width} px: width of the page")
+
+
+def check_study(page, folder, width, pictures):
+    open_report(page, folder, width, "study")
     rows = read_study(folder)
     charts = {chart["id"]: chart for chart in page.run(LINES)}
     for name, count in {"crossed-drift": 3, "crossed-limits": 3, "crossed-rise": 3, "crossed-rises": 3, "air-drift": 2,
@@ -469,10 +474,7 @@ def check_study_table(page, folder):
 
 def check_sensitivity(page, folder, width):
     """Bars, curves and table of a study of sensitivity against its file."""
-    page.size(width, 900, phone=width < 500)
-    page.open(folder + "/report.html")
-    page.settle()
-    near(page.run("document.documentElement.scrollWidth"), width, 0, f"sensitivity, {width} px: width of the page")
+    open_report(page, folder, width, "sensitivity")
     with open(folder + "/sensitivity.json") as file:
         found = json.load(file)
     output = page.run("document.querySelector('[data-control=output]').selectedOptions[0].textContent")
@@ -494,10 +496,7 @@ def check_sensitivity(page, folder, width):
 
 def check_optimum(page, folder, width):
     """Curves, steps and table of a search for an optimum against its file."""
-    page.size(width, 900, phone=width < 500)
-    page.open(folder + "/report.html")
-    page.settle()
-    near(page.run("document.documentElement.scrollWidth"), width, 0, f"optimum, {width} px: width of the page")
+    open_report(page, folder, width, "optimum")
     with open(folder + "/optimise.json") as file:
         found = json.load(file)
     charts = {chart["id"]: chart for chart in page.run(LINES)}
@@ -512,10 +511,7 @@ def check_optimum(page, folder, width):
 
 def check_plan(page, folder, width):
     """Bars and tables of a planned calibration against its file."""
-    page.size(width, 900, phone=width < 500)
-    page.open(folder + "/report.html")
-    page.settle()
-    near(page.run("document.documentElement.scrollWidth"), width, 0, f"plan, {width} px: width of the page")
+    open_report(page, folder, width, "plan")
     with open(folder + "/plan.json") as file:
         found = json.load(file)
     bars = {chart: page.run(f"[...document.querySelectorAll('[data-chart={chart}] rect.bar')].map((bar) => Number(bar.getAttribute('width')))")
