@@ -139,6 +139,13 @@ void write_draft(const InitOptions& options)
         throw deadpoint::IoError(fmt::format("'{}' is there already\n  help: name another folder", file.string()));
     }
     const fs::path drawing = options.step;
+    if (!fs::exists(drawing)) {
+        const bool of_windows = options.step.find('\\') != std::string::npos;
+        throw deadpoint::IoError(fmt::format("--step: there is no file '{}'\n  help: {}", options.step,
+                                             of_windows
+                                                 ? "write its path with / instead of \\"
+                                                 : "check its path, which is relative to the folder you are in"));
+    }
     const auto draft = deadpoint::study::draft_of(
         deadpoint::machine::read_cad(drawing.stem().string(), drawing.string(), std::nullopt, [](double) {}), wanted);
     create(folder);

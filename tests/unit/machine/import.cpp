@@ -258,6 +258,18 @@ TEST_CASE("unusable files are refused by part")
     CHECK(contains(complaint(imported(StepSource{noise.path()})), "is not a STEP file"));
 }
 
+TEST_CASE("the worst cell is named by its place and the face it lies at")
+{
+    auto text = bar_of_cubes(0, 2);
+    for (int k = 0; k < 4; ++k) {  // the second cube is flat
+        const std::string node = fmt::format("\n{} ", 9 + k);
+        text.replace(text.find(node + "2 "), node.size() + 2, node + "1 ");
+    }
+    const TemporaryFile flat("flat.msh", text);
+    CHECK(contains(complaint(imported(MeshSource{flat.path(), 1})),
+                   "the worst, at (1000.0, 500.0, 500.0) mm by its face 'tip', has quality"));
+}
+
 TEST_CASE("a cell size that cannot be meant is refused or warned of before the work")
 {
     MachineDescription description = imported(StepSource{data + "/plate_with_hole.step"});

@@ -219,6 +219,32 @@ private:
                 if (value != 0)
                     expect(fmt::format("{}.side_{}", path, key), value, D::heat_transfer_coefficient,
                            {1, 1e8, "sides of contacts have"}, help);
+        if (const auto* rough = std::get_if<RoughContact>(&conductance))
+            check_rough(path, *rough);
+        if (const auto* rolling = std::get_if<RollingElements>(&conductance))
+            check_elements(path, *rolling);
+    }
+    // From lapped to flame-cut faces; from lead to hard metal; bolts press with some MPa.
+    void check_rough(const std::string& path, const RoughContact& rough)
+    {
+        expect(path + ".roughness", rough.roughness, D::length, {1e-8, 2e-4, "machined faces have"},
+               "check the unit, um or mm");
+        expect(path + ".hardness", rough.surfaces.hardness, D::pressure, {2e7, 3e10, "metals have"},
+               "check the unit: HB times 9.81 MPa");
+        if (rough.surfaces.pressure)
+            expect(path + ".pressure", *rough.surfaces.pressure, D::pressure, {1e3, 1e9, "bolted faces bear"},
+                   "check the unit, Pa or MPa");
+    }
+    // Elements that carry load stand side by side on their pitch circle.
+    void check_elements(const std::string& path, const RollingElements& rolling)
+    {
+        const double around = std::numbers::pi * rolling.pitch_diameter.value_or(0);
+        if (around > 0 && rolling.loaded_elements * rolling.element_diameter > around)
+            warn("implausible", path + ".element_diameter",
+                 fmt::format("{:.0f} loaded elements of {} do not fit around a pitch circle of {}",
+                             rolling.loaded_elements, shown(rolling.element_diameter, D::length),
+                             shown(*rolling.pitch_diameter, D::length)),
+                 "check `element_diameter`, `loaded_elements` and `pitch_diameter`");
     }
 
     // Air at rest takes 2 to 10 W/m2/K, blown air some hundred; water in a cooled plate some thousand.
@@ -260,6 +286,8 @@ private:
                 warn("implausible", path + ".coefficient",
                      fmt::format("a coefficient of friction of {:.4g} is above 1", value), std::string(coefficient));
         };
+        if (const auto* bearing = std::get_if<PalmgrenFriction>(&friction.law))
+            check_rating(path + ".static_rating", bearing->static_rating, bearing->mean_diameter);
         if (const auto* pin = std::get_if<PinFriction>(&friction.law)) {
             check_coefficient(pin->coefficient);
             if (pin->clearance)
@@ -270,6 +298,15 @@ private:
             if (guide->film_thickness)
                 expect(path + ".film_thickness", *guide->film_thickness, D::length, film, length);
         }
+    }
+
+    // C0 / dm^2 of catalogues lies between 1 MPa (thin section) and 40 MPa (full complement of rollers).
+    void check_rating(const std::string& path, double rating, double diameter)
+    {
+        if (rating > 0 && diameter > 0)
+            expect(path, rating, D::force,
+                   {2e5 * diameter * diameter, 2e8 * diameter * diameter, "bearings of this diameter have"},
+                   "check the unit of C0, N or kN, and `mean_diameter`");
     }
 
     void check_operation()

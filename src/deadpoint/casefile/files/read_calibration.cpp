@@ -56,6 +56,8 @@ public:
             file_.alternatives[k].place = place_text(fmt::format("alternatives.{}.name", k));
         for (std::size_t k = 0; k < file_.parameters.size(); ++k)
             check_parameter(k);
+        for (std::size_t k = 0; k < file_.parameters.size(); ++k)
+            check_same_keys(k);
         for (std::size_t k = 0; k < file_.sensors.size(); ++k)
             check_sensor(k);
         if (diagnostics_.error_count() > 0)
@@ -121,6 +123,20 @@ private:
             report("prior", at + (p.lower.empty() ? ".upper" : ".lower"),
                    "the limits exclude the value that the case states, which is the likeliest one by the prior",
                    "widen the limits, or change the value in the case");
+    }
+
+    /// Two unknowns may share keys, such as a common factor beside one of each joint, but not all of them.
+    void check_same_keys(std::size_t k)
+    {
+        const auto& p = file_.parameters[k];
+        for (std::size_t i = 0; i < k; ++i) {
+            const auto& other = file_.parameters[i];
+            if (!p.keys.empty() && other.kind == p.kind && std::ranges::is_permutation(other.keys, p.keys))
+                return report("duplicate-key", fmt::format("parameters.{}.keys", k),
+                              fmt::format("'{}' changes the same values as '{}', so that no data can tell them apart",
+                                          p.name, other.name),
+                              "remove one of them, or give each its own keys");
+        }
     }
 
     void check_shift(CalibrationParameter& p, const std::string& at)

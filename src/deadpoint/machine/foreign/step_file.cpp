@@ -56,6 +56,24 @@ std::size_t misplaced_word(std::string_view text)
     return text.size();
 }
 
+/// What a file without the mark of STEP is instead, and what helps.
+std::string what_it_is(std::string_view text)
+{
+    if (text.empty()) {
+        return ": it is empty\n  help: export the part again";
+    }
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+        return ": it is text in UTF-16\n  help: export the part again, or save the file as UTF-8";
+    }
+    if (text.starts_with("solid")) {
+        return ": it holds triangles (STL)\n  help: export the part as STEP; triangles do not tell bores from planes";
+    }
+    if (text.starts_with("PK")) {
+        return ": it is a compressed archive\n  help: unpack it, and name the file in it";
+    }
+    return " (ISO 10303-21)\n  help: export the part as STEP";
+}
+
 }  // namespace
 
 StepText check_step_file(const std::string& part, const std::string& path)
@@ -64,8 +82,7 @@ StepText check_step_file(const std::string& part, const std::string& path)
     require_readable(part, path);
     const std::string text = read_file(path, largest).value_or("");
     if (text.substr(0, 200).find("ISO-10303-21") == std::string::npos) {
-        throw InputError(fmt::format(
-            "part '{}': '{}' is not a STEP file (ISO 10303-21)\n  help: export the part as STEP", part, path));
+        throw InputError(fmt::format("part '{}': '{}' is not a STEP file{}", part, path, what_it_is(text)));
     }
     if (text.find("END-ISO-10303-21") == std::string::npos) {
         throw InputError(fmt::format(
