@@ -27,6 +27,9 @@ Machine prism(int sides)
         contact.points.push_back(point);
     }
     Machine machine;
+    machine.geometries = {contact.geometry, PlaneGeometry{{0, 0, 1}, 0.3}};
+    machine.faces.resize(2);
+    machine.faces[1].geometry = 1;
     machine.interfaces = {contact};
     return machine;
 }
@@ -40,6 +43,13 @@ TEST_CASE("contacts with a handful of cells around are questioned, with the dist
     const auto found = study::question_machine(nothing, prism(6), 1);
     REQUIRE(found.size() == 1);
     CHECK(found[0].message.find("pivot.pin (facets 6.7 mm off its cylinder of 100 mm)") != std::string::npos);
+    // The bottom of a blind hole is not a facet of its cylinder.
+    auto blind = prism(24);
+    ContactPoint bottom;
+    bottom.face_a = 1;
+    bottom.position_a = {0.2, 0.1, 0.3};
+    blind.interfaces[0].points.push_back(bottom);
+    CHECK(study::question_machine(nothing, blind, 1).empty());
     CHECK(study::question_machine(nothing, prism(9), 1).size() == 1);
     CHECK(study::question_machine(nothing, prism(10), 1).empty());
 }

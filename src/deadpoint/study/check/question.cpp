@@ -110,16 +110,30 @@ std::optional<Finding> bare_parts(const Case& input, const Machine& machine)
                     "name these parts in a surface with a film, or in one with insulated = true");
 }
 
-/// How far the facets of side a are off its cylinder [m]; 0 for planes.
-double off_cylinder(const Contact& contact)
+/// The facet of side a that is farthest off its cylinder, as a share of the radius.
+struct FarFacet {
+    double off = 0;     ///< [m]
+    double radius = 0;  ///< [m]; 0: the contact has no cylinder
+};
+
+double off_cylinder(const CylinderGeometry& cylinder, const Vec3& position)
 {
-    const auto* cylinder = std::get_if<CylinderGeometry>(&contact.geometry);
-    if (cylinder == nullptr)
-        return 0;
-    double worst = 0;
+    const Vec3 arm = position - cylinder.point;
+    return std::abs(norm(arm - dot(arm, cylinder.axis) * cylinder.axis) - cylinder.radius);
+}
+
+/// A bond may lie on planes beside its cylinders: a pin in a blind hole.
+FarFacet farthest_facet(const Machine& machine, const Contact& contact)
+{
+    FarFacet worst;
     for (const auto& point : contact.points_as_drawn()) {
-        const Vec3 arm = point.position_a - cylinder->point;
-        worst = std::max(worst, std::abs(norm(arm - dot(arm, cylinder->axis) * cylinder->axis) - cylinder->radius));
+        const auto& geometry = machine.geometries[machine.faces[point.face_a].geometry];
+        const auto* cylinder = std::get_if<CylinderGeometry>(&geometry);
+        if (cylinder == nullptr)
+            continue;
+        const FarFacet own{off_cylinder(*cylinder, point.position_a), cylinder->radius};
+        if (worst.radius == 0 || own.off * worst.radius > worst.off * own.radius)
+            worst = own;
     }
     return worst;
 }
@@ -131,12 +145,9 @@ std::optional<Finding> faceted_contacts(const Machine& machine)
     std::vector<std::string> texts;
     for (const auto* contacts : {&machine.interfaces, &machine.bonds})
         for (const Contact& contact : *contacts)
-            if (const double off = off_cylinder(contact); off > 0) {
-                const double radius = std::get<CylinderGeometry>(contact.geometry).radius;
-                if (off > most * radius)
-                    texts.push_back(fmt::format("{} (facets {:.3g} mm off its cylinder of {:.4g} mm)", contact.name,
-                                                1e3 * off, 2e3 * radius));
-            }
+            if (const auto [off, radius] = farthest_facet(machine, contact); off > most * radius)
+                texts.push_back(fmt::format("{} (facets {:.3g} mm off its cylinder of {:.4g} mm)", contact.name,
+                                            1e3 * off, 2e3 * radius));
     if (texts.empty())
         return std::nullopt;
     return question("numerics.size",
