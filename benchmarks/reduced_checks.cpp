@@ -19,16 +19,21 @@
 #include "deadpoint/study/reduce/split.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 // Compares a reduced press with full runs that its build never saw, a line for each:
-//   benchmark_reduced_checks case.toml press.rom size_scale first count [cycles]
+//   benchmark_reduced_checks case.toml press.rom size_scale first count [cycles] [bounds]
 // Coefficients are drawn from the box. With "cycles" the operation is one of work at other heat and rest in turn.
+// With "bounds" there are no full runs. Columns are then: number; certified bound [um]; processor time of the large
+// model's run and of its certificate [s].
 // Columns: number; largest errors after the first minute of the large and of the small model [K, um]; the small model
 // to the large one [K, um]; error of the large model at the end [um] and its certified bound [um].
 
@@ -69,7 +74,8 @@ void make_cycle(HeatProblem& problem, reduce::Draws& draws)
 /// The full model of a case, and its reduced ones.
 class Checks {
 public:
-    Checks(const casefile::Case& input, const Machine& machine, const std::filesystem::path& file, Observer& observer)
+    Checks(const casefile::Case& input, const Machine& machine, const std::filesystem::path& file, bool with_full,
+           Observer& observer)
         : parts_(machine, nullptr), small_(study::read_reduced(file)),
           large_(study::read_reduced(file.parent_path() / small_.large_file))
     {
@@ -78,7 +84,8 @@ public:
         study::Stopwatch watch(observer);
         study::RunResult unused;
         const auto problem = parts_.translate(input, watch, unused, observer);
-        parts_.need_model(input, watch, observer);
+        if (with_full)
+            parts_.need_model(input, watch, observer);
         auto split = study::split_by_part(problem, machine);
         split.problem.field_times.clear();
         nominal_ = study::with_nominal_films(split.problem, input.machine.initial_temperature);
@@ -86,10 +93,7 @@ public:
 
     void check(int number, bool cycles)
     {
-        reduce::Draws draws(seed + static_cast<unsigned long long>(number));
-        auto problem = reduce::drawn_problem(nominal_, small_.box, draws);
-        if (cycles)
-            make_cycle(problem, draws);
+        const auto problem = drawn(number, cycles);
         const auto full = full_run(problem);
         const auto large = reduced_run(large_, problem), small = reduced_run(small_, problem);
         const auto of_large = off(large, full), of_small = off(small, full), estimate = off(small, large);
@@ -101,7 +105,27 @@ public:
         std::fflush(stdout);
     }
 
+    void time_bound(int number, bool cycles) const
+    {
+        const auto problem = drawn(number, cycles);
+        const double start = seconds();
+        const auto large = reduced_run(large_, problem);
+        const double ran = seconds();
+        const auto found = bound(problem, large);
+        std::printf("%4d %9s %6.2f %6.2f\n", number, found.c_str(), ran - start, seconds() - ran);
+        std::fflush(stdout);
+    }
+
 private:
+    [[nodiscard]] static double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+    [[nodiscard]] HeatProblem drawn(int number, bool cycles) const
+    {
+        reduce::Draws draws(seed + static_cast<unsigned long long>(number));
+        auto problem = reduce::drawn_problem(nominal_, small_.box, draws);
+        if (cycles)
+            make_cycle(problem, draws);
+        return problem;
+    }
     [[nodiscard]] ThermalHistory full_run(const HeatProblem& problem)
     {
         Silent observer;
@@ -140,15 +164,21 @@ private:
 int main(int count, char** arguments)
 {
     if (count < 6) {
-        std::fprintf(stderr, "benchmark_reduced_checks case.toml press.rom size_scale first count [cycles]\n");
+        std::fprintf(stderr, "benchmark_reduced_checks case.toml press.rom size_scale first count [cycles] [bounds]\n");
         return 1;
     }
+    const std::vector<std::string> more(arguments + 6, arguments + count);
+    const bool cycles = std::ranges::find(more, "cycles") != more.end();
+    const bool bounds = std::ranges::find(more, "bounds") != more.end();
     fem::Session session(count, arguments);
     Silent observer;
     study::Press press(casefile::read_case(arguments[1]).value, std::atof(arguments[3]));
     press.mesh(observer);
-    Checks checks(press.input(), press.machine(observer), arguments[2], observer);
+    Checks checks(press.input(), press.machine(observer), arguments[2], !bounds, observer);
     const int first = std::atoi(arguments[4]);
     for (int k = first; k < first + std::atoi(arguments[5]); ++k)
-        checks.check(k, count > 6 && std::string(arguments[6]) == "cycles");
+        if (bounds)
+            checks.time_bound(k, cycles);
+        else
+            checks.check(k, cycles);
 }

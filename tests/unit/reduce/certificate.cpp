@@ -162,6 +162,27 @@ TEST_CASE("bounds hold, with coefficients that the build never saw")
     MESSAGE("largest bound of the gap " << largest);
 }
 
+TEST_CASE("a law that is not straight adds to the bound where it bends")
+{
+    const auto terms = std::make_shared<const PreparedTerms>(rods::full_terms());
+    const auto& models = certified().models;
+    const auto bound_with = [&](double jump, double at) {
+        auto problem = rods::problem();
+        problem.segments[0].heat[0] = [=](double t) {
+            return LawValue{60 - 0.4 * (t - 293) - (t > at ? jump * (t - at) : 0), -0.4 - (t > at ? jump : 0), true};
+        };
+        const auto large = run_on(models.large, problem), exact = run_on(terms, problem);
+        const auto found = certify(models.large, *models.residual, problem, large.time, outputs());
+        CHECK(found.bounds[1] >= std::abs(large.functionals[0].value.back() - exact.functionals[0].value.back()));
+        return found.bounds[1];
+    };
+    const double end = run_on(models.large, rods::problem()).source_temperature[0].back();
+    const double straight = bound_with(0, end), kinked = bound_with(0.1, end - 0.01);
+    MESSAGE(straight << " " << kinked);
+    CHECK(kinked > 1.2 * straight);
+    CHECK(bound_with(0.1, end + 20) == Approx(straight).epsilon(1e-9));  // more than 5 K from all temperatures
+}
+
 TEST_CASE("what the vectors of the terms leave out is in the remainder")
 {
     lumps::Quiet observer;

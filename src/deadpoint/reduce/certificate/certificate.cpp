@@ -3,39 +3,25 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/heat/films.hpp"
-#include "deadpoint/heat/sources.hpp"
-#include "deadpoint/heat/stage_solver.hpp"
+#include "deadpoint/reduce/certificate/euler_run.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
-#include "deadpoint/reduce/online/dense_system.hpp"
-#include "deadpoint/reduce/online/tridiagonal.hpp"
+#include "deadpoint/reduce/online/dense_terms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
+#include <limits>
 #include <optional>
 
 namespace deadpoint::reduce {
 namespace {
 
-constexpr double far = 5;   // from a source's temperature, to where its law is looked at [K]
-constexpr int places = 10;  // at which it is looked at
+// Distances from a source's temperature at which its law is looked at [K].
+constexpr std::array distances{0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0};
 
-struct EulerStep {
-    std::size_t segment = 0;
-    double time = 0, duration = 0;
-};
-
-std::vector<EulerStep> steps_of(const std::vector<double>& times)
-{
-    std::vector<EulerStep> steps;
-    std::size_t segment = 0;
-    for (std::size_t k = 1; k < times.size(); ++k)
-        if (times[k] > times[k - 1])
-            steps.push_back({segment, times[k], times[k] - times[k - 1]});
-        else
-            ++segment;
-    return steps;
-}
+constexpr double rounding = 1e-12;  // of a law
 
 bool starts_in_basis(const DenseTerms& terms, const HeatProblem& problem)
 {
@@ -69,159 +55,19 @@ std::string refusal(const DenseTerms& terms, const HeatProblem& problem)
     return {};
 }
 
-/// The reduced system by implicit Euler steps, and its dual.
-class EulerRun {
-public:
-    struct Level {
-        EulerStep step;
-        Eigen::VectorXd before, state;
-        std::vector<double> watts;         ///< by functional
-        std::vector<double> slopes;        ///< of each source's heat by the solids' part of its temperature [W/K]
-        std::vector<double> temperatures;  ///< of the sources [K]
-    };
-
-    EulerRun(const std::shared_ptr<const PreparedTerms>& terms, const HeatProblem& problem)
-        : problem_(&problem), system_(terms, problem), sources_(system_, problem), stages_(system_, sources_)
-    {}
-
-    void march(const std::vector<EulerStep>& steps)
-    {
-        Eigen::VectorXd state = Eigen::VectorXd::Zero(system_.parts().uniform.size()), stored = state;
-        for (Eigen::Index p = 0; p < system_.parts().parts.cols(); ++p)
-            state += problem_->initial_temperature(static_cast<int>(p), {}) * system_.parts().parts.col(p);
-        for (const auto& step : steps) {
-            enter(step.segment);
-            Level level{step, state, {}, {}, {}, {}};
-            stages_.known = state;
-            stages_.solve(step.time, step.duration, {}, state, stored);
-            auto rate = sources_.balance_at(step.time, state);
-            level.state = state;
-            level.watts = std::move(rate.pending);
-            level.slopes = rate.balance.source_slope;
-            level.temperatures = rate.balance.source_temperature;
-            levels_.push_back(std::move(level));
-        }
-    }
-
-    /// Of each output a matrix with a column for each step. @param weights  of the states after the last step, a column
-    /// for each output
-    [[nodiscard]] std::vector<Eigen::MatrixXd> duals(const Eigen::MatrixXd& weights)
-    {
-        const auto outputs = weights.cols();
-        std::vector<Eigen::MatrixXd> result(static_cast<std::size_t>(outputs),
-                                            Eigen::MatrixXd(weights.rows(), static_cast<Eigen::Index>(levels_.size())));
-        Eigen::MatrixXd right = weights;
-        for (auto end = static_cast<Eigen::Index>(levels_.size()); end > 0;) {
-            const auto first = first_of_segment(end);
-            const Eigen::MatrixXd found = duals_in_segment(first, end, right);
-            for (Eigen::Index k = first; k < end; ++k)
-                for (Eigen::Index i = 0; i < outputs; ++i)
-                    result[static_cast<std::size_t>(i)].col(k) = found.col((k - first) * outputs + i);
-            right = found.leftCols(outputs);
-            end = first;
-        }
-        return result;
-    }
-
-    /// The load of one watt of each source, by functional.
-    [[nodiscard]] std::vector<heat::Loads> source_loads(std::size_t segment)
-    {
-        enter(segment);
-        std::vector<heat::Loads> result;
-        for (std::size_t r = 0; r < problem_->sources.size(); ++r)
-            result.push_back(sources_.joints.source_load(r));
-        return result;
-    }
-
-    [[nodiscard]] const std::vector<Level>& levels() const { return levels_; }
-
-private:
-    [[nodiscard]] const Level& level(Eigen::Index k) const { return levels_[static_cast<std::size_t>(k)]; }
-    [[nodiscard]] Eigen::Index first_of_segment(Eigen::Index end) const
-    {
-        auto first = end - 1;
-        while (first > 0 && level(first - 1).step.segment == level(end - 1).step.segment)
-            --first;
-        return first;
-    }
-
-    // The outputs' columns of each step of [first, end), all of one segment, in the basis in which K is tridiagonal:
-    //   (1 + d K - d b S b^T) z = right,   S the slopes of the sources' heat.
-    [[nodiscard]] Eigen::MatrixXd duals_in_segment(Eigen::Index first, Eigen::Index end, const Eigen::MatrixXd& right)
-    {
-        enter(level(first).step.segment);
-        system_.build(level(first).step.duration, level(first).state, {});
-        const auto form = system_.tridiagonal();
-        const Eigen::MatrixXd loads = form->basis.transpose() * load_states();
-        const auto outputs = right.cols();
-        Eigen::MatrixXd present = form->basis.transpose() * right, all(right.rows(), (end - first) * outputs);
-        for (auto k = end - 1; k >= first; --k) {
-            const auto& [step, before, state, watts, slopes, temperatures] = level(k);
-            const ShiftedFactor factor(*form, step.duration);
-            const Eigen::VectorXd scaled =
-                step.duration * Eigen::Map<const Eigen::VectorXd>(slopes.data(), loads.cols());
-            Eigen::MatrixXd solved = loads;
-            factor.solve_in_place(solved);
-            factor.solve_in_place(present);
-            Eigen::MatrixXd small = -(scaled.asDiagonal() * (loads.transpose() * solved));
-            small.diagonal().array() += 1;
-            const Eigen::MatrixXd heat = scaled.asDiagonal() * (loads.transpose() * present);
-            present += solved * small.partialPivLu().solve(heat);
-            all.middleCols((k - first) * outputs, outputs) = present;
-        }
-        return form->basis * all;
-    }
-
-    // The load of one watt of each source of the present segment.
-    [[nodiscard]] Eigen::MatrixXd load_states() const
-    {
-        const auto& functionals = system_.parts().functionals;
-        Eigen::MatrixXd result =
-            Eigen::MatrixXd::Zero(functionals.cols(), static_cast<Eigen::Index>(problem_->sources.size()));
-        for (std::size_t r = 0; r < problem_->sources.size(); ++r)
-            for (const auto& [functional, weight] : sources_.joints.source_load(r))
-                result.col(static_cast<Eigen::Index>(r)) +=
-                    weight * functionals.row(static_cast<Eigen::Index>(functional)).transpose();
-        return result;
-    }
-
-    void enter(std::size_t segment)
-    {
-        if (present_ == segment)
-            return;
-        sources_.enter(problem_->segments[segment]);
-        present_ = segment;
-    }
-
-    const HeatProblem* problem_;
-    DenseSystem system_;
-    heat::HeatSources<DenseSystem> sources_;
-    heat::StageSolver<DenseSystem> stages_;
-    std::optional<std::size_t> present_;
-    std::vector<Level> levels_;
-};
-
-/// Steps of one segment, [first, first + count).
-struct SegmentSteps {
-    std::size_t segment = 0;
+/// Steps [first, first + count), in all of which heat is conducted alike and sources load the same places.
+struct Stretch {
+    std::vector<double> coefficients;  ///< of the conduction matrix
+    Eigen::MatrixXd loads;             ///< of one watt of each source by the residual's vectors, a column for each
     Eigen::Index first = 0, count = 0;
 };
 
-std::vector<SegmentSteps> by_segment(const std::vector<EulerRun::Level>& levels)
-{
-    std::vector<SegmentSteps> result;
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-        if (result.empty() || result.back().segment != levels[k].step.segment)
-            result.push_back({levels[k].step.segment, static_cast<Eigen::Index>(k), 0});
-        ++result.back().count;
-    }
-    return result;
-}
-
-/// A source's law around a temperature.
+/// A source's law around a temperature. With its tangent there, |law - tangent| <= curvature/2 e^2 and <= bend |e| at
+/// distances e.
 struct LawShape {
-    double largest_slope = 0;  ///< [W/K], 0 where it falls
-    double curvature = 0;      ///< largest change of the slope [W/K2]
+    double steepest_rise = 0, gentlest_fall = 0;  ///< [W/K], not below 0
+    double curvature = 0;                         ///< [W/K2]
+    double bend = 0;                              ///< [W/K]
 };
 
 class Certifier {
@@ -235,13 +81,12 @@ public:
     void march(const std::vector<double>& times)
     {
         run_.march(steps_of(times));
-        segments_ = by_segment(run_.levels());
-        for (const auto& steps : segments_) {
-            norms_.emplace_back(residual_, uniform_, coefficients_of(problem_, problem_.segments[steps.segment]));
-            loads_.push_back(source_columns(steps.segment));
-        }
+        divide();
+        for (const auto& stretch : stretches_)
+            norms_.emplace_back(residual_, uniform_, stretch.coefficients);
         remainders_ = remainders(states());
         primal_ = sum_of_squares(primal_residual(), remainders_);
+        on_states_ = residual_on_states();
         look_at_laws();
     }
 
@@ -257,8 +102,9 @@ public:
         const auto duals = run_.duals(weights);
         std::vector<double> result;
         for (std::size_t k = 0; k < outputs.size(); ++k) {
-            const double dual = sum_of_squares(dual_residual(duals[k], outputs[k]), remainders(duals[k]));
-            result.push_back(std::sqrt(primal_ * dual) / kappa_ + consistency(duals[k]) + curvature(duals[k]));
+            const auto rest = remainders(duals[k]);
+            const double dual = sum_of_squares(dual_residual(duals[k], outputs[k]), rest);
+            result.push_back(std::sqrt(primal_ * dual) / kappa_ + consistency(duals[k], rest) + curvature(duals[k]));
         }
         return result;
     }
@@ -267,6 +113,10 @@ private:
     [[nodiscard]] double duration(Eigen::Index step) const
     {
         return run_.levels()[static_cast<std::size_t>(step)].step.duration;
+    }
+    [[nodiscard]] const double* slopes_at(Eigen::Index step) const
+    {
+        return run_.levels()[static_cast<std::size_t>(step)].slopes.data();
     }
     [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(run_.levels().size()); }
 
@@ -288,6 +138,22 @@ private:
         return result;
     }
 
+    void divide()
+    {
+        std::optional<std::size_t> present;
+        for (Eigen::Index k = 0; k < count(); ++k) {
+            const auto segment = run_.levels()[static_cast<std::size_t>(k)].step.segment;
+            if (present != segment) {
+                Stretch next{coefficients_of(problem_, problem_.segments[segment]), source_columns(segment), k, 0};
+                if (stretches_.empty() || next.coefficients != stretches_.back().coefficients ||
+                    next.loads != stretches_.back().loads)
+                    stretches_.push_back(std::move(next));
+                present = segment;
+            }
+            ++stretches_.back().count;
+        }
+    }
+
     // Loads of one watt of each source as coefficients of the residual's vectors.
     [[nodiscard]] Eigen::MatrixXd source_columns(std::size_t segment)
     {
@@ -304,9 +170,9 @@ private:
     [[nodiscard]] Eigen::MatrixXd not_conducted(const Eigen::MatrixXd& columns) const
     {
         Eigen::MatrixXd result(residual_.count(), columns.cols());
-        for (std::size_t s = 0; s < segments_.size(); ++s)
-            result.middleCols(segments_[s].first, segments_[s].count) =
-                -norms_[s].conducted(columns.middleCols(segments_[s].first, segments_[s].count));
+        for (std::size_t s = 0; s < stretches_.size(); ++s)
+            result.middleCols(stretches_[s].first, stretches_[s].count) =
+                -norms_[s].conducted(columns.middleCols(stretches_[s].first, stretches_[s].count));
         return result;
     }
 
@@ -333,21 +199,20 @@ private:
             if (is_last)
                 result(residual_.first_functional() + static_cast<Eigen::Index>(output), k) += 1 / duration(k);
         }
-        for (std::size_t s = 0; s < segments_.size(); ++s)
-            for (Eigen::Index k = segments_[s].first; k < segments_[s].first + segments_[s].count; ++k) {
-                const auto& slopes = run_.levels()[static_cast<std::size_t>(k)].slopes;
-                const Eigen::VectorXd seen = seen_by_sources(s, duals.col(k));
-                for (std::size_t r = 0; r < slopes.size(); ++r)
-                    result.col(k) +=
-                        slopes[r] * seen[static_cast<Eigen::Index>(r)] * loads_[s].col(static_cast<Eigen::Index>(r));
-            }
+        for (const auto& [coefficients, loads, first, steps] : stretches_) {
+            Eigen::MatrixXd heat = seen_by_sources(loads, duals.middleCols(first, steps));
+            for (Eigen::Index k = 0; k < steps; ++k)
+                heat.col(k).array() *= Eigen::Map<const Eigen::ArrayXd>(slopes_at(first + k), heat.rows());
+            result.middleRows(residual_.first_functional(), residual_.functionals).middleCols(first, steps) +=
+                loads.middleRows(residual_.first_functional(), residual_.functionals) * heat;
+        }
         return result;
     }
 
-    // b . V x of each source.
-    [[nodiscard]] Eigen::VectorXd seen_by_sources(std::size_t segment, const Eigen::VectorXd& states) const
+    // b . V x of each source, column by column.
+    [[nodiscard]] Eigen::MatrixXd seen_by_sources(const Eigen::MatrixXd& loads, const Eigen::MatrixXd& states) const
     {
-        return loads_[segment].middleRows(residual_.first_functional(), residual_.functionals).transpose() *
+        return loads.middleRows(residual_.first_functional(), residual_.functionals).transpose() *
                (terms_.functionals * states);
     }
 
@@ -355,9 +220,9 @@ private:
     [[nodiscard]] Eigen::VectorXd remainders(const Eigen::MatrixXd& columns) const
     {
         Eigen::VectorXd result(columns.cols());
-        for (std::size_t s = 0; s < segments_.size(); ++s)
-            result.segment(segments_[s].first, segments_[s].count) =
-                norms_[s].remainder_squares(columns.middleCols(segments_[s].first, segments_[s].count)).cwiseSqrt();
+        for (std::size_t s = 0; s < stretches_.size(); ++s)
+            result.segment(stretches_[s].first, stretches_[s].count) =
+                norms_[s].remainder_squares(columns.middleCols(stretches_[s].first, stretches_[s].count)).cwiseSqrt();
         return result;
     }
 
@@ -365,8 +230,8 @@ private:
     [[nodiscard]] double sum_of_squares(const Eigen::MatrixXd& residuals, const Eigen::VectorXd& rest) const
     {
         double sum = 0;
-        for (std::size_t s = 0; s < segments_.size(); ++s) {
-            const auto [segment, first, steps] = segments_[s];
+        for (std::size_t s = 0; s < stretches_.size(); ++s) {
+            const auto first = stretches_[s].first, steps = stretches_[s].count;
             const Eigen::VectorXd main = norms_[s].squares(residuals.middleCols(first, steps));
             for (Eigen::Index k = 0; k < steps; ++k) {
                 const double size = std::sqrt(main[k]) + rest[first + k];
@@ -376,43 +241,49 @@ private:
         return sum;
     }
 
-    // |sum dt z . V^T residual|: zero but for cut terms, remainders, and for the tolerance of Newton's method.
-    [[nodiscard]] double consistency(const Eigen::MatrixXd& duals) const
+    // V^T residual without what the remainders add, a column for each step: zero but for cut terms and for the
+    // tolerance of Newton's method.
+    [[nodiscard]] Eigen::MatrixXd residual_on_states() const
     {
-        const Eigen::VectorXd of_duals = remainders(duals);
         const Eigen::MatrixXd of_run = states();
+        Eigen::MatrixXd result = -(terms_.solid * of_run);
+        for (std::size_t s = 0; s < stretches_.size(); ++s)
+            result.middleCols(stretches_[s].first, stretches_[s].count) -= norms_[s].conducted_on_states(
+                of_run.middleCols(stretches_[s].first, stretches_[s].count), terms_.functionals);
+        for (Eigen::Index k = 0; k < count(); ++k) {
+            const auto& level = run_.levels()[static_cast<std::size_t>(k)];
+            const Eigen::Map<const Eigen::VectorXd> watts(level.watts.data(), residual_.functionals);
+            result.col(k) += terms_.functionals.transpose() * watts - (level.state - level.before) / duration(k);
+        }
+        return result;
+    }
+
+    // |sum dt z . V^T residual|
+    [[nodiscard]] double consistency(const Eigen::MatrixXd& duals, const Eigen::VectorXd& of_duals) const
+    {
         double sum = 0, rest = 0;
-        for (std::size_t s = 0; s < segments_.size(); ++s) {
-            const auto [segment, first, steps] = segments_[s];
-            const Eigen::MatrixXd z = duals.middleCols(first, steps);
-            const Eigen::VectorXd conducted =
-                norms_[s].conduction_between(z, of_run.middleCols(first, steps), terms_.functionals * z);
-            for (Eigen::Index k = 0; k < steps; ++k) {
-                const auto& level = run_.levels()[static_cast<std::size_t>(first + k)];
-                const Eigen::Map<const Eigen::VectorXd> watts(level.watts.data(), residual_.functionals);
-                const Eigen::VectorXd rate = terms_.functionals.transpose() * watts -
-                                             (level.state - level.before) / level.step.duration -
-                                             terms_.solid * level.state;
-                sum += level.step.duration * (z.col(k).dot(rate) - conducted[k]);
-                rest += level.step.duration * of_duals[first + k] * remainders_[first + k];
-            }
+        for (Eigen::Index k = 0; k < count(); ++k) {
+            sum += duration(k) * duals.col(k).dot(on_states_.col(k));
+            rest += duration(k) * of_duals[k] * remainders_[k];
         }
         return std::abs(sum) + rest;
     }
 
-    // Sets kappa, |H''| of each source and step, and products of the sources' loads.
+    // Sets kappa, the shape of each law at each step, and products of the sources' loads.
     void look_at_laws()
     {
         const auto sources = static_cast<Eigen::Index>(problem_.sources.size());
-        curvatures_ = Eigen::MatrixXd::Zero(sources, count());
+        curvatures_ = bends_ = falls_ = Eigen::MatrixXd::Zero(sources, count());
         kappa_ = 1;
-        for (std::size_t s = 0; s < segments_.size(); ++s) {
-            load_products_.push_back(norms_[s].products(loads_[s]));
+        for (std::size_t s = 0; s < stretches_.size(); ++s) {
+            load_products_.push_back(norms_[s].products(stretches_[s].loads));
             Eigen::VectorXd rising = Eigen::VectorXd::Zero(sources);
-            for (Eigen::Index k = segments_[s].first; k < segments_[s].first + segments_[s].count; ++k)
+            for (Eigen::Index k = stretches_[s].first; k < stretches_[s].first + stretches_[s].count; ++k)
                 for (Eigen::Index r = 0; r < sources; ++r) {
                     const auto shape = shape_of(run_.levels()[static_cast<std::size_t>(k)], r);
-                    rising[r] = std::max(rising[r], shape.largest_slope);
+                    rising[r] = std::max(rising[r], shape.steepest_rise);
+                    bends_(r, k) = shape.bend;
+                    falls_(r, k) = shape.gentlest_fall;
                     curvatures_(r, k) = shape.curvature;
                 }
             kappa_ = std::min(kappa_, 1 - largest_share(load_products_[s], rising));
@@ -437,30 +308,72 @@ private:
         const auto& law = problem_.segments[level.step.segment].heat[r];
         if (!law)
             return shape;
-        const double share = problem_.sources[r].share, from = level.temperatures[r] - far, step = 2 * far / places;
-        double before = share * law(from).slope;
-        shape.largest_slope = std::max(before, 0.0);
-        for (int k = 1; k <= places; ++k) {
-            const double slope = share * law(from + k * step).slope;
-            shape.largest_slope = std::max(shape.largest_slope, slope);
-            shape.curvature = std::max(shape.curvature, std::abs(slope - before) / step);
-            before = slope;
-        }
+        const double share = problem_.sources[r].share, at = level.temperatures[r];
+        const auto here = law(at);
+        shape.steepest_rise = std::max(share * here.slope, 0.0);
+        shape.gentlest_fall = std::max(0.0, -share * here.slope);
+        for (const double distance : distances)
+            for (const double e : {-distance, distance}) {
+                const auto there = law(at + e);
+                shape.steepest_rise = std::max(shape.steepest_rise, share * there.slope);
+                shape.gentlest_fall = std::min(shape.gentlest_fall, std::max(0.0, -share * there.slope));
+                const double left = std::abs(there.value - here.value - here.slope * e);
+                const double off = share * std::max(0.0, left - rounding * std::abs(here.value));
+                shape.curvature = std::max(shape.curvature, 2 * off / (e * e));
+                shape.bend = std::max(shape.bend, off / distance);
+            }
         return shape;
     }
 
     // Of sum of dt z . (heat of the laws less that of their tangents).
     [[nodiscard]] double curvature(const Eigen::MatrixXd& duals) const
     {
+        Eigen::MatrixXd seen(curvatures_.rows(), count());
+        for (const auto& [coefficients, loads, first, steps] : stretches_)
+            seen.middleCols(first, steps) = seen_by_sources(loads, duals.middleCols(first, steps)).cwiseAbs();
+        const Eigen::MatrixXd weights = seen.cwiseProduct(curvatures_);
+        const Eigen::MatrixXd without_fall = (falls_.array() > 0).select(0.0, weights);
+        return std::min(curvature_by_energy(weights), curvature_by_energy(without_fall) + curvature_by_falls(seen));
+    }
+
+    // Half of sum of dt w (b . e)^2 by |b|.
+    [[nodiscard]] double curvature_by_energy(const Eigen::MatrixXd& weights) const
+    {
         double share = 0;
-        for (std::size_t s = 0; s < segments_.size(); ++s) {
-            Eigen::VectorXd largest = Eigen::VectorXd::Zero(curvatures_.rows());
-            for (Eigen::Index k = segments_[s].first; k < segments_[s].first + segments_[s].count; ++k)
-                largest =
-                    largest.cwiseMax(seen_by_sources(s, duals.col(k)).cwiseAbs().cwiseProduct(curvatures_.col(k)));
-            share = std::max(share, largest_share(load_products_[s], largest));
-        }
+        for (std::size_t s = 0; s < stretches_.size(); ++s)
+            share = std::max(
+                share,
+                largest_share(load_products_[s],
+                              weights.middleCols(stretches_[s].first, stretches_[s].count).rowwise().maxCoeff()));
         return share / 2 * primal_ / (kappa_ * kappa_);
+    }
+
+    // Falling heat takes energy from an error: sum of dt |H'| (b . e)^2 <= sum of dt |r|^2 / (4 kappa) = energy. So a
+    // source counts in a step by
+    //   dt |b . z| curvature/2 (b . e)^2 <= ratio/2 dt |H'| (b . e)^2,   ratio = |b . z| curvature / |H'|,
+    // or, near a kink of its law, by its bend: dt |b . z| bend |b . e|, which are together at most
+    //   (sum of dt (b . z bend)^2 / |H'|)^1/2 energy^1/2.
+    // Those of the largest ratios count by their bends, as many as give the least. @param seen  |b . z|
+    [[nodiscard]] double curvature_by_falls(const Eigen::MatrixXd& seen) const
+    {
+        struct Place {
+            double ratio, bent;
+        };
+        std::vector<Place> places;
+        for (Eigen::Index k = 0; k < count(); ++k)
+            for (Eigen::Index r = 0; r < seen.rows(); ++r) {
+                const double bent = seen(r, k) * bends_(r, k), fall = falls_(r, k);
+                if (fall > 0 && bent > 0)
+                    places.push_back({seen(r, k) * curvatures_(r, k) / fall, duration(k) * bent * bent / fall});
+            }
+        std::ranges::sort(places, std::greater{}, &Place::ratio);
+        const double energy = primal_ / (4 * kappa_);
+        double least = std::numeric_limits<double>::infinity(), by_bends = 0;
+        for (const auto& [ratio, bent] : places) {
+            least = std::min(least, ratio / 2 * energy + std::sqrt(by_bends * energy));
+            by_bends += bent;
+        }
+        return std::min(least, std::sqrt(by_bends * energy));
     }
 
     const DenseTerms& terms_;
@@ -468,14 +381,14 @@ private:
     UniformLoads uniform_;
     const HeatProblem& problem_;
     EulerRun run_;
-    std::vector<SegmentSteps> segments_;
-    std::vector<ResidualNorm> norms_;     ///< per entry of segments_
-    std::vector<Eigen::MatrixXd> loads_;  ///< the same: a column for each source
-    Eigen::VectorXd remainders_;          ///< of each step's conduction
-    double primal_ = 0;                   ///< sum of dt |r|^2
+    std::vector<Stretch> stretches_;
+    std::vector<ResidualNorm> norms_;  ///< of each stretch
+    Eigen::VectorXd remainders_;       ///< of each step's conduction
+    Eigen::MatrixXd on_states_;        ///< see residual_on_states()
+    double primal_ = 0;                ///< sum of dt |r|^2
     double kappa_ = 1;
-    Eigen::MatrixXd curvatures_;                  ///< per source and step: max |H''| [W/K2]
-    std::vector<Eigen::MatrixXd> load_products_;  ///< per entry of segments_: b_q . K^-1 b_r
+    Eigen::MatrixXd curvatures_, bends_, falls_;  ///< per source and step, of LawShape
+    std::vector<Eigen::MatrixXd> load_products_;  ///< of each stretch: b_q . K^-1 b_r
 };
 
 }  // namespace

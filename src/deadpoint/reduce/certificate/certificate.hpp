@@ -26,10 +26,9 @@ struct Certificate {
 ///   |error| <= (sum dt |r_n|^2)^1/2 (sum dt |r*_n|^2)^1/2 / kappa + |sum dt z_n . r_n| + curvature,
 /// sizes in K^-1. Conduction, convection of constant coefficients and friction heat that falls with the temperature
 /// take energy from an error, whatever its size; so kappa is 1. Where the heat of sources rises,
-/// kappa = 1 - sum over these of (largest slope) |b|^2. The curvature of the laws adds
-///   1/2 sum over sources of max (|b . z_n| |H_n''|) |b|^2 (sum dt |r_n|^2) / kappa^2,
-/// b the load of one watt, z the reduced dual states, H_n'' the largest within 5 K of the source's temperature. Errors
-/// of that temperature beyond 5 K are not covered.
+/// kappa = 1 - lambda, lambda the largest eigenvalue of (w_q w_r)^1/2 (b_q . K^-1 b_r) with the slopes w and b the load
+/// of one watt. The curvature counts what laws differ from their tangents within 5 K of the run's temperatures; errors
+/// of these temperatures beyond 5 K are not covered. docs/reduced.md has its bound.
 ///
 /// It is refused, with the reason, for films that follow the temperature, heat by ring temperatures, oil circuits,
 /// enclosed air, a start that is no field of the basis, coefficients below their range, and where kappa is not

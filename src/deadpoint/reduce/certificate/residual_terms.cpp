@@ -139,20 +139,19 @@ Eigen::VectorXd ResidualNorm::remainder_squares(const Eigen::MatrixXd& states) c
     return remainder_factor_ * (terms_->remainder * deviations(states)).colwise().squaredNorm().transpose();
 }
 
-Eigen::VectorXd ResidualNorm::conduction_between(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
-                                                 const Eigen::MatrixXd& functionals_of_a) const
+Eigen::MatrixXd ResidualNorm::conducted_on_states(const Eigen::MatrixXd& states,
+                                                  const Eigen::MatrixXd& functionals) const
 {
-    const Eigen::RowVectorXd mean = means(b);
-    const Eigen::MatrixXd of_a = terms_->factors.transpose() * a, of_b = terms_->factors.transpose() * deviations(b);
-    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(a.cols());
+    const auto mean = means(states);
+    const Eigen::Index of_solid = terms_->first[terms_->terms() - 1];
+    Eigen::MatrixXd seen = terms_->factors.leftCols(of_solid).transpose() * deviations(states);
+    Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(functionals.rows(), states.cols());
     for (std::size_t q = 0; q + 1 < terms_->terms(); ++q) {
-        const auto first = terms_->first[q], count = terms_->kept(q);
-        const auto& [functional, load] = loads_->of_term[q];
-        sum += coefficients_[q] *
-               (of_a.middleRows(first, count).cwiseProduct(of_b.middleRows(first, count)).colwise().sum() +
-                load * mean.cwiseProduct(functionals_of_a.row(functional)));
+        seen.middleRows(terms_->first[q], terms_->kept(q)) *= coefficients_[q];
+        const auto& [functional, factor] = loads_->of_term[q];
+        loads.row(functional) += coefficients_[q] * factor * mean;
     }
-    return sum.transpose();
+    return terms_->factors.leftCols(of_solid) * seen + functionals.transpose() * loads;
 }
 
 }  // namespace deadpoint::reduce

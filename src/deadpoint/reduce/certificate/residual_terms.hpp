@@ -85,9 +85,9 @@ public:
     [[nodiscard]] Eigen::MatrixXd conducted(const Eigen::MatrixXd& states) const;
     /// |remainder of K V x|^2 in K^-1, at most, since K >= sum of theta_q A_q, column by column.
     [[nodiscard]] Eigen::VectorXd remainder_squares(const Eigen::MatrixXd& states) const;
-    /// a_k . V^T (K - K_0) V b_k without the remainder, for columns k. @param functionals_of_a  of the layout
-    [[nodiscard]] Eigen::VectorXd conduction_between(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
-                                                     const Eigen::MatrixXd& functionals_of_a) const;
+    /// V^T (K - K_0) V x without the remainder, column by column. @param functionals  of the layout
+    [[nodiscard]] Eigen::MatrixXd conducted_on_states(const Eigen::MatrixXd& states,
+                                                      const Eigen::MatrixXd& functionals) const;
 
 private:
     [[nodiscard]] Eigen::RowVectorXd means(const Eigen::MatrixXd& states) const;
