@@ -469,18 +469,27 @@ std::size_t Discretisation::vertex_unknown(std::uint32_t index, unsigned node) c
 
 SparseFunctional Discretisation::functional(const std::vector<std::pair<PetscInt, double>>& entries) const
 {
-    std::vector<std::pair<PetscInt, double>> mine;
+    PetscInt lowest = last, end = first;
     for (const auto& [dof, weight] : entries)
-        if (owns(dof))
-            mine.emplace_back(dof - first, weight);
-    std::sort(mine.begin(), mine.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        if (owns(dof)) {
+            lowest = std::min(lowest, dof);
+            end = std::max(end, dof + 1);
+        }
+    if (lowest >= end)
+        return {};
+    std::vector<double> sums(static_cast<std::size_t>(end - lowest), 0.0);
+    std::vector<bool> met(sums.size(), false);
+    for (const auto& [dof, weight] : entries)
+        if (owns(dof)) {
+            const auto place = static_cast<std::size_t>(dof - lowest);
+            sums[place] += weight;
+            met[place] = true;
+        }
     SparseFunctional result;
-    for (const auto& [dof, weight] : mine)
-        if (!result.local.empty() && result.local.back() == dof) {
-            result.weight.back() += weight;
-        } else {
-            result.local.push_back(dof);
-            result.weight.push_back(weight);
+    for (std::size_t place = 0; place < sums.size(); ++place)
+        if (met[place]) {
+            result.local.push_back(lowest - first + static_cast<PetscInt>(place));
+            result.weight.push_back(sums[place]);
         }
     return result;
 }
