@@ -2,10 +2,10 @@
 #include "deadpoint/reduce/online/shifted_solver.hpp"
 
 #include "deadpoint/heat/system.hpp"
-#include "deadpoint/reduce/online/dense_terms.hpp"
 
 #include <doctest/doctest.h>
 #include <limits>
+#include <memory>
 
 using namespace deadpoint;
 using reduce::ShiftedSolver;
@@ -25,8 +25,12 @@ struct Stiff {
         own = Eigen::MatrixXd::Random(states, loads);
         beside = Eigen::MatrixXd::Random(states, others);
         right = Eigen::VectorXd::Random(states);
-        solver.set_matrix(matrix);
+        set_matrix();
         solver.set_loads(own);
+    }
+    void set_matrix()
+    {
+        solver.set_matrix(std::make_shared<const reduce::TridiagonalForm>(reduce::SymmetricMatrix(matrix)));
     }
     Eigen::VectorXd solve(double d, const Eigen::VectorXd& of_own, const Eigen::VectorXd& of_beside)
     {
@@ -88,32 +92,6 @@ TEST_CASE("a matrix that is not positive or not finite is refused")
     Stiff at;
     CHECK_THROWS_AS(at.solver.set_shift(-100), heat::NotFinite);
     at.matrix(3, 2) = std::numeric_limits<double>::quiet_NaN();
-    at.solver.set_matrix(at.matrix);
+    at.set_matrix();
     CHECK_THROWS_AS(at.solver.set_shift(1), heat::NotFinite);
-}
-
-TEST_CASE("a sum of packed matrices is the sum of the whole ones, for any number of terms")
-{
-    constexpr Eigen::Index n = 60;  // 1830 numbers: more than one part
-    std::srand(5);
-    std::vector<Eigen::MatrixXd> matrices;
-    std::vector<Eigen::VectorXd> packed;
-    for (int k = 0; k < 6; ++k) {
-        const Eigen::MatrixXd any = Eigen::MatrixXd::Random(n, n);
-        matrices.emplace_back(any + any.transpose());
-        packed.emplace_back(n * (n + 1) / 2);
-        for (Eigen::Index column = 0, at = 0; column < n; ++column)
-            for (Eigen::Index row = column; row < n; ++row)
-                packed.back()[at++] = matrices.back()(row, column);
-    }
-    for (std::size_t count = 1; count <= 6; ++count) {
-        Eigen::MatrixXd expected = matrices[0];
-        std::vector<reduce::PackedTerm> terms;
-        for (std::size_t k = 1; k < count; ++k) {
-            expected += 0.3 * static_cast<double>(k) * matrices[k];
-            terms.push_back({0.3 * static_cast<double>(k), &packed[k]});
-        }
-        const Eigen::MatrixXd lower = expected.triangularView<Eigen::Lower>();
-        CHECK((reduce::lower_sum(matrices[0], terms) - lower).norm() < 1e-14 * expected.norm());
-    }
 }

@@ -3,8 +3,8 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/heat/sources.hpp"
 #include "deadpoint/heat/stage_solver.hpp"
+#include "deadpoint/reduce/dense/tridiagonal.hpp"
 #include "deadpoint/reduce/online/dense_system.hpp"
-#include "deadpoint/reduce/online/tridiagonal.hpp"
 
 #include <utility>
 
@@ -104,9 +104,11 @@ Eigen::Index EulerRun::first_of_segment(Eigen::Index end) const
 Eigen::MatrixXd EulerRun::duals_in_segment(Eigen::Index first, Eigen::Index end, const Eigen::MatrixXd& right)
 {
     const auto form = conduction(level(first).step.segment);
-    const Eigen::MatrixXd loads = form->basis.transpose() * load_states();
+    Eigen::MatrixXd loads = load_states();
+    form->into_basis(loads);
     const auto outputs = right.cols();
-    Eigen::MatrixXd present = form->basis.transpose() * right, all(right.rows(), (end - first) * outputs);
+    Eigen::MatrixXd present = right, all(right.rows(), (end - first) * outputs);
+    form->into_basis(present);
     for (auto k = end - 1; k >= first; --k) {
         const auto& [step, before, state, watts, slopes, temperatures] = level(k);
         const ShiftedFactor factor(*form, step.duration);
@@ -120,7 +122,8 @@ Eigen::MatrixXd EulerRun::duals_in_segment(Eigen::Index first, Eigen::Index end,
         present += solved * small.partialPivLu().solve(heat);
         all.middleCols((k - first) * outputs, outputs) = present;
     }
-    return form->basis * all;
+    form->from_basis(all);
+    return all;
 }
 
 // The load of one watt of each source of the present segment.

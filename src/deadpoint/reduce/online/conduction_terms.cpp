@@ -6,10 +6,10 @@
 
 namespace deadpoint::reduce {
 
-std::vector<PackedTerm> conduction_terms(const PreparedTerms& prepared, const HeatProblem& problem,
-                                         const std::vector<InterfaceLaw>& laws)
+std::vector<SymmetricMatrix::Term> conduction_terms(const PreparedTerms& prepared, const HeatProblem& problem,
+                                                    const std::vector<InterfaceLaw>& laws)
 {
-    std::vector<PackedTerm> result;
+    std::vector<SymmetricMatrix::Term> result;
     const auto add = [&](double coefficient, std::size_t term) {
         if (coefficient != 0)
             result.push_back({coefficient, &prepared.packed[term]});

@@ -5,6 +5,7 @@
 #include "deadpoint/heat/run.hpp"
 #include "deadpoint/heat/system.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/dense/kernels.hpp"
 #include "deadpoint/reduce/online/conduction_terms.hpp"
 
 #include <algorithm>
@@ -101,10 +102,23 @@ void DenseSystem::combine(const std::vector<heat::Scaled<Vector>>& sum, Vector& 
         result += factor * *vector;
 }
 
+void DenseSystem::multiply_functionals(Row first, Row count, const Vector& vector, double* values) const
+{
+    kernels::row_products(terms_.functionals.data() + first * vector.size(), vector.size(), count, vector.size(),
+                          vector.data(), values);
+}
+void DenseSystem::add_functionals(Row first, Row count, const double* weights, Vector& sum) const
+{
+    kernels::add_rows(terms_.functionals.data() + first * sum.size(), sum.size(), count, sum.size(), weights,
+                      sum.data());
+}
+
 double DenseSystem::largest(const Vector& vector) const
 {
     const auto& layout = geometry().layout;
-    const Vector values = (terms_.functionals * vector).cwiseAbs();
+    Vector values(terms_.functionals.rows());
+    multiply_functionals(0, values.size(), vector, values.data());
+    values = values.cwiseAbs();
     const auto largest_of = [&](std::size_t begin, std::size_t end) {
         double result = 0;
         for (std::size_t k = begin; k < end; ++k)
@@ -128,8 +142,7 @@ std::vector<double> DenseSystem::evaluate(std::span<const std::size_t> which, co
         for (end = begin + 1; end < which.size() && which[end] == which[end - 1] + 1; ++end) {
         }
         const auto count = static_cast<Row>(end - begin);
-        Eigen::Map<Vector>(&values[begin], count).noalias() =
-            terms_.functionals.middleRows(static_cast<Row>(which[begin]), count) * vector;
+        multiply_functionals(static_cast<Row>(which[begin]), count, vector, &values[begin]);
     }
     return values;
 }
@@ -141,8 +154,7 @@ void DenseSystem::add_loads(const std::vector<double>& watts, Vector& vector) co
         }
         const auto count = static_cast<Row>(end - begin);
         if (count > 0)
-            vector.noalias() += terms_.functionals.middleRows(static_cast<Row>(begin), count).transpose() *
-                                Eigen::Map<const Vector>(&watts[begin], count);
+            add_functionals(static_cast<Row>(begin), count, &watts[begin], vector);
     }
 }
 
@@ -150,7 +162,9 @@ std::vector<double> DenseSystem::observe(const Vector& vector, const Vector&, bo
 {
     if (terms_.observed.size() == 0)
         return {};
-    Vector values = terms_.observed * vector;
+    Vector values(terms_.observed.rows());
+    kernels::row_products(terms_.observed.data(), vector.size(), values.size(), vector.size(), vector.data(),
+                          values.data());
     if (!is_slope)
         values -= reference_ * (terms_.observed * terms_.uniform);
     return {values.begin(), values.end()};
@@ -159,19 +173,20 @@ std::vector<double> DenseSystem::observe(const Vector& vector, const Vector&, bo
 // By the means of the parts.
 void DenseSystem::widen(const Vector& temperature, std::vector<double>& lowest, std::vector<double>& highest) const
 {
+    std::vector<double> means(lowest.size());
+    multiply_functionals(static_cast<Row>(geometry().layout.part(0)), static_cast<Row>(means.size()), temperature,
+                         means.data());
     for (std::size_t p = 0; p < lowest.size(); ++p) {
-        const double mean =
-            terms_.functionals.row(static_cast<Eigen::Index>(geometry().layout.part(p))).dot(temperature);
-        lowest[p] = std::min(lowest[p], mean);
-        highest[p] = std::max(highest[p], mean);
+        lowest[p] = std::min(lowest[p], means[p]);
+        highest[p] = std::max(highest[p], means[p]);
     }
 }
 
 void DenseSystem::set_laws(const std::vector<InterfaceLaw>& laws, const std::vector<heat::Loads>& source_loads)
 {
-    if (auto sum = conduction_terms(*prepared_, *problem_, laws); sum != sum_ || stiffness_.size() == 0) {
-        sum_ = std::move(sum);
-        stiffness_ = lower_sum(terms_.solid, sum_);
+    auto conduction = prepared_->conductions.sum(prepared_->solid, conduction_terms(*prepared_, *problem_, laws));
+    if (conduction != conduction_) {
+        conduction_ = std::move(conduction);
         reduced_ = false;
     }
     const auto sources = static_cast<Row>(source_loads.size());
@@ -183,7 +198,7 @@ void DenseSystem::set_laws(const std::vector<InterfaceLaw>& laws, const std::vec
         solver_.set_loads(loads);
     loads_ = std::move(loads);
     factor_ = -1;
-    adjoint_.clear();
+    clear_adjoint();
 }
 
 DenseSystem::Row DenseSystem::surface_row(std::size_t surface) const
@@ -195,7 +210,7 @@ DenseSystem::Vector DenseSystem::surface_means(const Vector& temperature) const
 {
     const auto count = static_cast<Row>(geometry().layout.surfaces);
     Vector result(count);
-    result.noalias() = terms_.functionals.middleRows(surface_row(0), count) * temperature;
+    multiply_functionals(surface_row(0), count, temperature, result.data());
     result.array() /= Eigen::Map<const Eigen::ArrayXd>(geometry().surface_area.data(), count);
     return result;
 }
@@ -204,7 +219,8 @@ DenseSystem::Vector DenseSystem::deviations(const Vector& temperature) const
 {
     Vector result(prepared_->deviations.rows());
     for (const auto& [first, count] : runs_)
-        result.segment(first, count).noalias() = prepared_->deviations.middleRows(first, count) * temperature;
+        kernels::row_products(prepared_->deviations.row(first).data(), temperature.size(), count, temperature.size(),
+                              temperature.data(), result.data() + first);
     return result;
 }
 
@@ -261,16 +277,16 @@ heat::FilmHeat DenseSystem::add_films(const std::vector<heat::FilmAt>& films, co
             continue;
         const auto [value, inside, outside, slope] = at_mean(film, means[static_cast<Row>(s)], spread[s], received[s]);
         const Row first = prepared_->first_deviation[s], size = prepared_->first_deviation[s + 1] - first;
-        away.segment(first, size) *= slope;
+        away.segment(first, size) *= -slope;
         fluxes[s] = -(inside + outside);
         heat.lost[s] = area * (inside + outside);
         heat.to_surfaces[s] = area * inside;
         heat.untested[s] = value.in_range ? 0 : area;
     }
-    watts.noalias() += terms_.functionals.middleRows(surface_row(0), static_cast<Row>(count)).transpose() *
-                       Eigen::Map<const Vector>(fluxes.data(), static_cast<Row>(count));
+    add_functionals(surface_row(0), static_cast<Row>(count), fluxes.data(), watts);
     for (const auto& [first, size] : runs_)
-        watts.noalias() -= prepared_->deviations.middleRows(first, size).transpose() * away.segment(first, size);
+        kernels::add_rows(prepared_->deviations.row(first).data(), watts.size(), size, watts.size(),
+                          away.data() + first, watts.data());
     return heat;
 }
 
@@ -284,12 +300,12 @@ void DenseSystem::add_film_slopes(const std::vector<heat::FilmAt>& films, const 
     }
 }
 
-Eigen::MatrixXd DenseSystem::with_slopes(const std::vector<double>& slopes) const
+SymmetricMatrix DenseSystem::with_slopes(const std::vector<double>& slopes) const
 {
-    std::vector<PackedTerm> terms;
+    std::vector<SymmetricMatrix::Term> terms;
     for (const std::size_t s : following_)
         terms.push_back({slopes[s], &prepared_->packed[4 * terms_.joints.size() + s]});
-    return lower_sum(stiffness_, terms);
+    return conduction_->matrix().plus(terms);
 }
 
 // With the slopes r of the solver's matrix, Newton's method reduces its error in each iteration by at least
@@ -305,7 +321,7 @@ bool DenseSystem::reduced_slopes_serve(double factor) const
 void DenseSystem::reduce()
 {
     reduced_slopes_ = slopes_;
-    solver_.set_matrix(follows_ ? with_slopes(slopes_) : stiffness_);
+    solver_.set_matrix(follows_ ? std::make_shared<const TridiagonalForm>(with_slopes(slopes_)) : conduction_->form());
     solver_.set_loads(loads_);
     reduced_ = true;
 }
@@ -348,29 +364,46 @@ int DenseSystem::solve(const Vector& right, Vector& solution, const heat::LowRan
 
 void DenseSystem::begin_adjoint()
 {
-    with_films_ = stiffness_;
-    adjoint_.clear();
+    with_films_ = conduction_->matrix();
+    clear_adjoint();
 }
 
 void DenseSystem::set_film_coefficients(const std::vector<double>& coefficients)
 {
     with_films_ = with_slopes(coefficients);
-    adjoint_.clear();
+    clear_adjoint();
 }
 
-const Eigen::MatrixXd& DenseSystem::of_adjoint() const { return follows_ ? with_films_ : stiffness_; }
+void DenseSystem::clear_adjoint()
+{
+    adjoint_.clear();
+    adjoint_factors_.clear();
+}
+
+const SymmetricMatrix& DenseSystem::of_adjoint() const { return follows_ ? with_films_ : conduction_->matrix(); }
 
 int DenseSystem::solve_adjoint(double factor, const Vector& right, Vector& solution, double)
 {
+    solution = right;
+    if (!follows_) {
+        const auto form = conduction_->form();
+        form->into_basis(solution);
+        const auto [found, is_new] = adjoint_factors_.try_emplace(factor);
+        if (is_new)
+            found->second = ShiftedFactor(*form, factor);
+        found->second.solve_in_place(solution);
+        form->from_basis(solution);
+        return 1;
+    }
     auto found = adjoint_.find(factor);
     if (found == adjoint_.end()) {
         if (adjoint_.size() >= most_factors)
             adjoint_.clear();
-        Eigen::MatrixXd matrix = factor * of_adjoint();
+        Eigen::MatrixXd matrix = factor * with_films_.lower();
         matrix.diagonal().array() += 1;
         found = adjoint_.emplace(factor, matrix).first;
     }
-    solution = found->second.solve(right);
+    found->second.solveInPlace(solution);
     return 1;
 }
 

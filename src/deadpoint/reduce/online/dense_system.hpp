@@ -73,15 +73,8 @@ public:
     [[nodiscard]] bool follows_temperature() const { return follows_; }
     [[nodiscard]] bool is_linear() const { return !follows_; }
     void store(const Vector& temperature, Vector& stored) const { stored = temperature; }
-    void conduct(const Vector& temperature, Vector& out) const
-    {
-        out.noalias() = stiffness_.selfadjointView<Eigen::Lower>() * temperature;
-    }
-    void apply_stage(const Vector& in, Vector& out) const
-    {
-        out = in;
-        out.noalias() += factor_ * (stiffness_.selfadjointView<Eigen::Lower>() * in);
-    }
+    void conduct(const Vector& temperature, Vector& out) const { out = conduction_->matrix().times(temperature); }
+    void apply_stage(const Vector& in, Vector& out) const { out = in + factor_ * conduction_->matrix().times(in); }
     [[nodiscard]] double stored_between(const Vector& from, const Vector& to) const
     {
         return terms_.uniform.dot(to - from);
@@ -107,17 +100,14 @@ public:
     /// Of K in the last build(); null if a film follows the temperature.
     [[nodiscard]] std::shared_ptr<const TridiagonalForm> tridiagonal() const
     {
-        return follows_ ? nullptr : solver_.form();
+        return follows_ ? nullptr : conduction_->form();
     }
 
     // the adjoint of the steps
     void begin_adjoint();
     void set_film_coefficients(const std::vector<double>& coefficients);
     void apply_mass(const Vector& in, Vector& out) const { out = in; }
-    void apply_stiffness(const Vector& in, Vector& out) const
-    {
-        out.noalias() = of_adjoint().selfadjointView<Eigen::Lower>() * in;
-    }
+    void apply_stiffness(const Vector& in, Vector& out) const { out = of_adjoint().times(in); }
     int solve_adjoint(double factor, const Vector& right, Vector& solution, double tolerance = 0);
     [[nodiscard]] std::vector<double> prescribed_shares(const Vector&, const Vector&, double, double) const
     {
@@ -128,6 +118,9 @@ public:
 private:
     using Row = Eigen::Index;
     [[nodiscard]] Row surface_row(std::size_t surface) const;
+    void multiply_functionals(Row first, Row count, const Vector& vector, double* values) const;
+    void add_functionals(Row first, Row count, const double* weights, Vector& sum) const;
+    void clear_adjoint();
     /// Rows of PreparedTerms::deviations of the films that follow the temperature.
     struct Run {
         Row first = 0, count = 0;
@@ -136,19 +129,18 @@ private:
     [[nodiscard]] Vector surface_means(const Vector& temperature) const;
     [[nodiscard]] std::vector<double> variances(const Vector& deviations) const;
     [[nodiscard]] std::vector<double> irradiation(const Vector& means, const std::vector<double>& variances) const;
-    [[nodiscard]] Eigen::MatrixXd with_slopes(const std::vector<double>& slopes) const;
+    [[nodiscard]] SymmetricMatrix with_slopes(const std::vector<double>& slopes) const;
     [[nodiscard]] bool reduced_slopes_serve(double factor) const;
     void reduce();
-    [[nodiscard]] const Eigen::MatrixXd& of_adjoint() const;
+    [[nodiscard]] const SymmetricMatrix& of_adjoint() const;
 
     std::shared_ptr<const PreparedTerms> prepared_;
     const DenseTerms& terms_;
     const HeatProblem* problem_;
     double reference_;
     bool follows_ = false;
-    std::vector<PackedTerm> sum_;  ///< of stiffness_, besides the solids
-    Eigen::MatrixXd stiffness_;    ///< lower half: K without films that follow the temperature
-    Eigen::MatrixXd with_films_;   ///< lower half: K with their coefficients, for the adjoint
+    std::shared_ptr<const Conduction> conduction_;  ///< K without films that follow the temperature
+    SymmetricMatrix with_films_;                    ///< K with their coefficients, for the adjoint
     std::vector<Run> runs_;
     Eigen::MatrixXd loads_;               ///< a column per source
     std::vector<std::size_t> following_;  ///< surfaces whose films follow the temperature
@@ -158,6 +150,7 @@ private:
     double factor_ = -1;
     ShiftedSolver solver_;
     std::map<double, Eigen::LLT<Eigen::MatrixXd>> adjoint_;  ///< of the films' present coefficients, by factor
+    std::map<double, ShiftedFactor> adjoint_factors_;        ///< the same where no film follows the temperature
 };
 
 }  // namespace deadpoint::reduce

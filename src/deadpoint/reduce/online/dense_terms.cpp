@@ -73,24 +73,13 @@ void with_mean(LowRankTerm& term, const Eigen::VectorXd& uniform, const Eigen::V
     term.factor.col(0) = integral / std::sqrt(area);
 }
 
-Eigen::VectorXd packed_lower(const Eigen::MatrixXd& matrix)
-{
-    const Eigen::Index n = matrix.rows();
-    Eigen::VectorXd result(n * (n + 1) / 2);
-    for (Eigen::Index column = 0, at = 0; column < n; ++column) {
-        result.segment(at, n - column) = matrix.col(column).tail(n - column);
-        at += n - column;
-    }
-    return result;
-}
-
-Eigen::VectorXd packed_of(const LowRankTerm& term)
+SymmetricMatrix packed_of(const LowRankTerm& term)
 {
     if (term.is_missing())
         return {};
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(term.factor.rows(), term.factor.rows());
     matrix.selfadjointView<Eigen::Lower>().rankUpdate(term.factor);
-    return packed_lower(matrix);
+    return SymmetricMatrix(matrix);
 }
 
 double largest_eigenvalue(const LowRankTerm& term)
@@ -99,19 +88,6 @@ double largest_eigenvalue(const LowRankTerm& term)
         return 0;
     const Eigen::MatrixXd small = term.factor.transpose() * term.factor;
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(small, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
-}
-
-constexpr Eigen::Index part_length = 1024;  // numbers of a sum that stay in the nearest cache
-
-// Four terms at a time, so that the sum is read and written less often.
-void add_part(const std::vector<PackedTerm>& terms, Eigen::Index begin, Eigen::Ref<Eigen::VectorXd> sum)
-{
-    const auto part = [&](std::size_t k) { return terms[k].coefficient * terms[k].matrix->segment(begin, sum.size()); };
-    std::size_t k = 0;
-    for (; k + 4 <= terms.size(); k += 4)
-        sum += part(k) + part(k + 1) + part(k + 2) + part(k + 3);
-    for (; k < terms.size(); ++k)
-        sum += part(k);
 }
 
 }  // namespace
@@ -141,6 +117,7 @@ void conserve_heat(DenseTerms& terms)
 PreparedTerms::PreparedTerms(DenseTerms given) : terms(std::move(given))
 {
     conserve_heat(terms);
+    solid = SymmetricMatrix(terms.solid);
     for (const auto& joint : terms.joints)
         for (const auto* term : {&joint.aa, &joint.bb, &joint.between, &joint.turning})
             packed.push_back(packed_of(*term));
@@ -156,20 +133,6 @@ PreparedTerms::PreparedTerms(DenseTerms given) : terms(std::move(given))
         if (count > 0)
             deviations.middleRows(first_deviation[s], count) = terms.films[s].factor.rightCols(count).transpose();
     }
-}
-
-Eigen::MatrixXd lower_sum(const Eigen::MatrixXd& start, const std::vector<PackedTerm>& terms)
-{
-    Eigen::VectorXd sum = packed_lower(start);
-    for (Eigen::Index begin = 0; begin < sum.size(); begin += part_length)
-        add_part(terms, begin, sum.segment(begin, std::min(part_length, sum.size() - begin)));
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(start.rows(), start.cols());
-    for (Eigen::Index column = 0, at = 0; column < start.cols(); ++column) {
-        const Eigen::Index length = start.rows() - column;
-        result.col(column).tail(length) = sum.segment(at, length);
-        at += length;
-    }
-    return result;
 }
 
 }  // namespace deadpoint::reduce

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "deadpoint/heat/functionals.hpp"
+#include "deadpoint/reduce/dense/symmetric_matrix.hpp"
+#include "deadpoint/reduce/online/conduction.hpp"
 
 #include <Eigen/Dense>
 #include <vector>
@@ -52,30 +54,23 @@ struct DenseTerms {
 ///         a term with an area has no mean
 void conserve_heat(DenseTerms& terms);
 
-/// Terms that conserve heat, and what a run's coefficients multiply; many runs can share it. It takes n (n + 1) / 2
+/// Terms that conserve heat, and what a run's coefficients multiply; many runs can share it. It takes about n^2/2
 /// numbers per term, since a sum of such matrices costs fewer operations than products with their factors.
 struct PreparedTerms {
     /// @throws InputError as conserve_heat()
     explicit PreparedTerms(DenseTerms given);
 
     DenseTerms terms;
-    /// Lower half of each matrix, column after column; empty where there is no such term. First aa, bb, between and
-    /// turning of each joint, then the films.
-    std::vector<Eigen::VectorXd> packed;
+    SymmetricMatrix solid;
+    /// Matrix of each term, without rows where there is none. First aa, bb, between and turning of each joint, then the
+    /// films.
+    std::vector<SymmetricMatrix> packed;
     /// The columns of the films' factors after the first, as rows: what differs from the surface's mean. Those of film
     /// s are [first_deviation[s], first_deviation[s + 1]).
     RowMatrix deviations;
     std::vector<Eigen::Index> first_deviation;
     std::vector<double> stiffest_film;  ///< largest eigenvalue of each film's matrix [m2 K/J]
+    mutable Conductions conductions;    ///< sums of solid and packed
 };
-
-/// A term of a sum of packed matrices.
-struct PackedTerm {
-    double coefficient = 0;
-    const Eigen::VectorXd* matrix = nullptr;
-    bool operator==(const PackedTerm&) const = default;
-};
-/// Lower half of `start` + the sum of terms; the upper half is zero.
-Eigen::MatrixXd lower_sum(const Eigen::MatrixXd& start, const std::vector<PackedTerm>& terms);
 
 }  // namespace deadpoint::reduce

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/reduce/online/tridiagonal.hpp"
+#include "deadpoint/reduce/dense/tridiagonal.hpp"
 
 #include <Eigen/Dense>
 #include <map>
@@ -15,13 +15,13 @@ namespace deadpoint::reduce {
 /// two products with Q: a run with a dozen step sizes needs no dozen Cholesky factors of n^3/3.
 class ShiftedSolver {
 public:
-    /// @param matrix  K, of which only the lower half is read
-    void set_matrix(const Eigen::MatrixXd& matrix);
+    /// @param form  of K
+    void set_matrix(std::shared_ptr<const TridiagonalForm> form);
     /// @param loads  L of solve(), a column each
     void set_loads(const Eigen::MatrixXd& loads);
     /// @throws heat::NotFinite if 1 + d K is not positive definite or not finite
     void set_shift(double d);
-    [[nodiscard]] Eigen::Index loads() const { return loads_.cols(); }
+    [[nodiscard]] Eigen::Index loads() const { return loads_.rows(); }
     [[nodiscard]] const std::shared_ptr<const TridiagonalForm>& form() const { return form_; }
 
     /// x = (1 + d K - L C L^T - N E N^T)^-1 right, with C and E diagonal:
@@ -36,8 +36,8 @@ private:
     /// The factors for one d, and the loads of all solves: in the basis of T.
     struct Shifted {
         ShiftedFactor factor;
-        RowMatrix solved;          ///< (1 + d T)^-1 loads
-        Eigen::MatrixXd products;  ///< loads^T solved
+        RowMatrix solved;          ///< (1 + d T)^-1 loads, a row each
+        Eigen::MatrixXd products;  ///< of loads and solved
     };
     [[nodiscard]] Shifted factored(double d) const;
     void correct(const RowMatrix& loads, const Shifted& factor, const Eigen::VectorXd& coefficients);
@@ -45,10 +45,10 @@ private:
                              const Eigen::VectorXd& of_others);
 
     std::shared_ptr<const TridiagonalForm> form_;
-    RowMatrix loads_;                    ///< Q^T L
+    RowMatrix loads_;                    ///< Q^T L, a row each
     std::map<double, Shifted> shifted_;  ///< by d
     const Shifted* present_ = nullptr;
-    Eigen::VectorXd work_, small_work_;
+    Eigen::VectorXd work_;
 };
 
 }  // namespace deadpoint::reduce

@@ -26,20 +26,6 @@ const LowRankTerm& term_at(const DenseTerms& terms, std::size_t index)
     }
 }
 
-// Sum of the products of all entries of two symmetric matrices, the first of them packed.
-double product(const VectorXd& packed, const MatrixXd& matrix)
-{
-    double sum = 0;
-    const Eigen::Index n = matrix.rows();
-    for (Eigen::Index column = 0, at = 0; column < n; ++column) {
-        const Eigen::Index below = n - column - 1;
-        sum +=
-            packed[at] * matrix(column, column) + 2 * packed.segment(at + 1, below).dot(matrix.col(column).tail(below));
-        at += below + 1;
-    }
-    return sum;
-}
-
 }  // namespace
 
 ChangedRates::ChangedRates(const LinearisedHeat& heat, const std::vector<Direction>& directions)
@@ -130,14 +116,14 @@ void ChangedRates::finish(std::vector<double>& sums)
         weights.col(k) = weights_[static_cast<std::size_t>(k)];
         states.col(k) = states_[static_cast<std::size_t>(k)];
     }
-    MatrixXd products = heat_->from_basis(weights) * heat_->from_basis(states).transpose();
-    products = (0.5 * (products + products.transpose())).eval();
+    const MatrixXd products = heat_->from_basis(weights) * heat_->from_basis(states).transpose();
+    const SymmetricMatrix symmetric(0.5 * (products + products.transpose()));
     std::map<std::size_t, double> by_term;
     for (auto& lasting : lasting_)
         for (const auto& [term, change] : lasting.terms) {
             const auto [found, is_new] = by_term.try_emplace(term);
             if (is_new)
-                found->second = product(heat_->prepared().packed[term], products);
+                found->second = heat_->prepared().packed[term].product(symmetric);
             lasting.weight -= change * found->second;
         }
     for (std::size_t k = 0; k < sums.size(); ++k)

@@ -42,17 +42,22 @@ void LinearisedHeat::set_basis(std::shared_ptr<const TridiagonalForm> form, cons
     if (is_linear && form) {
         form_ = std::move(form);
     } else {
-        auto stiffness = lower_sum(terms.solid, conduction_terms(*prepared_, *problem_, joints_.laws()));
+        const auto conduction =
+            prepared_->conductions.sum(prepared_->solid, conduction_terms(*prepared_, *problem_, joints_.laws()));
         if (is_linear)
-            form_ = std::make_shared<const TridiagonalForm>(stiffness);
+            form_ = conduction->form();
         else
-            stiffness_ = std::move(stiffness);
+            stiffness_ = conduction->matrix();
     }
-    if (like && like->form_ == form_)
+    if (like && like->form_ == form_) {
         functionals_ = like->functionals_;
-    else
-        functionals_ =
-            std::make_shared<const RowMatrix>(form_ ? RowMatrix(terms.functionals * form_->basis) : terms.functionals);
+        return;
+    }
+    // column by column, since a row of RowMatrix is one of its transpose
+    Eigen::MatrixXd columns = terms.functionals.transpose();
+    if (form_)
+        form_->into_basis(columns);
+    functionals_ = std::make_shared<const RowMatrix>(columns.transpose());
 }
 
 void LinearisedHeat::add_loads()
@@ -99,11 +104,17 @@ double LinearisedHeat::zoned_heat(std::size_t i) const
 
 Eigen::MatrixXd LinearisedHeat::into_basis(const Eigen::MatrixXd& states) const
 {
-    return form_ ? Eigen::MatrixXd(form_->basis.transpose() * states) : states;
+    Eigen::MatrixXd result = states;
+    if (form_)
+        form_->into_basis(result);
+    return result;
 }
 Eigen::MatrixXd LinearisedHeat::from_basis(const Eigen::MatrixXd& states) const
 {
-    return form_ ? Eigen::MatrixXd(form_->basis * states) : states;
+    Eigen::MatrixXd result = states;
+    if (form_)
+        form_->from_basis(result);
+    return result;
 }
 
 LinearisedState LinearisedHeat::at(const heat::StageRecord& record, const Eigen::VectorXd& states)
@@ -269,7 +280,7 @@ Eigen::VectorXd LinearisedHeat::bend(std::size_t surface, const Eigen::VectorXd&
 void LinearisedHeat::evaluate_films(LinearisedState& state) const
 {
     state.loads = loads_;
-    std::vector<PackedTerm> slopes;
+    std::vector<SymmetricMatrix::Term> slopes;
     for (const auto& [surface, outside, slope, inside] : inner_.films) {
         const double area = geometry().surface_area[surface];
         const Eigen::VectorXd bent = bend(surface, state.states);
@@ -280,7 +291,7 @@ void LinearisedHeat::evaluate_films(LinearisedState& state) const
                                          bent.dot(state.states) / area, state.faced[surface]));
         slopes.push_back({state.films.back().slope, &prepared_->packed[4 * prepared_->terms.joints.size() + surface]});
     }
-    state.stiffness = lower_sum(stiffness_, slopes);
+    state.stiffness = stiffness_.plus(slopes);
 }
 
 // What K's slopes leave: fluxes by the mean beyond the slope and by the variance, and the slope's change.
@@ -343,8 +354,12 @@ const Eigen::MatrixXd& LinearisedHeat::loads(const LinearisedState& at) const
 
 Eigen::MatrixXd LinearisedHeat::conduct(const LinearisedState& at, const Eigen::MatrixXd& x) const
 {
-    if (!form_)
-        return at.stiffness.selfadjointView<Eigen::Lower>() * x;
+    if (!form_) {
+        Eigen::MatrixXd result(x.rows(), x.cols());
+        for (Eigen::Index k = 0; k < x.cols(); ++k)
+            result.col(k) = at.stiffness.times(x.col(k));
+        return result;
+    }
     const Eigen::Index n = x.rows(), beside = n - 1;
     Eigen::MatrixXd result = form_->diagonal.asDiagonal() * x;
     result.topRows(beside) += form_->beside.asDiagonal() * x.bottomRows(beside);

@@ -3,8 +3,8 @@
 #include "deadpoint/heat/balance.hpp"
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/heat/joints.hpp"
+#include "deadpoint/reduce/dense/tridiagonal.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
-#include "deadpoint/reduce/online/tridiagonal.hpp"
 #include "deadpoint/reduce/sensitivity/film_state.hpp"
 #include "deadpoint/reduce/sensitivity/inner_layout.hpp"
 
@@ -32,7 +32,7 @@ struct LinearisedState {
     Eigen::MatrixXd rows;          ///< N: a column per inner value
     Eigen::MatrixXd inner;         ///< D
     Eigen::MatrixXd loads;         ///< L, where it depends on the states; else empty
-    Eigen::MatrixXd stiffness;     ///< lower half of K, where it depends on the states; else empty
+    SymmetricMatrix stiffness;     ///< K where it depends on the states; else without rows
 };
 
 /// The heat balance of a segment, linearised. With the inner values v (heat of sources, oil, enclosed air, films that
@@ -116,7 +116,7 @@ private:
     heat::FilmBalance films_;
     InnerLayout inner_;
     std::vector<double> self_;
-    Eigen::MatrixXd stiffness_;  ///< lower half of K without following films; empty in tridiagonal form
+    SymmetricMatrix stiffness_;  ///< K without following films; without rows in tridiagonal form
     std::shared_ptr<const TridiagonalForm> form_;
     std::shared_ptr<const RowMatrix> functionals_;
     Eigen::MatrixXd loads_;  ///< L, without loads that depend on the states

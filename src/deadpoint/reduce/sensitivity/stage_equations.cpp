@@ -37,7 +37,7 @@ void StageEquations::set(double d, const LinearisedState& at)
     if (heat_->form()) {
         present_ = &shifted(d);
     } else {
-        MatrixXd matrix = d * at.stiffness;
+        MatrixXd matrix = d * at.stiffness.lower();
         matrix.diagonal().array() += 1;
         factor_.compute(matrix);
         solved_loads_ = factor_.solve(heat_->loads(at));
