@@ -502,7 +502,7 @@ public:
     {
         std::vector<std::uint32_t> owned;
         for (std::uint32_t c = 0; c < machine.cells.size(); ++c)
-            if (space.cell(c)->is_locally_owned())
+            if (space.owns_cell(c))
                 owned.push_back(c);
         add_nodes(owned);
         for (const auto c : owned)

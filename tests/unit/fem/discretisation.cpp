@@ -146,7 +146,7 @@ TEST_CASE("a place in a cell has reference coordinates, from which the place com
             for (unsigned i = 0; i < corners; ++i)  // somewhere inside, nearer to the later corners
                 x = x + (2.0 * (i + 1) / (corners * (corners + 1))) * part.machine.nodes[cell.nodes[i]];
             dealii::Point<3> unit;
-            REQUIRE(part.space.unit_position(c, x, unit));
+            REQUIRE(part.space.maps.unit_position(c, x, unit));
             CHECK(part.space.distance_outside(c, unit) == 0);
             PointShape shape;
             part.space.evaluate_at(c, unit, false, shape);

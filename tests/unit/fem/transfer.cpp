@@ -39,7 +39,7 @@ Eigen::VectorXd volumes(const bricks::Space& at)
         const auto unknowns = at.space.unknowns_of(c);
         for (const auto unknown : unknowns)
             result[static_cast<Eigen::Index>(unknown)] +=
-                at.space.cell(c)->measure() / static_cast<double>(unknowns.size());
+                at.space.maps.volume(c) / static_cast<double>(unknowns.size());
     }
     return result;
 }
@@ -155,7 +155,7 @@ TEST_CASE("a place is found in its cell, and beside the part in the cell it is l
     const bricks::Space at(parts({4, 2, 2}, {1, 1, 1}), {1, 1});
     const CellFinder finder(at.space, 0);
     for (std::uint32_t c = 0; c < at.machine.parts[0].cell_count; ++c) {
-        const auto centre = at.space.cell(c)->center();
+        const auto centre = at.space.maps.centre(c);
         const auto found = finder.find({centre[0], centre[1], centre[2]});
         CHECK(found.cell == c);
         CHECK(found.outside == 0);
@@ -163,7 +163,7 @@ TEST_CASE("a place is found in its cell, and beside the part in the cell it is l
     }
     const auto beside = finder.find({2.1, 0.25, 0.25});  // a fifth of a cell beyond x = 2
     CHECK(beside.outside == Approx(0.2).epsilon(1e-10));
-    CHECK(at.space.cell(beside.cell)->center()[0] == Approx(1.75).epsilon(1e-12));
+    CHECK(at.space.maps.centre(beside.cell)[0] == Approx(1.75).epsilon(1e-12));
 }
 
 TEST_CASE("meshes of different numbers of parts are refused")

@@ -4,7 +4,7 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
-#include <deal.II/hp/fe_values.h>
+#include "deadpoint/fem/space/cell_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,21 +70,18 @@ void HeatFunctionals::prepare_parts()
 {
     const std::size_t count = geometry_.layout.parts;
     std::vector<Entries> means(count);
-    std::vector<dealii::types::global_dof_index> indices;
-    dealii::hp::FEValues<3> values(space_.mappings, space_.elements, space_.quadratures,
-                                   dealii::update_values | dealii::update_JxW_values);
-    const auto is_owned = [&](auto dof) { return space_.owns(static_cast<PetscInt>(dof)); };
-    for (const auto& cell : space_.dofs.active_cell_iterators()) {
-        indices.resize(cell->get_fe().n_dofs_per_cell());
-        cell->get_dof_indices(indices);
-        if (std::ranges::none_of(indices, is_owned))
+    std::vector<PetscInt> unknowns;
+    CellValues v(space_);
+    const auto is_owned = [&](PetscInt unknown) { return space_.owns(unknown); };
+    for (std::uint32_t cell = space_.first_cell; cell < space_.machine.cells.size(); ++cell) {
+        space_.unknowns_of(cell, unknowns);
+        if (std::ranges::none_of(unknowns, is_owned))
             continue;
-        values.reinit(cell);
-        const auto& v = values.get_present_fe_values();
+        v.reinit(cell);
         for (const auto q : v.quadrature_point_indices())
             for (const auto i : v.dof_indices())
-                means[cell->material_id()].emplace_back(static_cast<PetscInt>(indices[i]),
-                                                        v.shape_value(i, q) * v.JxW(q));
+                means[static_cast<std::size_t>(space_.part_of(cell))].emplace_back(unknowns[i],
+                                                                                   v.shape_value(i, q) * v.JxW(q));
     }
     part_volume_.assign(count, 0.0);
     for (std::size_t p = 0; p < count; ++p) {
@@ -182,25 +179,19 @@ void HeatFunctionals::prepare_probes(const HeatProblem& problem)
 void HeatFunctionals::for_each_point(int part,
                                      const std::function<void(const Vec3&, double, const PointShape&)>& visit) const
 {
-    std::vector<dealii::types::global_dof_index> indices;
-    dealii::hp::FEValues<3> values(space_.mappings, space_.elements, space_.quadratures,
-                                   dealii::update_values | dealii::update_JxW_values |
-                                       dealii::update_quadrature_points);
+    const auto& range = space_.machine.parts[static_cast<std::size_t>(part)];
+    std::vector<PetscInt> unknowns;
+    CellValues v(space_);
     PointShape shape;
-    for (const auto& cell : space_.dofs.active_cell_iterators()) {
-        if (static_cast<int>(cell->material_id()) != part)
-            continue;
-        indices.resize(cell->get_fe().n_dofs_per_cell());
-        cell->get_dof_indices(indices);
-        values.reinit(cell);
-        const auto& v = values.get_present_fe_values();
-        shape.count = static_cast<int>(indices.size());
+    for (std::uint32_t cell = range.first_cell; cell < range.first_cell + range.cell_count; ++cell) {
+        space_.unknowns_of(cell, unknowns);
+        v.reinit(cell);
+        shape.count = static_cast<int>(unknowns.size());
+        std::ranges::copy(unknowns, shape.dof.begin());
         for (const auto q : v.quadrature_point_indices()) {
-            for (std::size_t i = 0; i < indices.size(); ++i) {
-                shape.dof[i] = static_cast<PetscInt>(indices[i]);
-                shape.value[i] = v.shape_value(static_cast<unsigned>(i), q);
-            }
-            const auto& x = v.quadrature_point(q);
+            for (const auto i : v.dof_indices())
+                shape.value[i] = v.shape_value(i, q);
+            const auto x = v.quadrature_point(q);
             visit({x[0], x[1], x[2]}, v.JxW(q), shape);
         }
     }

@@ -127,7 +127,7 @@ void ElasticSolver::stiffness_times(const std::vector<double>& shape, Vec target
 {
     std::vector<double> block, cell_load, local;
     DEADPOINT_PETSC(VecSet(target, 0));
-    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+    for_each_cell(space_, [&](const CellValues& v, const auto& dofs, int part) {
         const std::size_t n = 3 * dofs.size();
         local.resize(n);
         for (std::size_t i = 0; i < n; ++i)

@@ -14,10 +14,10 @@
 
 namespace deadpoint::fem {
 
-void cell_stiffness(const dealii::FEValues<3>& v, const Material& material, std::vector<double>& block)
+void cell_stiffness(const CellValues& v, const Material& material, std::vector<double>& block)
 {
     const auto [lambda, mu] = lame(material);
-    const unsigned n = v.dofs_per_cell;
+    const unsigned n = v.dofs_per_cell();
     block.assign(9 * n * n, 0.0);
     for (const auto q : v.quadrature_point_indices())
         for (unsigned i = 0; i < n; ++i) {
@@ -36,13 +36,12 @@ void cell_stiffness(const dealii::FEValues<3>& v, const Material& material, std:
         }
 }
 
-void add_to_cell(Vec target, const std::vector<dealii::types::global_dof_index>& unknowns,
-                 const std::vector<double>& values)
+void add_to_cell(Vec target, const std::vector<PetscInt>& unknowns, const std::vector<double>& values)
 {
     for (std::size_t i = 0; i < unknowns.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c)
             DEADPOINT_PETSC(
-                VecSetValue(target, static_cast<PetscInt>(3 * unknowns[i] + c), values[3 * i + c], ADD_VALUES));
+                VecSetValue(target, 3 * unknowns[i] + static_cast<PetscInt>(c), values[3 * i + c], ADD_VALUES));
 }
 
 void finish(Vec target)
@@ -70,7 +69,7 @@ void ElasticSolver::for_each_pad(
         stiffness[c] = foot_normal_[c] != 0 ? foundation_.vertical : foundation_.horizontal;
     for (const auto& foot : space_.machine.surfaces[foundation_.surface].faces) {
         const auto& face = space_.machine.faces[foot.face];
-        if (!space_.cell(face.cell)->is_locally_owned())
+        if (!space_.owns_cell(face.cell))
             continue;
         for (const auto& point : face_points(space_.machine, face)) {
             space_.evaluate(foot.face, point.position, false, shape);
@@ -96,7 +95,7 @@ void ElasticSolver::load_thermal(const Field& given, Vec target) const
     Gathered gathered(field);
     const double* rise = gathered.gather(field);
     std::vector<double> cell_load;
-    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+    for_each_cell(space_, [&](const CellValues& v, const auto& dofs, int part) {
         const double modulus = thermal_modulus(part);
         cell_load.assign(3 * dofs.size(), 0.0);
         for (const auto q : v.quadrature_point_indices()) {
@@ -117,7 +116,7 @@ void ElasticSolver::load_initial_strain(const std::vector<Tensor6>& strain, Vec 
     if (strain.empty())
         return;
     std::vector<double> cell_load;
-    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+    for_each_cell(space_, [&](const CellValues& v, const auto& dofs, int part) {
         if (strain[part] == Tensor6{})
             return;
         const auto s = hooke(materials_[part], strain[part]);
@@ -141,8 +140,8 @@ void ElasticSolver::load_weight(const Vec3& gravity, Vec target) const
     for (const PetscInt unknown : feet_)
         standing.insert(pieces_->piece(unknown / 3));
     std::vector<double> cell_load;
-    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
-        if (!standing.contains(pieces_->piece(static_cast<PetscInt>(dofs[0]))))
+    for_each_cell(space_, [&](const CellValues& v, const auto& dofs, int part) {
+        if (!standing.contains(pieces_->piece(dofs[0])))
             return;
         cell_load.assign(3 * dofs.size(), 0.0);
         for (const auto q : v.quadrature_point_indices())
@@ -179,7 +178,7 @@ std::vector<Adjoint> ElasticSolver::temperature_weights(const Pending& pending) 
         weights.push_back(create_vector(space_, 1));
     std::vector<PetscInt> unknowns;
     std::vector<double> cell_weights;
-    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+    for_each_cell(space_, [&](const CellValues& v, const auto& dofs, int part) {
         const double modulus = thermal_modulus(part);
         unknowns.assign(dofs.begin(), dofs.end());
         for (std::size_t k = 0; k < names.size(); ++k) {

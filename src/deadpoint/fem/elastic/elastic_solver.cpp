@@ -301,7 +301,7 @@ void ElasticSolver::assemble()
         const auto count = static_cast<PetscInt>(free.size());
         DEADPOINT_PETSC(MatSetValues(matrix_, count, free.data(), count, free.data(), block.data(), ADD_VALUES));
     };
-    for_each_cell(space_, [&](const dealii::FEValues<3>& v, const auto& dofs, int part) {
+    for_each_cell(space_, [&](const CellValues& v, const auto& dofs, int part) {
         cell_stiffness(v, materials_[part], block);
         nodes.assign(dofs.begin(), dofs.end());
         add();

@@ -58,9 +58,10 @@ void RigidPieces::find_pieces()
     std::vector<std::size_t> dofs;
     for (std::uint32_t c = 0; c < space_.machine.cells.size(); ++c) {
         space_.cell_nodes(c, dofs, position_);
+        const double share = space_.maps.volume(c) / static_cast<double>(dofs.size());
         for (const auto dof : dofs) {
             sets.union_set(static_cast<int>(dofs.front()), static_cast<int>(dof));
-            weight_[dof] += space_.cell(c)->measure() / static_cast<double>(dofs.size());
+            weight_[dof] += share;
         }
     }
     for (const auto& bond : space_.machine.bonds)

@@ -3,9 +3,10 @@
 #include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/elastic/elastic_law.hpp"
+#include "deadpoint/fem/space/cell_values.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/fem/space/petsc.hpp"
-#include <deal.II/hp/fe_values.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -36,8 +37,8 @@ dealii::hp::QCollection<3> sampling_points(const dealii::hp::FECollection<3>& el
     return rules;
 }
 
-Tensor6 stress_at(const dealii::FEValues<3>& v, unsigned q, const std::vector<dealii::types::global_dof_index>& dofs,
-                  const Material& material, int part, const StrainedState& state)
+Tensor6 stress_at(const CellValues& v, unsigned q, const std::vector<PetscInt>& dofs, const Material& material,
+                  int part, const StrainedState& state)
 {
     Tensor6 strain{};
     double rise = 0;
@@ -95,34 +96,29 @@ void StressRecovery::number_nodes()
 
 void StressRecovery::sample(const Material& material, const StrainedState& state)
 {
-    using namespace dealii;
-    const auto flags = update_values | update_gradients | update_quadrature_points;
     const auto best = sampling_points(space_.elements, false), within = sampling_points(space_.elements, true);
-    hp::FEValues<3> at_best(space_.mappings, space_.elements, best, flags);
-    hp::FEValues<3> at_within(space_.mappings, space_.elements, within, flags);
-    std::vector<types::global_dof_index> dofs;
-    const auto take = [&](const FEValues<3>& v, std::vector<Sample>& target) {
+    CellValues at_best(space_, best), at_within(space_, within);
+    std::vector<PetscInt> dofs;
+    const auto take = [&](const CellValues& v, std::vector<Sample>& target) {
         for (const auto q : v.quadrature_point_indices()) {
             const auto stress = stress_at(v, q, dofs, material, part_, state);
-            const auto& x = v.quadrature_point(q);
+            const auto x = v.quadrature_point(q);
             target.push_back({{x[0], x[1], x[2]}, Eigen::Map<const Six>(stress.data())});
         }
     };
     const auto first = space_.machine.parts[static_cast<std::size_t>(part_)].first_cell;
     std::vector<Sample> inner;
     for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-        const auto& cell = space_.cell(first + c);
         auto& data = cells_[c];
-        data.quadratic = cell->get_fe().degree > 1;
-        dofs.resize(cell->get_fe().n_dofs_per_cell());
-        cell->get_dof_indices(dofs);
+        data.quadratic = space_.element(first + c).degree > 1;
+        space_.unknowns_of(first + c, dofs);
         data.first = samples_.size();
-        at_best.reinit(cell);
-        take(at_best.get_present_fe_values(), samples_);
+        at_best.reinit(first + c);
+        take(at_best, samples_);
         data.count = samples_.size() - data.first;
         inner.clear();
-        at_within.reinit(cell);
-        take(at_within.get_present_fe_values(), inner);
+        at_within.reinit(first + c);
+        take(at_within, inner);
         find_slope(data, inner);
     }
 }

@@ -3,10 +3,10 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/cell_values.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
-#include <deal.II/hp/fe_values.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
@@ -24,9 +24,9 @@ struct Nodal {
     const std::vector<double>* values = nullptr;
     std::size_t stride = 1;
     std::size_t offset = 0;
-    [[nodiscard]] double at(dealii::types::global_dof_index unknown) const
+    [[nodiscard]] double at(PetscInt unknown) const
     {
-        return (*values)[stride * unknown + offset];
+        return (*values)[stride * static_cast<std::size_t>(unknown) + offset];
     }
 };
 
@@ -73,28 +73,22 @@ public:
     template <class Visitor>
     void for_each_defect(const Visitor& visit)
     {
-        dealii::hp::FEValues<3> values(space_.mappings, space_.elements, rules_of(space_.elements, 2),
-                                       dealii::update_gradients | dealii::update_JxW_values |
-                                           dealii::update_quadrature_points);
-        const dealii::FE_Q<3> hexahedron(1);
-        const dealii::FE_SimplexP<3> tetrahedron(1);
+        const auto rules = rules_of(space_.elements, 2);
+        CellValues v(space_, rules);
         std::vector<Gradient> defects(fields_.size());
-        for (std::uint32_t c = 0; c < part_.cell_count; ++c) {
-            const auto cell = space_.cell(part_.first_cell + c);
-            if (!cell->is_locally_owned())
+        for (std::uint32_t c = part_.first_cell; c < part_.first_cell + part_.cell_count; ++c) {
+            if (!space_.owns_cell(c))
                 continue;
-            values.reinit(cell);
-            const auto& v = values.get_present_fe_values();
-            const dealii::FiniteElement<3>& corner = cell->reference_cell() == dealii::ReferenceCells::Hexahedron
-                                                         ? static_cast<const dealii::FiniteElement<3>&>(hexahedron)
-                                                         : tetrahedron;
+            const auto& cell = space_.machine.cells[c];
+            v.reinit(c);
+            const auto& corners = space_.elements[space_.maps.element_index(c) % 2];  // of first degree
             for (const auto q : v.quadrature_point_indices()) {
-                own_gradients(v, cell, q, defects);
+                own_gradients(v, c, q, defects);
                 for (auto& defect : defects)
                     defect *= -1;
-                for (const auto i : cell->vertex_indices())
-                    add_recovered(cell->vertex_index(i), v.quadrature_point(q),
-                                  corner.shape_value(i, v.get_quadrature().point(q)), defects);
+                for (unsigned i = 0; i < corner_count(cell); ++i)
+                    add_recovered(node_at(cell, i), v.quadrature_point(q), corners.shape_value(i, v.unit_point(q)),
+                                  defects);
                 visit(v.JxW(q), defects);
             }
         }
@@ -103,13 +97,14 @@ public:
     // Sums weight * recovered gradient of the first field * distance over the vertices of a cell; returns half the sum.
     double interpolation_error(const dealii::Point<3>& position, const PointShape& shape)
     {
-        const auto cell = cell_of(shape);
+        const auto& cell = cell_of(shape);
         double error = 0;
         std::vector<Gradient> gradient(1);
-        for (const auto i : cell->vertex_indices()) {
+        for (unsigned i = 0; i < corner_count(cell); ++i) {
+            const auto corner = to_point(space_.machine.nodes[node_at(cell, i)]);
             gradient[0] = 0;
-            add_recovered(cell->vertex_index(i), cell->vertex(i), 1, gradient);
-            error += 0.5 * shape.value[i] * (gradient[0] * (position - cell->vertex(i)));
+            add_recovered(node_at(cell, i), corner, 1, gradient);
+            error += 0.5 * shape.value[i] * (gradient[0] * (position - corner));
         }
         return error;
     }
@@ -120,13 +115,10 @@ private:
         double size = 0;
         std::vector<std::array<Gradient, largest_basis>> coefficients;  ///< per field
     };
-    using CellIterator = dealii::DoFHandler<3>::active_cell_iterator;
 
-    void own_gradients(const dealii::FEValues<3>& v, const CellIterator& cell, unsigned q,
-                       std::vector<Gradient>& gradients)
+    void own_gradients(const CellValues& v, std::uint32_t cell, unsigned q, std::vector<Gradient>& gradients)
     {
-        unknowns_.resize(v.dofs_per_cell);
-        cell->get_dof_indices(unknowns_);
+        space_.unknowns_of(cell, unknowns_);
         for (std::size_t f = 0; f < fields_.size(); ++f) {
             gradients[f] = 0;
             for (const auto i : v.dof_indices())
@@ -135,13 +127,12 @@ private:
     }
 
     // The cell with these unknowns.
-    [[nodiscard]] CellIterator cell_of(const PointShape& shape)
+    [[nodiscard]] const Cell& cell_of(const PointShape& shape)
     {
         for (std::uint32_t c = part_.first_cell; c < part_.first_cell + part_.cell_count; ++c) {
-            unknowns_.resize(space_.cell(c)->get_fe().n_dofs_per_cell());
-            space_.cell(c)->get_dof_indices(unknowns_);
+            space_.unknowns_of(c, unknowns_);
             if (std::equal(unknowns_.begin(), unknowns_.end(), shape.dof.begin(), shape.dof.begin() + shape.count))
-                return space_.cell(c);
+                return space_.machine.cells[c];
         }
         throw std::logic_error("no cell of the part has the unknowns of a probe");
     }
@@ -149,18 +140,17 @@ private:
     // Collects the gradients at the superconvergent points of all cells, and the cells around each vertex.
     void sample()
     {
-        dealii::hp::FEValues<3> values(space_.mappings, space_.elements, rules_of(space_.elements, 0),
-                                       dealii::update_gradients | dealii::update_quadrature_points);
+        const auto rules = rules_of(space_.elements, 0);
+        CellValues v(space_, rules);
         std::vector<Gradient> gradients(fields_.size());
         first_sample_.push_back(0);
         for (std::uint32_t c = 0; c < part_.cell_count; ++c) {
-            const auto cell = space_.cell(part_.first_cell + c);
-            for (const auto i : cell->vertex_indices())
-                cells_at_[cell->vertex_index(i)].push_back(c);
-            values.reinit(cell);
-            const auto& v = values.get_present_fe_values();
+            const auto& cell = space_.machine.cells[part_.first_cell + c];
+            for (unsigned i = 0; i < corner_count(cell); ++i)
+                cells_at_[cell.nodes[i]].push_back(c);
+            v.reinit(part_.first_cell + c);
             for (const auto q : v.quadrature_point_indices()) {
-                own_gradients(v, cell, q, gradients);
+                own_gradients(v, part_.first_cell + c, q, gradients);
                 positions_.push_back(v.quadrature_point(q));
                 samples_.insert(samples_.end(), gradients.begin(), gradients.end());
             }
@@ -175,9 +165,9 @@ private:
             return near;
         std::set<std::uint32_t> cells;
         for (const auto c : near) {
-            const auto cell = space_.cell(part_.first_cell + c);
-            for (const auto i : cell->vertex_indices())
-                cells.insert(cells_at_.at(cell->vertex_index(i)).begin(), cells_at_.at(cell->vertex_index(i)).end());
+            const auto& cell = space_.machine.cells[part_.first_cell + c];
+            for (unsigned i = 0; i < corner_count(cell); ++i)
+                cells.insert(cells_at_.at(cell.nodes[i]).begin(), cells_at_.at(cell.nodes[i]).end());
         }
         return {cells.begin(), cells.end()};
     }
@@ -186,7 +176,7 @@ private:
     [[nodiscard]] Patch fit(unsigned vertex) const
     {
         Patch patch;
-        patch.centre = space_.triangulation.get_vertices()[vertex];
+        patch.centre = to_point(space_.machine.nodes[vertex]);
         const auto cells = cells_around(vertex);
         std::size_t count = 0;
         for (const auto c : cells)
@@ -238,7 +228,7 @@ private:
     std::vector<std::size_t> first_sample_;  ///< per cell
     std::vector<dealii::Point<3>> positions_;
     std::vector<Gradient> samples_;  ///< per sample, then per field
-    std::vector<dealii::types::global_dof_index> unknowns_;
+    std::vector<PetscInt> unknowns_;
 };
 
 std::vector<char> exterior_nodes(const Machine& machine)

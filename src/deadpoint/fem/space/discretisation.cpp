@@ -1,13 +1,9 @@
 #include "deadpoint/fem/space/discretisation.hpp"
 
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/fem/space/round_cells.hpp"
+#include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/heat/system.hpp"
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
-#include <deal.II/fe/mapping_fe.h>
-#include <deal.II/fe/mapping_q.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,58 +11,6 @@
 
 namespace deadpoint::fem {
 namespace {
-
-// VTK's hexahedron order to deal.II's lexicographic one.
-constexpr std::array<int, 8> lexicographic{0, 1, 3, 2, 4, 5, 7, 6};
-
-dealii::Point<3> to_point(const Vec3& x) { return {x[0], x[1], x[2]}; }
-
-// Ranks own consecutive stretches of cells: parts follow each other, layers of a part too, so stretches are compact.
-// They are of equal work, counted in entries of the matrices: a node has about 27 in its row among hexahedra and 15
-// among tetrahedra, which its cells share.
-void partition(dealii::parallel::shared::Triangulation<3>& triangulation, const Machine& machine)
-{
-    const auto corners = [](const Cell& cell) { return cell.kind == CellKind::hexahedron ? 8U : 4U; };
-    std::vector<std::uint16_t> cells_at(machine.nodes.size(), 0);
-    for (const auto& cell : machine.cells)
-        for (unsigned i = 0; i < corners(cell); ++i)
-            ++cells_at[cell.nodes[i]];
-    const auto work = [&](const Cell& cell) {
-        double share = 0;
-        for (unsigned i = 0; i < corners(cell); ++i)
-            share += 1.0 / cells_at[cell.nodes[i]];
-        return share * (cell.kind == CellKind::hexahedron ? 27 : 15);
-    };
-    double all = 0;
-    for (const auto& cell : machine.cells)
-        all += work(cell);
-    const auto ranks = dealii::Utilities::MPI::n_mpi_processes(PETSC_COMM_WORLD);
-    double before = 0;
-    for (const auto& cell : triangulation.active_cell_iterators()) {
-        const double own = work(machine.cells[cell->active_cell_index()]);
-        cell->set_subdomain_id(
-            std::min(ranks - 1, static_cast<dealii::types::subdomain_id>((before + 0.5 * own) / all * ranks)));
-        before += own;
-    }
-}
-
-// The point itself if it lies in the reference cell, else a point of the cell near it.
-template <class CellAccessor>
-dealii::Point<3> inside_reference_cell(const CellAccessor& cell, dealii::Point<3> unit)
-{
-    if (cell.reference_cell() == dealii::ReferenceCells::Hexahedron)
-        return dealii::GeometryInfo<3>::project_to_unit_cell(unit);
-    for (unsigned i = 0; i < 3; ++i)
-        unit[i] = std::max(unit[i], 0.0);
-    const double sum = unit[0] + unit[1] + unit[2];
-    return sum > 1 ? dealii::Point<3>(unit / sum) : unit;
-}
-
-// Index of an element in the collections.
-unsigned element_index(bool hexahedron, int order)
-{
-    return 2 * static_cast<unsigned>(order - 1) + (hexahedron ? 0 : 1);
-}
 
 double cell_volume(const Machine& machine, const Cell& cell)
 {
@@ -134,50 +78,38 @@ int solve(KSP solver, Vec rhs, Vec solution, const char* what)
     return static_cast<int>(iterations);
 }
 
-Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_)
-    : machine(machine_), orders(std::move(orders_)),
-      triangulation(PETSC_COMM_WORLD, dealii::Triangulation<3>::none, false,
-                    dealii::parallel::shared::Triangulation<3>::partition_custom_signal),
-      dofs(triangulation)
+namespace {
+
+// By element index, with one point per direction more than the order.
+dealii::hp::QCollection<3> gauss_rules()
 {
-    using namespace dealii;
-    for (unsigned order = 1; order <= 2; ++order) {  // see element_index()
-        elements.push_back(FE_Q<3>(order));
-        elements.push_back(FE_SimplexP<3>(order));
-        if (order == 2 && !machine.round_edges.empty()) {
-            mappings.push_back(RoundHexahedra(machine));
-            mappings.push_back(RoundTetrahedra(machine));
-        } else {
-            mappings.push_back(MappingQ<3>(1));
-            mappings.push_back(MappingFE<3>(FE_SimplexP<3>(1)));
-        }
-        quadratures.push_back(QGauss<3>(order + 1));
-        quadratures.push_back(QGaussSimplex<3>(order + 1));
+    dealii::hp::QCollection<3> rules;
+    for (unsigned order = 1; order <= 2; ++order) {
+        rules.push_back(dealii::QGauss<3>(order + 1));
+        rules.push_back(dealii::QGaussSimplex<3>(order + 1));
     }
+    return rules;
+}
 
-    triangulation.signals.create.connect([this]() { partition(triangulation, machine); });
-    triangulation.signals.post_refinement.connect([this]() { partition(triangulation, machine); });
-    create_triangulation();
+}  // namespace
 
-    for (const auto& cell : dofs.active_cell_iterators())
-        if (cell->is_locally_owned())
-            cell->set_active_fe_index(
-                element_index(cell->reference_cell() == ReferenceCells::Hexahedron, orders[cell->material_id()]));
-    dofs.distribute_dofs(elements);
-    const auto& owned = dofs.locally_owned_dofs();
-    if (owned.n_elements() == 0 || !owned.is_contiguous())
+Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_)
+    : machine(machine_), orders(std::move(orders_)), elements(lagrange_elements()), quadratures(gauss_rules()),
+      maps(machine, orders, elements), unknowns_(machine, orders)
+{
+    const auto own = static_cast<std::size_t>(rank());
+    const auto first_cells = stretches(machine, ranks());
+    first_cell = first_cells[own];
+    end_cell = first_cells[own + 1];
+    first = unknowns_.met_before(first_cell);
+    last = unknowns_.met_before(end_cell);
+    total = unknowns_.total();
+    int without = first == last ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &without, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
+    if (without > 0)
         throw InputError(
             "a rank got no share of the mesh; use fewer ranks or a finer mesh (`--size`), the mesh has only " +
             std::to_string(machine.cells.size()) + " cells");
-    first = static_cast<PetscInt>(owned.nth_index_in_set(0));
-    last = first + static_cast<PetscInt>(owned.n_elements());
-    total = static_cast<PetscInt>(dofs.n_dofs());
-
-    cells_.reserve(machine.cells.size());
-    for (const auto& cell : dofs.active_cell_iterators())
-        cells_.push_back(cell);
-    for (const auto& cell : machine.cells)
-        round_.push_back(orders[cell.part] == 2 && is_round(machine, cell));
     number_neighbours_alike();
     depth_.reserve(machine.faces.size());
     for (const auto& face : machine.faces)
@@ -198,6 +130,18 @@ SparseRows among_themselves(SparseRows rows, PetscInt first, PetscInt last)
     }
     rows.columns.resize(kept);
     return rows;
+}
+
+// Each rank has its own stretch, first to last; then all have all.
+void share_stretches(std::vector<PetscInt>& values, PetscInt first, PetscInt last)
+{
+    const auto count = static_cast<std::size_t>(ranks());
+    std::vector<int> counts(count), starts(count);
+    const int own = last - first, start = first;
+    MPI_Allgather(&own, 1, MPI_INT, counts.data(), 1, MPI_INT, PETSC_COMM_WORLD);
+    MPI_Allgather(&start, 1, MPI_INT, starts.data(), 1, MPI_INT, PETSC_COMM_WORLD);
+    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), starts.data(), MPIU_INT,
+                   PETSC_COMM_WORLD);
 }
 
 }  // namespace
@@ -221,105 +165,31 @@ void Discretisation::number_neighbours_alike()
     DEADPOINT_PETSC(MatGetOrdering(graph, MATORDERINGRCM, &rows, &same));
     const PetscInt* ordered = nullptr;
     DEADPOINT_PETSC(ISGetIndices(rows, &ordered));
-    std::vector<dealii::types::global_dof_index> number(static_cast<std::size_t>(count));
+    std::vector<PetscInt> number(static_cast<std::size_t>(total));
     for (PetscInt place = 0; place < count; ++place)
-        number[static_cast<std::size_t>(ordered[place])] = static_cast<dealii::types::global_dof_index>(first + place);
+        number[static_cast<std::size_t>(first + ordered[place])] = first + place;
     DEADPOINT_PETSC(ISRestoreIndices(rows, &ordered));
     DEADPOINT_PETSC(ISDestroy(&rows));
     DEADPOINT_PETSC(ISDestroy(&same));
-    dofs.renumber_dofs(number);
+    share_stretches(number, first, last);
+    unknowns_.renumber(number);
 }
 
-void Discretisation::create_triangulation()
-{
-    std::vector<dealii::Point<3>> vertices;
-    vertices.reserve(machine.nodes.size());
-    for (const auto& node : machine.nodes)
-        vertices.push_back(to_point(node));
-    std::vector<dealii::CellData<3>> cells;
-    cells.reserve(machine.cells.size());
-    for (const auto& cell : machine.cells) {
-        const unsigned count = cell.kind == CellKind::hexahedron ? 8 : 4;
-        dealii::CellData<3> data(count);
-        for (unsigned i = 0; i < count; ++i)
-            data.vertices[count == 8 ? static_cast<unsigned>(lexicographic[i]) : i] = cell.nodes[i];
-        data.material_id = cell.part;
-        cells.push_back(data);
-    }
-    triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
-}
-
-// By the vertices, and where the cell is round by all nodes of its element of second order, which is isoparametric.
-dealii::Tensor<2, 3> Discretisation::jacobian_at(std::uint32_t index, const dealii::Point<3>& unit) const
-{
-    const auto& cell = cells_[index];
-    dealii::Tensor<2, 3> jacobian;
-    const auto add = [&](const dealii::Point<3>& x, const dealii::Tensor<1, 3>& slope) {
-        for (unsigned i = 0; i < 3; ++i)
-            for (unsigned j = 0; j < 3; ++j)
-                jacobian[i][j] += x[i] * slope[j];
-    };
-    if (round_[index]) {
-        const auto& element = cell->get_fe();
-        const auto places = places_in(machine, cell, element.get_unit_support_points());
-        for (unsigned v = 0; v < places.size(); ++v)
-            add(places[v], element.shape_grad(v, unit));
-    } else if (cell->reference_cell() == dealii::ReferenceCells::Hexahedron) {
-        for (const auto v : cell->vertex_indices())
-            add(cell->vertex(v), dealii::GeometryInfo<3>::d_linear_shape_function_gradient(unit, v));
-    } else {
-        for (unsigned i = 0; i < 3; ++i)
-            for (unsigned j = 0; j < 3; ++j)
-                jacobian[i][j] = cell->vertex(j + 1)[i] - cell->vertex(0)[i];
-    }
-    return jacobian;
-}
-
-// Newton's method from the straight cell's place. The library stops its own early on tetrahedra.
-dealii::Point<3> Discretisation::unit_in_round(std::uint32_t index, const dealii::Point<3>& position) const
-{
-    constexpr int most_steps = 20;
-    constexpr double tolerance = 1e-14, largest_miss = 1e-9;  // relative to the cell's size
-    const auto& cell = cells_[index];
-    const auto& machine_cell = machine.cells[index];
-    const unsigned straight = element_index(machine_cell.kind == CellKind::hexahedron, 1);
-    auto unit = mappings[straight].transform_real_to_unit_cell(cell, position);
-    dealii::Tensor<1, 3> miss;
-    for (int step = 0; step < most_steps; ++step) {
-        miss = position - to_point(place_in(machine, machine_cell, {unit[0], unit[1], unit[2]}));
-        if (miss.norm() < tolerance * cell->diameter())
-            return unit;
-        unit += dealii::invert(jacobian_at(index, unit)) * miss;
-    }
-    if (!(miss.norm() < largest_miss * cell->diameter()))
-        throw dealii::Mapping<3>::ExcTransformationFailed();
-    return unit;
-}
-
-dealii::Point<3> Discretisation::unit_of(std::uint32_t index, const Vec3& position) const
-{
-    const auto& cell = cells_[index];
-    return round_[index] ? unit_in_round(index, to_point(position))
-                         : mappings[cell->active_fe_index()].transform_real_to_unit_cell(cell, to_point(position));
-}
-
-void Discretisation::evaluate_at(std::uint32_t index, const dealii::Point<3>& unit, bool gradients,
+void Discretisation::evaluate_at(std::uint32_t cell, const dealii::Point<3>& unit, bool gradients,
                                  PointShape& shape) const
 {
-    const auto& cell = cells_[index];
-    const auto& element = elements[cell->active_fe_index()];
-    shape.count = static_cast<int>(element.n_dofs_per_cell());
-    std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
-    cell->get_dof_indices(indices);
+    const auto& functions = element(cell);
+    std::vector<PetscInt> unknowns;
+    unknowns_of(cell, unknowns);
+    shape.count = static_cast<int>(unknowns.size());
+    std::ranges::copy(unknowns, shape.dof.begin());
     dealii::Tensor<2, 3> inverse;
-    if (gradients) {
-        inverse = dealii::transpose(dealii::invert(jacobian_at(index, unit)));
-    }
+    if (gradients)
+        inverse = dealii::transpose(dealii::invert(maps.jacobian(cell, unit)));
     for (int i = 0; i < shape.count; ++i) {
-        shape.dof[i] = static_cast<PetscInt>(indices[i]);
-        shape.value[i] = element.shape_value(static_cast<unsigned>(i), unit);
+        shape.value[i] = functions.shape_value(static_cast<unsigned>(i), unit);
         if (gradients) {
-            const dealii::Tensor<1, 3> g = inverse * element.shape_grad(static_cast<unsigned>(i), unit);
+            const dealii::Tensor<1, 3> g = inverse * functions.shape_grad(static_cast<unsigned>(i), unit);
             shape.gradient[i] = {g[0], g[1], g[2]};
         }
     }
@@ -327,8 +197,15 @@ void Discretisation::evaluate_at(std::uint32_t index, const dealii::Point<3>& un
 
 void Discretisation::evaluate(std::uint32_t face, const Vec3& position, bool gradients, PointShape& shape) const
 {
-    const auto index = machine.faces[face].cell;
-    evaluate_at(index, nearest_inside(index, unit_of(index, position)), gradients, shape);
+    const auto cell = machine.faces[face].cell;
+    dealii::Point<3> unit;
+    if (!maps.unit_position(cell, position, unit))
+        throw InputError(fmt::format(
+            "a cell of part '{}' near ({:.1f}, {:.1f}, {:.1f}) mm is so distorted that a point "
+            "of its face has no place in it\n  help: look at the cells with 'deadpoint check', "
+            "and mesh the part with another size",
+            machine.parts[machine.cells[cell].part].name, 1000 * position[0], 1000 * position[1], 1000 * position[2]));
+    evaluate_at(cell, maps.nearest_inside(cell, unit), gradients, shape);
 }
 
 void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape& shape) const
@@ -338,14 +215,14 @@ void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape
     std::uint32_t found = range.first_cell;
     dealii::Point<3> found_unit;
     for (std::uint32_t c = range.first_cell; c < range.first_cell + range.cell_count; ++c) {
-        const auto& cell = cells_[c];
-        if (cell->center().distance(to_point(position)) > 2 * cell->diameter())
+        const double diameter = maps.diameter(c);
+        if (maps.centre(c).distance(to_point(position)) > 2 * diameter)
             continue;
         dealii::Point<3> unit;
-        if (!unit_position(c, position, unit))
+        if (!maps.unit_position(c, position, unit))
             continue;
-        const auto inside = inside_reference_cell(*cell, unit);
-        const double distance = inside.distance(unit) * cell->diameter();
+        const auto inside = maps.nearest_inside(c, unit);
+        const double distance = inside.distance(unit) * diameter;
         if (distance < nearest) {
             nearest = distance;
             found = c;
@@ -354,50 +231,40 @@ void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape
     }
     if (nearest == std::numeric_limits<double>::max())
         throw InputError("no cell of part '" + range.name + "' is near a probe; move the probe onto the part");
-    if (nearest > 0.5 * cells_[found]->diameter())
+    if (nearest > 0.5 * maps.diameter(found))
         throw InputError("a probe lies " + std::to_string(1000 * nearest) + " mm outside its part '" + range.name +
                          "'; move it onto the part");
     evaluate_at(found, found_unit, false, shape);
 }
 
-double Discretisation::continue_cell(std::uint32_t index, const Vec3& position, PointShape& shape) const
+double Discretisation::continue_cell(std::uint32_t cell, const Vec3& position, PointShape& shape) const
 {
     dealii::Point<3> unit;
-    if (!unit_position(index, position, unit))
+    if (!maps.unit_position(cell, position, unit))
         return std::numeric_limits<double>::max();
-    evaluate_at(index, unit, false, shape);
-    return distance_outside(index, unit);
-}
-
-bool Discretisation::unit_position(std::uint32_t index, const Vec3& position, dealii::Point<3>& unit) const
-{
-    try {
-        unit = unit_of(index, position);
-        return true;
-    } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
-        return false;
-    }
-}
-
-dealii::Point<3> Discretisation::nearest_inside(std::uint32_t index, const dealii::Point<3>& unit) const
-{
-    return inside_reference_cell(*cells_[index], unit);
+    evaluate_at(cell, unit, false, shape);
+    return distance_outside(cell, unit);
 }
 
 Couplings Discretisation::cell_couplings() const
 {
     Couplings couplings(first, last);
-    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell)
-        couplings.add(unknowns_of(cell));
+    std::vector<PetscInt> unknowns;
+    for (std::uint32_t cell = 0; cell < machine.cells.size(); ++cell) {
+        unknowns_of(cell, unknowns);
+        couplings.add(unknowns);
+    }
     return couplings;
 }
 
 std::vector<PetscInt> Discretisation::unknowns_of(std::uint32_t cell) const
 {
-    std::vector<dealii::types::global_dof_index> indices(cells_[cell]->get_fe().n_dofs_per_cell());
-    cells_[cell]->get_dof_indices(indices);
-    return {indices.begin(), indices.end()};
+    std::vector<PetscInt> unknowns;
+    unknowns_of(cell, unknowns);
+    return unknowns;
 }
+
+int Discretisation::part_of(std::uint32_t cell) const { return static_cast<int>(machine.cells[cell].part); }
 
 void Discretisation::add_couplings_across(const std::vector<ContactPoint>& points, Couplings& couplings) const
 {
@@ -421,50 +288,50 @@ void Discretisation::add_bond_couplings(Couplings& couplings) const
             add_couplings_across(bond.points, couplings);
 }
 
-void Discretisation::cell_nodes(std::uint32_t index, std::vector<std::size_t>& unknowns,
+void Discretisation::cell_nodes(std::uint32_t cell, std::vector<std::size_t>& unknowns,
                                 std::vector<Vec3>& position) const
 {
-    const auto& cell = cells_[index];
-    const auto& element = cell->get_fe();
-    std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
-    cell->get_dof_indices(indices);
-    unknowns.assign(indices.begin(), indices.end());
-    for (unsigned i = 0; i < indices.size(); ++i) {
-        const auto x =
-            mappings[cell->active_fe_index()].transform_unit_to_real_cell(cell, element.unit_support_point(i));
-        position[indices[i]] = {x[0], x[1], x[2]};
-    }
+    const auto own = unknowns_of(cell);
+    unknowns.assign(own.begin(), own.end());
+    for (unsigned i = 0; i < own.size(); ++i)
+        position[unknowns[i]] = node_position(cell, i);
+}
+
+Vec3 Discretisation::node_position(std::uint32_t cell, unsigned i) const
+{
+    const auto x = maps.position(cell, element(cell).unit_support_point(i));
+    return {x[0], x[1], x[2]};
 }
 
 std::vector<std::uint32_t> Discretisation::part_of_unknown() const
 {
     std::vector<std::uint32_t> parts(static_cast<std::size_t>(last - first), 0);
-    std::vector<dealii::types::global_dof_index> indices;
-    for (const auto& cell : dofs.active_cell_iterators()) {
-        indices.resize(cell->get_fe().n_dofs_per_cell());
-        cell->get_dof_indices(indices);
-        for (const auto dof : indices)
-            if (owns(static_cast<PetscInt>(dof)))
-                parts[dof - static_cast<std::size_t>(first)] = cell->material_id();
+    std::vector<PetscInt> unknowns;
+    for (std::uint32_t cell = first_cell; cell < end_cell; ++cell) {
+        unknowns_of(cell, unknowns);
+        for (const auto unknown : unknowns)
+            if (owns(unknown))
+                parts[static_cast<std::size_t>(unknown - first)] = machine.cells[cell].part;
     }
     return parts;
 }
 
 std::vector<Vec3> Discretisation::support_points() const
 {
-    std::vector<Vec3> all(static_cast<std::size_t>(total));
-    std::vector<std::size_t> unknowns;
-    for (std::uint32_t c = 0; c < cells_.size(); ++c)
-        cell_nodes(c, unknowns, all);
-    return {all.begin() + first, all.begin() + last};
+    std::vector<Vec3> points(static_cast<std::size_t>(last - first));
+    std::vector<PetscInt> unknowns;
+    for (std::uint32_t cell = first_cell; cell < end_cell; ++cell) {
+        unknowns_of(cell, unknowns);
+        for (unsigned i = 0; i < unknowns.size(); ++i)
+            if (owns(unknowns[i]))
+                points[static_cast<std::size_t>(unknowns[i] - first)] = node_position(cell, i);
+    }
+    return points;
 }
 
-std::size_t Discretisation::vertex_unknown(std::uint32_t index, unsigned node) const
+std::size_t Discretisation::vertex_unknown(std::uint32_t cell, unsigned node) const
 {
-    const auto& cell = cells_[index];
-    const bool hexahedron = machine.cells[index].kind == CellKind::hexahedron;
-    return cell->vertex_dof_index(hexahedron ? static_cast<unsigned>(lexicographic[node]) : node, 0,
-                                  cell->active_fe_index());
+    return static_cast<std::size_t>(unknowns_.at_node(machine.cells[cell].nodes[node]));
 }
 
 SparseFunctional Discretisation::functional(const std::vector<std::pair<PetscInt, double>>& entries) const
@@ -559,7 +426,7 @@ void for_each_bond_pair(const Discretisation& space, const std::function<void(co
             const auto face_a = point->face_a, face_b = point->face_b;
             const auto end = std::find_if(point, bond.points.end(),
                                           [&](const auto& p) { return p.face_a != face_a || p.face_b != face_b; });
-            if (space.cell(faces[face_a].cell)->is_locally_owned()) {
+            if (space.owns_cell(faces[face_a].cell)) {
                 pair.points.resize(static_cast<std::size_t>(end - point));
                 for (auto& target : pair.points) {
                     space.evaluate(face_a, point->position_a, true, target.a);

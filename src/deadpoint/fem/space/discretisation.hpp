@@ -1,13 +1,11 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
+#include "deadpoint/fem/space/cell_maps.hpp"
 #include "deadpoint/fem/space/couplings.hpp"
 #include "deadpoint/fem/space/petsc.hpp"
-#include <deal.II/base/index_set.h>
-#include <deal.II/distributed/shared_tria.h>
-#include <deal.II/dofs/dof_handler.h>
+#include "deadpoint/fem/space/unknowns.hpp"
 #include <deal.II/hp/fe_collection.h>
-#include <deal.II/hp/mapping_collection.h>
 #include <deal.II/hp/q_collection.h>
 
 #include <array>
@@ -45,17 +43,20 @@ public:
     /// @param orders  of the elements, 1 or 2, per part
     Discretisation(const Machine& machine, std::vector<int> orders);
 
+    Discretisation(const Discretisation&) = delete;
+
     const Machine& machine;
-    std::vector<int> orders;  ///< per part
-    dealii::parallel::shared::Triangulation<3> triangulation;
-    dealii::hp::FECollection<3> elements;
-    dealii::hp::MappingCollection<3> mappings;
+    std::vector<int> orders;               ///< per part
+    dealii::hp::FECollection<3> elements;  ///< by CellMaps::element_index()
     dealii::hp::QCollection<3> quadratures;
-    dealii::DoFHandler<3> dofs;
+    CellMaps maps;
+    std::uint32_t first_cell = 0;  ///< owned cells: first_cell <= i < end_cell
+    std::uint32_t end_cell = 0;
     PetscInt first = 0;  ///< owned unknowns: first <= i < last
     PetscInt last = 0;
     PetscInt total = 0;
 
+    [[nodiscard]] bool owns_cell(std::uint32_t cell) const { return cell >= first_cell && cell < end_cell; }
     [[nodiscard]] bool owns(PetscInt dof) const { return dof >= first && dof < last; }
     /// Shape functions (and gradients, if asked) of the cell behind an exterior face, at a point of it.
     void evaluate(std::uint32_t face, const Vec3& position, bool gradients, PointShape& shape) const;
@@ -69,41 +70,41 @@ public:
     void add_bond_couplings(Couplings& couplings) const;
     /// Couples the cells on both sides of each point.
     void add_couplings_across(const std::vector<ContactPoint>& points, Couplings& couplings) const;
+    /// In the order of the element's shape functions.
+    void unknowns_of(std::uint32_t cell, std::vector<PetscInt>& unknowns) const { unknowns_.of(cell, unknowns); }
     [[nodiscard]] std::vector<PetscInt> unknowns_of(std::uint32_t cell) const;
+    [[nodiscard]] int part_of(std::uint32_t cell) const;
+    [[nodiscard]] const dealii::FiniteElement<3>& element(std::uint32_t cell) const
+    {
+        return elements[maps.element_index(cell)];
+    }
     /// Positions of the owned unknowns.
     [[nodiscard]] std::vector<Vec3> support_points() const;
     /// Part of each owned unknown.
     [[nodiscard]] std::vector<std::uint32_t> part_of_unknown() const;
     /// Unknowns of a cell, and their positions (written into `position` by unknown).
     void cell_nodes(std::uint32_t cell, std::vector<std::size_t>& unknowns, std::vector<Vec3>& position) const;
+    /// Position of the i-th unknown of a cell.
+    [[nodiscard]] Vec3 node_position(std::uint32_t cell, unsigned i) const;
     /// Unknown at a node of a cell (node numbered as in Cell::nodes).
     [[nodiscard]] std::size_t vertex_unknown(std::uint32_t cell, unsigned node) const;
     /// Turns (unknown, weight) pairs of any rank into this rank's functional.
     [[nodiscard]] SparseFunctional functional(const std::vector<std::pair<PetscInt, double>>& entries) const;
     /// Cell size normal to a face: volume over area [m].
     [[nodiscard]] double depth(std::uint32_t face) const { return depth_[face]; }
-    [[nodiscard]] dealii::DoFHandler<3>::active_cell_iterator cell(std::uint32_t index) const { return cells_[index]; }
     /// Shape functions of a cell at a point of its reference cell, or beside it.
     void evaluate_at(std::uint32_t cell, const dealii::Point<3>& unit, bool gradients, PointShape& shape) const;
-    /// A position in a cell's reference coordinates; false where a distorted cell does not reach so far.
-    bool unit_position(std::uint32_t cell, const Vec3& position, dealii::Point<3>& unit) const;
-    /// The point itself where it lies in the cell's reference cell, else one near it that does.
-    [[nodiscard]] dealii::Point<3> nearest_inside(std::uint32_t cell, const dealii::Point<3>& unit) const;
+    /// How far beside its reference cell a point lies.
     [[nodiscard]] double distance_outside(std::uint32_t cell, const dealii::Point<3>& unit) const
     {
-        return unit.distance(nearest_inside(cell, unit));
+        return unit.distance(maps.nearest_inside(cell, unit));
     }
 
 private:
-    void create_triangulation();
     void number_neighbours_alike();
-    [[nodiscard]] dealii::Tensor<2, 3> jacobian_at(std::uint32_t cell, const dealii::Point<3>& unit) const;
-    [[nodiscard]] dealii::Point<3> unit_of(std::uint32_t cell, const Vec3& position) const;
-    [[nodiscard]] dealii::Point<3> unit_in_round(std::uint32_t cell, const dealii::Point<3>& position) const;
 
-    std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells_;
+    Unknowns unknowns_;
     std::vector<double> depth_;
-    std::vector<bool> round_;  ///< per cell: some of its edges are, and its element can follow them
 };
 
 /// Sums over the ranks, in place.

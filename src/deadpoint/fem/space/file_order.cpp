@@ -46,15 +46,13 @@ std::vector<std::size_t> order_of_file(const Discretisation& space)
 {
     std::vector<std::size_t> order;
     std::vector<bool> seen(static_cast<std::size_t>(space.total), false);
-    std::vector<dealii::types::global_dof_index> unknowns;
+    std::vector<PetscInt> unknowns;
     for (std::uint32_t c = 0; c < space.machine.cells.size(); ++c) {
-        const auto cell = space.cell(c);
-        unknowns.resize(cell->get_fe().n_dofs_per_cell());
-        cell->get_dof_indices(unknowns);
+        space.unknowns_of(c, unknowns);
         for (const auto unknown : unknowns)
-            if (!seen[unknown]) {
-                seen[unknown] = true;
-                order.push_back(unknown);
+            if (!seen[static_cast<std::size_t>(unknown)]) {
+                seen[static_cast<std::size_t>(unknown)] = true;
+                order.push_back(static_cast<std::size_t>(unknown));
             }
     }
     return order;

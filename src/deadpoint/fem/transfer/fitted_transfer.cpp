@@ -1,5 +1,6 @@
 #include "deadpoint/fem/transfer/fitted_transfer.hpp"
 
+#include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/fem/transfer/transfer.hpp"
 
@@ -15,17 +16,15 @@ constexpr double relative_tolerance = 1e-13;
 std::vector<double> volumes(const Discretisation& space)
 {
     std::vector<double> result(static_cast<std::size_t>(space.last - space.first), 0.0);
-    std::vector<dealii::types::global_dof_index> indices;
-    for (const auto& cell : space.dofs.active_cell_iterators()) {
-        indices.resize(cell->get_fe().n_dofs_per_cell());
-        cell->get_dof_indices(indices);
-        double share = 0;
-        for (const auto unknown : indices)
-            if (space.owns(static_cast<PetscInt>(unknown))) {
-                if (share == 0)
-                    share = cell->measure() / static_cast<double>(indices.size());
-                result[unknown - static_cast<std::size_t>(space.first)] += share;
-            }
+    std::vector<PetscInt> unknowns;
+    for (std::uint32_t cell = space.first_cell; cell < space.machine.cells.size(); ++cell) {
+        space.unknowns_of(cell, unknowns);
+        if (std::ranges::none_of(unknowns, [&](PetscInt unknown) { return space.owns(unknown); }))
+            continue;
+        const double share = space.maps.volume(cell) / static_cast<double>(unknowns.size());
+        for (const auto unknown : unknowns)
+            if (space.owns(unknown))
+                result[static_cast<std::size_t>(unknown - space.first)] += share;
     }
     return result;
 }

@@ -98,7 +98,7 @@ CellPlace CellFinder::place_in(std::uint32_t cell, const Vec3& position) const
 {
     CellPlace place;
     place.cell = cell;
-    if (space_.unit_position(cell, position, place.unit))
+    if (space_.maps.unit_position(cell, position, place.unit))
         place.outside = space_.distance_outside(cell, place.unit);
     return place;
 }
@@ -155,26 +155,20 @@ void Transfer::find_places(std::uint32_t part)
 {
     const CellFinder finder(from_, part);
     const auto& range = to_.machine.parts[part];
-    std::vector<dealii::types::global_dof_index> indices;
+    std::vector<PetscInt> unknowns;
     for (std::uint32_t c = range.first_cell; c < range.first_cell + range.cell_count; ++c) {
-        const auto cell = to_.cell(c);
-        const auto& element = cell->get_fe();
-        indices.resize(element.n_dofs_per_cell());
-        cell->get_dof_indices(indices);
-        for (unsigned i = 0; i < indices.size(); ++i) {
-            const auto unknown = static_cast<PetscInt>(indices[i]);
-            if (!to_.owns(unknown))
+        to_.unknowns_of(c, unknowns);
+        for (unsigned i = 0; i < unknowns.size(); ++i) {
+            if (!to_.owns(unknowns[i]))
                 continue;
-            const auto local = static_cast<std::size_t>(unknown - to_.first);
+            const auto local = static_cast<std::size_t>(unknowns[i] - to_.first);
             if (cell_[local] != nowhere)
                 continue;
-            const auto x =
-                to_.mappings[cell->active_fe_index()].transform_unit_to_real_cell(cell, element.unit_support_point(i));
-            const auto place = finder.find({x[0], x[1], x[2]});
+            const auto place = finder.find(to_.node_position(c, i));
             cell_[local] = place.cell;
             unit_[local] = place.unit;
             if (place.outside > largest_continuation) {
-                const auto nearest = from_.nearest_inside(place.cell, place.unit);
+                const auto nearest = from_.maps.nearest_inside(place.cell, place.unit);
                 unit_[local] = nearest + largest_continuation / place.outside * (place.unit - nearest);
             }
         }

@@ -51,7 +51,7 @@ void FilmPoints::prepare_points()
         if (!heat::follows_temperature(condition))
             continue;
         for (const auto& [index, fraction, central] : faces_of(machine, condition)) {
-            if (!space_.cell(machine.faces[index].cell)->is_locally_owned())
+            if (!space_.owns_cell(machine.faces[index].cell))
                 continue;
             for (const auto& point : face_points(machine, machine.faces[index])) {
                 space_.evaluate(index, point.position, false, shape);

@@ -1,9 +1,9 @@
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 
 #include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/fem/space/cell_values.hpp"
 #include "deadpoint/fem/space/huge_pages.hpp"
 #include "deadpoint/heat/films.hpp"
-#include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
 
@@ -141,23 +141,12 @@ void HeatMatrices::integrate_solid(Mat stiffness, Mat mass, Mat variable)
 // the one's pattern lies within the other's.
 void HeatMatrices::assemble_cells(Mat mass, Mat stiffness, Mat variable) const
 {
-    dealii::hp::FEValues<3> values(space_.mappings, space_.elements, space_.quadratures,
-                                   dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
-    std::vector<dealii::types::global_dof_index> indices;
-    std::vector<PetscInt> rows;
     std::vector<double> capacity, conduction;
-    for (const auto& cell : space_.dofs.active_cell_iterators()) {
-        if (!cell->is_locally_owned())
-            continue;
-        values.reinit(cell);
-        const auto& v = values.get_present_fe_values();
-        const unsigned n = v.dofs_per_cell;
-        indices.resize(n);
-        cell->get_dof_indices(indices);
-        rows.assign(indices.begin(), indices.end());
+    for_each_cell(space_, [&](const CellValues& v, const std::vector<PetscInt>& rows, int part) {
+        const unsigned n = v.dofs_per_cell();
         capacity.assign(n * n, 0.0);
         conduction.assign(n * n, 0.0);
-        const auto& material = materials_[cell->material_id()];
+        const auto& material = materials_[static_cast<std::size_t>(part)];
         for (const auto q : v.quadrature_point_indices()) {
             const double c = material.density * material.specific_heat * v.JxW(q);
             const double k = material.conductivity * v.JxW(q);
@@ -177,7 +166,7 @@ void HeatMatrices::assemble_cells(Mat mass, Mat stiffness, Mat variable) const
             conduction.assign(n * n, 0.0);
         }
         DEADPOINT_PETSC(MatSetValues(stiffness, count, rows.data(), count, rows.data(), conduction.data(), ADD_VALUES));
-    }
+    });
 }
 
 // Nitsche: -{k dT/dn}[v] - {k dv/dn}[T] + penalty [T][v], with [T] = T_a - T_b and the flux weighted by the softer

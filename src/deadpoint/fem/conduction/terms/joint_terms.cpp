@@ -111,7 +111,7 @@ void JointTerms::integrate(std::size_t i, bool across)
     auto& term = terms_[i];
     PointShape a, b;
     for (const auto& point : space_.machine.interfaces[i].points) {
-        if (!space_.cell(space_.machine.faces[point.face_a].cell)->is_locally_owned())
+        if (!space_.owns_cell(space_.machine.faces[point.face_a].cell))
             continue;
         space_.evaluate(point.face_a, point.position_a, false, a);
         space_.evaluate(point.face_b, point.position_b, false, b);
@@ -218,7 +218,7 @@ std::vector<SparseTerm> film_terms(const Discretisation& space, const HeatProble
         const auto& condition = problem.surfaces[s];
         if (condition.kind == SurfaceCondition::Kind::film && !heat::follows_temperature(condition))
             for (const auto& [index, fraction, central] : faces_of(space.machine, condition)) {
-                if (!space.cell(space.machine.faces[index].cell)->is_locally_owned())
+                if (!space.owns_cell(space.machine.faces[index].cell))
                     continue;
                 for (const auto& point : face_points(space.machine, space.machine.faces[index])) {
                     space.evaluate(index, point.position, false, shape);

@@ -33,17 +33,12 @@ void PrescribedTemperatures::find()
         for (const auto& [index, fraction, central] : faces_of(space_.machine, problem_->surfaces[s])) {
             if (!central)
                 continue;
-            const auto cell = space_.cell(space_.machine.faces[index].cell);
-            const auto& element = cell->get_fe();
-            const auto& mapping = space_.mappings[cell->active_fe_index()];
+            const auto cell = space_.machine.faces[index].cell;
             for (const auto& point : face_points(space_.machine, space_.machine.faces[index])) {
                 space_.evaluate(index, point.position, false, shape);
                 for (int i = 0; i < shape.count; ++i)
-                    if (space_.owns(shape.dof[i]) && std::abs(shape.value[i]) > 1e-9) {
-                        const auto x = mapping.transform_unit_to_real_cell(
-                            cell, element.unit_support_point(static_cast<unsigned>(i)));
-                        found[shape.dof[i]] = {{x[0], x[1], x[2]}, s};
-                    }
+                    if (space_.owns(shape.dof[i]) && std::abs(shape.value[i]) > 1e-9)
+                        found[shape.dof[i]] = {space_.node_position(cell, static_cast<unsigned>(i)), s};
             }
         }
     }
