@@ -6,6 +6,7 @@
 #include "deadpoint/exchange/machine.hpp"
 
 #include <doctest/doctest.h>
+#include <malloc.h>
 
 using namespace deadpoint;
 using namespace deadpoint::fem;
@@ -255,6 +256,21 @@ TEST_CASE("entries of a term are summed by place, whatever order they come in")
     expected(6, 2) = -63;
     expected(2, 6) = -63 + 1000;
     CHECK(dense(matrix) == expected);
+}
+
+TEST_CASE("a finished term keeps no memory but that of its entries")
+{
+    const auto used = [] {
+        const auto info = mallinfo2();
+        return info.uordblks + info.hblkhd;
+    };
+    const auto before = used();
+    SparseTerm term;
+    for (PetscInt k = 0; k < 900'000; ++k)  // 14 MB until they are summed
+        term.add(k % 10, k % 7, 1);
+    term.finish();
+    CHECK(term.entries() == 70);
+    CHECK(used() - before < 100'000);
 }
 
 TEST_CASE("an empty term adds nothing")

@@ -6,6 +6,7 @@
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 #include "deadpoint/fem/conduction/terms/material_maps.hpp"
 #include "deadpoint/fem/conduction/terms/prescribed.hpp"
+#include "deadpoint/fem/space/huge_pages.hpp"
 #include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/fem/space/shell_matrix.hpp"
 #include "deadpoint/fem/space/vectors.hpp"
@@ -65,7 +66,7 @@ StageMatrix::StageMatrix(const Discretisation& space, const HeatMatrices& matric
                          const PrescribedTemperatures& prescribed, const FilmPoints& films, double longest)
     : space_(space), matrices_(matrices), maps_(maps), prescribed_(prescribed), films_(films), longest_(longest)
 {
-    DEADPOINT_PETSC(MatDuplicate(matrices_.stiffness(), MAT_COPY_VALUES, system_.out()));
+    DEADPOINT_PETSC(MatDuplicate(matrices_.stiffness(), MAT_SHARE_NONZERO_PATTERN, system_.out()));
     DEADPOINT_PETSC(MatSetOption(system_, MAT_SYMMETRIC, PETSC_TRUE));
     shell_ = std::make_unique<ShellMatrix>(space_.last - space_.first, space_.total,
                                            [this](Vec in, Vec out) { multiply(in, out); });
@@ -205,6 +206,9 @@ void StageMatrix::prepare()
             break;
         coarse_->keep(multigrid_, factor);
     }
+    // On several ranks, PETSc's copy of the matrix for ML, from which no level is made any more.
+    if (coarse_->complete())
+        give_back_arrays_of("MatConvert_MPIAIJ_ML");
 }
 
 bool StageMatrix::combine(double factor, Vec temperature)

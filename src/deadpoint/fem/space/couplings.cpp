@@ -31,7 +31,7 @@ SparseRows Couplings::rows() const
     for (std::size_t group = 0; group + 1 < row_starts_.size(); ++group)
         for (std::size_t k = row_starts_[group]; k < row_starts_[group + 1]; ++k)
             groups[next[static_cast<std::size_t>(rows_[k])]++] = static_cast<std::uint32_t>(group);
-    next = {};
+    next = std::vector<std::size_t>();  // frees it, which {} does not
 
     SparseRows result;
     result.starts.reserve(count + 1);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <malloc.h>
 #include <memory>
+#include <string_view>
 #include <sys/mman.h>
 #include <unistd.h>
 #include <unordered_map>
@@ -18,11 +19,16 @@ constexpr std::size_t large_page = std::size_t{1} << 21;
 constexpr std::size_t worth_while = 16 * large_page;  // smallest size that uses large pages: matrices
 constexpr std::size_t vector_alignment = 64;
 
+struct Mapped {
+    std::size_t size = 0;
+    std::string_view function;  ///< of PETSc that has allocated it; empty: unknown
+};
+
 // Mapped directly: malloc would take them from its pool of small pages that were used before.
-std::unordered_map<void*, std::size_t>& mapped()
+std::unordered_map<void*, Mapped>& mapped()
 {
-    static std::unordered_map<void*, std::size_t> sizes;
-    return sizes;
+    static std::unordered_map<void*, Mapped> arrays;
+    return arrays;
 }
 
 // Starts at the boundary of a large page, so that the kernel can use one.
@@ -42,15 +48,18 @@ void* map_large(std::size_t size)
     if (before < large_page)
         munmap(static_cast<char*>(aligned) + wanted, large_page - before);
     madvise(aligned, wanted, MADV_HUGEPAGE);
-    mapped()[aligned] = wanted;
+    mapped()[aligned] = {wanted, {}};
     return aligned;
 }
 
-PetscErrorCode petsc_allocate(std::size_t size, PetscBool clear, int, const char[], const char[], void** result)
+PetscErrorCode petsc_allocate(std::size_t size, PetscBool clear, int, const char function[], const char[],
+                              void** result)
 {
     *result = allocate_array(size);
     if (size > 0 && !*result)
         return PETSC_ERR_MEM;
+    if (size >= worth_while && function)
+        mapped()[*result].function = function;  // a literal
     if (clear && size < worth_while && size > 0)
         std::memset(*result, 0, size);
     return 0;
@@ -88,14 +97,14 @@ void release_array(void* array)
         std::free(array);
         return;
     }
-    munmap(array, large->second);
+    munmap(array, large->second.size);
     mapped().erase(large);
 }
 
 void* resize_array(void* array, std::size_t size)
 {
     const auto large = mapped().find(array);
-    const std::size_t before = large == mapped().end() ? malloc_usable_size(array) : large->second;
+    const std::size_t before = large == mapped().end() ? malloc_usable_size(array) : large->second.size;
     void* resized = allocate_array(size);
     if (size > 0 && !resized)
         return nullptr;
@@ -108,5 +117,12 @@ void* resize_array(void* array, std::size_t size)
 void ask_for_large_pages() { PetscMallocSet(petsc_allocate, petsc_release, petsc_resize); }
 
 void give_back_freed_memory() { malloc_trim(0); }
+
+void give_back_arrays_of(std::string_view function)
+{
+    for (const auto& [array, by] : mapped())
+        if (by.function == function)
+            madvise(array, by.size, MADV_DONTNEED);
+}
 
 }  // namespace deadpoint::fem

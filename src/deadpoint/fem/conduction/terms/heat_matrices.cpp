@@ -102,7 +102,11 @@ Mat HeatMatrices::solid()
     return solid_;
 }
 
-void HeatMatrices::keep_solid() { DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, solid_.out())); }
+void HeatMatrices::keep_solid()
+{
+    DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_SHARE_NONZERO_PATTERN, solid_.out()));
+    DEADPOINT_PETSC(MatCopy(stiffness_, solid_, SAME_NONZERO_PATTERN));
+}
 
 void HeatMatrices::create_pattern()
 {
@@ -117,7 +121,8 @@ void HeatMatrices::create_matrices(bool some_films_follow)
     create_pattern();
     give_back_freed_memory();
     const auto alike = [&](OwnedMat& matrix) {
-        DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_COPY_VALUES, matrix.out()));
+        DEADPOINT_PETSC(MatDuplicate(stiffness_, MAT_SHARE_NONZERO_PATTERN, matrix.out()));
+        DEADPOINT_PETSC(MatZeroEntries(matrix));
     };
     alike(mass_);
     if (some_films_follow)

@@ -22,9 +22,9 @@ MaterialMaps::MaterialMaps(const Discretisation& space, const std::vector<Materi
         return;
     mapped_ = duplicate(pattern);
     if (capacity_varies_)
-        DEADPOINT_PETSC(MatDuplicate(matrices_.mass(), MAT_COPY_VALUES, scaled_mass_.out()));
+        DEADPOINT_PETSC(MatDuplicate(matrices_.mass(), MAT_SHARE_NONZERO_PATTERN, scaled_mass_.out()));
     if (conduction_varies_)
-        DEADPOINT_PETSC(MatDuplicate(matrices_.conduction(), MAT_COPY_VALUES, scaled_conduction_.out()));
+        DEADPOINT_PETSC(MatDuplicate(matrices_.conduction(), MAT_SHARE_NONZERO_PATTERN, scaled_conduction_.out()));
 }
 
 void MaterialMaps::map(Map of, Vec from, Vec to) const

@@ -53,6 +53,8 @@ void SparseTerm::merge()
 void SparseTerm::finish()
 {
     merge();
+    columns_.reserve(loose_.size());
+    values_.reserve(loose_.size());
     for (const auto& entry : loose_) {
         if (rows_.empty() || rows_.back() != entry.row) {
             rows_.push_back(entry.row);
@@ -62,7 +64,7 @@ void SparseTerm::finish()
         values_.push_back(entry.value);
     }
     starts_.push_back(columns_.size());
-    loose_ = {};
+    loose_ = std::vector<Entry>();  // frees it, which {} does not
 }
 
 void SparseTerm::add_to(Mat matrix, double coefficient) const
