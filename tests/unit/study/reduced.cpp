@@ -239,6 +239,19 @@ TEST_CASE("only what a model cannot change makes a case another press")
     CHECK(found[1] == "only in the model: [parts.bed] material = \"cast_iron\"");
 }
 
+TEST_CASE("a model made before the program knew a key has its default")
+{
+    study::ReducedPress built;
+    built.fixed_part = study::fixed_part(press());
+    const auto place = built.fixed_part.find("seam_tolerance = ");
+    REQUIRE(place != std::string::npos);
+    built.fixed_part.erase(place, built.fixed_part.find('\n', place) + 1 - place);
+    CHECK(study::misfits(press(), built).empty());
+    const auto found = study::misfits(press({"numerics.seam_tolerance=0.02 mm"}), built);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].starts_with("only in this case: [numerics] seam_tolerance = "));
+}
+
 TEST_CASE("a drawing is told by its content, wherever it lies")
 {
     const ScratchFolder folder;

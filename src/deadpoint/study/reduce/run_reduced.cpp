@@ -226,17 +226,20 @@ std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress
         return {};
     const auto own = lines_of(fixed_part(input)), built = lines_of(press.fixed_part);
     const std::multiset<std::string> of_case(own.begin(), own.end()), of_model(built.begin(), built.end());
+    if (of_case == of_model)
+        return {"the same lines in another order"};
+    // A key that the program learned later is missing in the model, and has its default there.
+    const auto defaults = lines_of(fixed_part({}));
     std::vector<std::string> result;
-    std::vector<std::string> only;
-    std::ranges::set_difference(of_case, of_model, std::back_inserter(only));
-    for (const auto& line : only)
-        result.push_back("only in this case: " + line);
-    only.clear();
-    std::ranges::set_difference(of_model, of_case, std::back_inserter(only));
-    for (const auto& line : only)
-        result.push_back("only in the model: " + line);
-    if (result.empty())
-        result.emplace_back("the same lines in another order");
+    const auto add = [&](const auto& these, const auto& others, const char* where) {
+        std::vector<std::string> only;
+        std::ranges::set_difference(these, others, std::back_inserter(only));
+        for (const auto& line : only)
+            if (std::ranges::find(defaults, line) == defaults.end())
+                result.push_back(where + line);
+    };
+    add(of_case, of_model, "only in this case: ");
+    add(of_model, of_case, "only in the model: ");
     return result;
 }
 
