@@ -1,0 +1,182 @@
+#include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/reduce/certificate/certificate.hpp"
+#include "deadpoint/reduce/certificate/residual_terms.hpp"
+#include "deadpoint/reduce/online/dense_terms.hpp"
+#include "deadpoint/reduce/online/reduced_run.hpp"
+#include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/laws/run_laws.hpp"
+#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/study/pipeline/loads_cache.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
+#include "deadpoint/study/reduce/certificate_file.hpp"
+#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/study/reduce/run_reduced.hpp"
+#include "deadpoint/study/reduce/split.hpp"
+#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/study/result/run_result.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <vector>
+
+// How long the stages of a run on a reduced press take: benchmark_reduced_times case.toml press.rom [count]
+// Prints the fastest and the median of `count` calls [ms].
+
+namespace {
+
+using namespace deadpoint;
+
+class Silent : public Observer {};
+
+void measure(const char* what, int count, const std::function<void(int)>& work)
+{
+    using Clock = std::chrono::steady_clock;
+    std::vector<double> times;
+    for (int k = 0; k < count; ++k) {
+        const auto start = Clock::now();
+        work(k);
+        times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    }
+    std::ranges::sort(times);
+    std::printf("%8.2f %8.2f  %s\n", times.front(), times[times.size() / 2], what);
+    std::fflush(stdout);
+}
+
+class Stages {
+public:
+    Stages(const std::string& file, const std::filesystem::path& rom, int count)
+        : case_(casefile::read_case(file).value), press_(study::read_reduced(rom)), rom_(rom), count_(count)
+    {
+        problem_ = split(heat_problem(case_, nullptr));
+    }
+
+    void loads()
+    {
+        measure("loads, nothing known", count_,
+                [&](int) { study::compute_loads(case_, &press_.machine, 0, study::Vibration::left_out); });
+        study::LoadsCache cache;
+        measure("loads at another speed and force each", count_,
+                [&](int k) { cache.get(at(k), &press_.machine, 0, study::Vibration::left_out); });
+        cache.get(at(count_), &press_.machine, 0, study::Vibration::left_out);
+        measure("laws and heat problem, loads known", count_, [&](int) { heat_problem(at(count_), &cache); });
+    }
+
+    void runs()
+    {
+        measure("run of a heat problem, another conductance each", count_, [&](int k) {
+            auto problem = problem_;
+            for (auto& segment : problem.segments)
+                for (auto& law : segment.interfaces)
+                    law.film_a *= 1 + 1e-12 * k;
+            for (auto& law : problem.interfaces)
+                law.film_a *= 1 + 1e-12 * k;
+            run(problem);
+        });
+        measure("run of a heat problem, coefficients as before", count_, [&](int) { run(problem_); });
+        study::LoadsCache cache;
+        measure("run of a case for a study, another speed and force each", count_, [&](int k) {
+            study::run_reduced(at(k), press_, {}, study::ReducedDetail::figures, observer_, nullptr, &cache);
+        });
+    }
+
+    void causes()
+    {
+        const reduce::States weights = press_.terms->terms.observed.row(drift::gap).transpose();
+        HeatCauses found;
+        double gap = 0;
+        measure("run and causes of E_SW at its end", count_, [&](int) {
+            reduce::ReducedRun reduced(press_.terms, problem_, press_.adjoints, press_.reference);
+            const auto& history = reduced.go({}, observer_);
+            gap = history.functionals[drift::gap].value.back();
+            found = reduced.causes(weights, history.time.size() - 1);
+        });
+        std::printf("                   causes less E_SW %.2g of %.4g um\n", 1e6 * (sum(found) - gap), 1e6 * gap);
+    }
+
+    void certificate()
+    {
+        const auto file = study::certificate_file(rom_);
+        if (!std::filesystem::exists(file))
+            return;
+        study::ReducedPress large;
+        measure("reading the large model", 3,
+                [&](int) { large = study::read_reduced(rom_.parent_path() / press_.large_file); });
+        std::shared_ptr<const reduce::ResidualTerms> residual;
+        measure("reading the certificate", 3, [&](int) { residual = study::read_certificate(file, large); });
+        ThermalHistory history;
+        measure("run of the large model", 3, [&](int) {
+            history = reduce::ReducedRun(large.terms, problem_, large.adjoints, large.reference).go({}, observer_);
+        });
+        const auto& layout = large.terms->terms.geometry.layout;
+        measure("certificate of E_SW", 3, [&](int) {
+            reduce::certify(large.terms, *residual, problem_, history.time, {layout.count() + drift::gap});
+        });
+    }
+
+private:
+    [[nodiscard]] casefile::Case at(int k) const
+    {
+        auto result = case_;
+        for (auto& segment : result.operation) {
+            segment.speed *= 1 - 0.002 * k;
+            segment.force *= 1 + 0.001 * k;
+        }
+        return result;
+    }
+    HeatProblem heat_problem(const casefile::Case& input, study::LoadsCache* cache)
+    {
+        study::Stopwatch watch(observer_);
+        study::RunResult unused;
+        return study::run_laws(input, press_.machine, study::Vibration::left_out, watch, unused, observer_, cache);
+    }
+    [[nodiscard]] HeatProblem split(const HeatProblem& problem) const
+    {
+        auto result = study::split_by_part(problem, press_.machine).problem;
+        result.field_times.clear();
+        return result;
+    }
+    void run(const HeatProblem& problem)
+    {
+        reduce::ReducedRun(press_.terms, problem, press_.adjoints, press_.reference).go({}, observer_);
+    }
+    static double sum(const HeatCauses& causes)
+    {
+        double result = causes.start;
+        for (const auto* list : {&causes.friction, &causes.oil, &causes.surfaces, &causes.body_heat})
+            result = std::accumulate(list->begin(), list->end(), result);
+        return result;
+    }
+
+    Silent observer_;
+    casefile::Case case_;
+    study::ReducedPress press_;
+    std::filesystem::path rom_;
+    int count_;
+    HeatProblem problem_;
+};
+
+}  // namespace
+
+int main(int count, char** arguments)
+{
+    if (count < 3) {
+        std::fprintf(stderr, "benchmark_reduced_times case.toml press.rom [count]\n");
+        return 1;
+    }
+    Stages stages(arguments[1], arguments[2], count > 3 ? std::atoi(arguments[3]) : 21);
+    stages.loads();
+    stages.runs();
+    stages.causes();
+    stages.certificate();
+}
