@@ -3,7 +3,7 @@
 import struct
 from array import array
 
-KIND = b"deadpoint reduced press 2\n"
+KIND = b"deadpoint reduced press 3\n"
 CERTIFICATE_KIND = b"deadpoint certificate 2\n"
 FIELDS_KIND = b"deadpoint fields of a reduced press 1\n"
 
@@ -179,7 +179,7 @@ def main(path, fields=None, certificate=None):
     for factor in rom["joint_terms"] + rom["films"]:
         if factor["rows"] not in (0, states):
             raise ValueError("a factor has another number of rows than there are states")
-    if len(rom["solid"]) != states * (states + 1) // 2 or rom["functionals"]["rows"] != states:
+    if len(rom["solid"]) not in (states, states * (states + 1) // 2) or rom["functionals"]["rows"] != states:
         raise ValueError("matrices differ in size")
     print(f"{rom['name']}: {states} states, {len(rom['box'])} free coefficients, {len(rom['interface_names'])} interfaces")
 

@@ -170,11 +170,18 @@ TEST_CASE("terms survive their way into a file")
     again.geometry = models.small.terms->terms.geometry;
     restore(kept, again);
     CHECK((again.solid - models.small.terms->terms.solid).norm() < 1e-12 * models.small.terms->terms.solid.norm());
+    CHECK(kept.solid.size() == static_cast<std::size_t>(again.uniform.size()));  // its diagonal, and no more
+    CHECK(std::ranges::is_sorted(kept.solid.begin() + 1, kept.solid.end()));
     const auto problem = new_problems()[3];
     const auto difference_by_rounding =
         difference(run_on(prepared(again), problem), run_on(models.small.terms, problem), 0);
     CHECK(difference_by_rounding.temperature < 1e-3);  // 300 K times the rounding of 32 bits, some ten times
     CHECK(difference_by_rounding.gap < 1e-9);
+
+    const auto& large = models.large->terms;
+    restore(stored(large), again);
+    CHECK((again.solid - large.solid).norm() < 1e-15 * large.solid.norm());  // a triangle, of 64 bits
+    restore(kept, again);
 
     auto broken = kept;
     broken.solid.pop_back();

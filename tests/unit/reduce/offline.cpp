@@ -113,6 +113,22 @@ TEST_CASE("in a norm that weighs one component, its states come before larger on
     CHECK(std::abs(basis(2, 1)) < 1e-12);
 }
 
+TEST_CASE("states by conduction span the same, and the solid is diagonal on them")
+{
+    auto terms = rods::full_terms();
+    const auto n = terms.uniform.size();
+    Eigen::MatrixXd some(n, 6);
+    some << terms.uniform.normalized(), columns_of(n, 5);
+    const Eigen::MatrixXd before =
+        Eigen::HouseholderQR<Eigen::MatrixXd>(some).householderQ() * Eigen::MatrixXd::Identity(n, 6);
+    const auto after = by_conduction(terms, before);
+    CHECK(after.col(0) == before.col(0));
+    CHECK((after * after.transpose() - before * before.transpose()).norm() < 1e-12);
+    Eigen::MatrixXd solid = after.transpose() * terms.solid * after;
+    solid.diagonal().setZero();
+    CHECK(solid.norm() < 1e-12 * terms.solid.norm());
+}
+
 TEST_CASE("draws are those of SplitMix64 on every machine")
 {
     Draws draws(1234567);  // its first numbers in the literature: 6457827717110365317, 3203168211198807973

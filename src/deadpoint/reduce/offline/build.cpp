@@ -108,7 +108,7 @@ std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const
         models.residual = std::make_shared<const ResidualTerms>(
             full.residual({lowest, highest, typical_states(large->terms, *training, highest), options.residual}));
     }
-    full.combine(combinations.leftCols(models.small.terms->terms.uniform.size()));
+    full.combine(models.small.combinations);
     return models;
 }
 

@@ -75,6 +75,15 @@ Eigen::MatrixXd most_frequent(const Moments& moments, const Moments& duals, cons
            Eigen::MatrixXd::Identity(unit.size(), result.cols());
 }
 
+Eigen::MatrixXd by_conduction(const DenseTerms& terms, const Eigen::MatrixXd& combinations)
+{
+    const auto others = combinations.rightCols(combinations.cols() - 1);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(others.transpose() * terms.solid * others);
+    Eigen::MatrixXd result(combinations.rows(), combinations.cols());
+    result << combinations.col(0), others * solver.eigenvectors();
+    return result;
+}
+
 DenseTerms combined(const DenseTerms& terms, const Eigen::MatrixXd& combinations, const Truncation& truncation)
 {
     DenseTerms result;

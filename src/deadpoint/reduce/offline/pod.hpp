@@ -41,6 +41,10 @@ Eigen::MatrixXd error_norm(const DenseTerms& terms, double readings);
 Eigen::MatrixXd most_frequent(const Moments& moments, const Moments& duals, const StateWeights& weights,
                               Eigen::Index count);
 
+/// Other combinations of the same span: the first as it is, the others so that K of the solids is diagonal on them, the
+/// slowest first. The first has to be uniform, whose row and column of K are zero.
+Eigen::MatrixXd by_conduction(const DenseTerms& terms, const Eigen::MatrixXd& combinations);
+
 /// The terms on combinations of the states, cut to lower rank.
 DenseTerms combined(const DenseTerms& terms, const Eigen::MatrixXd& combinations, const Truncation& truncation);
 

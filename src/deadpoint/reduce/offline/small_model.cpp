@@ -95,8 +95,9 @@ std::optional<SmallModel> choose_small(const Terms& large, const Eigen::MatrixXd
     for (const auto size : sizes_up_to(static_cast<std::size_t>(combinations.cols()))) {
         if (any(ranks, observer.cancelled()))
             return std::nullopt;
-        const auto chosen = combinations.leftCols(static_cast<Eigen::Index>(size));
-        model.terms = small_of(large->terms, chosen, options, ranks);
+        model.combinations = on_first(
+            ranks, [&] { return by_conduction(large->terms, combinations.leftCols(static_cast<Eigen::Index>(size))); });
+        model.terms = small_of(large->terms, model.combinations, options, ranks);
         const auto found = comparison.to(model.terms);
         model.at_base = found.front();
         model.in_box = {};

@@ -23,6 +23,7 @@ class Ranks;
 
 struct SmallModel {
     std::shared_ptr<const PreparedTerms> terms;
+    Eigen::MatrixXd combinations;   ///< of states of the large model that are its states
     RunDifference at_base, in_box;  ///< to the large model: at the problem's own values, anywhere
     std::vector<std::pair<std::size_t, RunDifference>> by_size;  ///< number of states, largest difference in the box
 };

@@ -11,9 +11,22 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-std::vector<double> lower_triangle(const Matrix& matrix)
+// Off its diagonal a matrix that is diagonal but for rounding has at most this share of its largest entry.
+constexpr double rounding = 1e-14;
+
+bool is_diagonal(const Matrix& matrix)
+{
+    const Matrix others = matrix - Matrix(matrix.diagonal().asDiagonal());
+    return others.lpNorm<Eigen::Infinity>() <= rounding * matrix.lpNorm<Eigen::Infinity>();
+}
+
+std::vector<double> entries_of(const Matrix& matrix)
 {
     std::vector<double> entries;
+    if (is_diagonal(matrix)) {
+        entries.assign(matrix.diagonal().begin(), matrix.diagonal().end());
+        return entries;
+    }
     for (Eigen::Index j = 0; j < matrix.cols(); ++j)
         for (Eigen::Index i = j; i < matrix.rows(); ++i)
             entries.push_back(matrix(i, j));
@@ -22,7 +35,10 @@ std::vector<double> lower_triangle(const Matrix& matrix)
 
 Matrix symmetric(const std::vector<double>& entries, Eigen::Index size)
 {
-    if (static_cast<Eigen::Index>(entries.size()) != size * (size + 1) / 2)
+    const auto count = static_cast<Eigen::Index>(entries.size());
+    if (count == size)
+        return Eigen::Map<const Eigen::VectorXd>(entries.data(), size).asDiagonal();
+    if (count != size * (size + 1) / 2)
         throw InputError("the solid of a reduced model has another number of entries than states");
     Matrix matrix(size, size);
     auto entry = entries.begin();
@@ -37,7 +53,7 @@ Matrix symmetric(const std::vector<double>& entries, Eigen::Index size)
 StoredTerms stored(const DenseTerms& terms)
 {
     StoredTerms result;
-    result.solid = lower_triangle(terms.solid);
+    result.solid = entries_of(terms.solid);
     for (const auto& joint : terms.joints)
         for (const auto* term : {&joint.aa, &joint.bb, &joint.between, &joint.turning})
             result.joints.push_back(as_stored(term->factor));

@@ -13,7 +13,7 @@ struct DenseTerms;
 /// Reduced terms as a file has them. The solid has 64 bits a number, since its slow modes are small beside its fast
 /// ones; everything else has 32 bits, which changes temperatures by less than 1e-4 K.
 struct StoredTerms {
-    std::vector<double> solid;                         ///< lower triangle, column after column [1/s]
+    std::vector<double> solid;                         ///< diagonal, or lower triangle column after column [1/s]
     std::vector<StoredMatrix<float>> joints;           ///< aa, bb, between, turning of each interface, factors
     std::vector<StoredMatrix<float>> films;            ///< factors
     StoredMatrix<float> functionals, observed, parts;  ///< transposed: a column for each row; parts as they are

@@ -86,7 +86,7 @@ constexpr auto members(const ErrorOfSize*)
 
 namespace {
 
-constexpr std::string_view kind = "deadpoint reduced press 2\n";
+constexpr std::string_view kind = "deadpoint reduced press 3\n";
 constexpr const char* help = "make it again with 'deadpoint reduce CASE -o FILE'";
 
 // All but the terms, in the order of the file.
