@@ -2,6 +2,7 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/reduce/certificate/bends.hpp"
 #include "deadpoint/reduce/certificate/lowest.hpp"
 #include "deadpoint/reduce/certificate/residual_file.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
@@ -10,6 +11,7 @@
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "rods.hpp"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 using doctest::Approx;
@@ -181,6 +183,49 @@ TEST_CASE("a law that is not straight adds to the bound where it bends")
     MESSAGE(straight << " " << kinked);
     CHECK(kinked > 1.2 * straight);
     CHECK(bound_with(0.1, end + 20) == Approx(straight).epsilon(1e-9));  // more than 5 K from all temperatures
+}
+
+TEST_CASE("no error that falling heat allows makes more of bent laws than their bound")
+{
+    Draws draws(17);
+    const auto between = [&](double least, double most) { return least * std::pow(most / least, draws.next()); };
+    for (int round = 0; round < 200; ++round) {
+        std::vector<BentLaw> laws(1 + static_cast<std::size_t>(6 * draws.next()));
+        for (auto& law : laws)
+            law = {between(10, 1000), between(1e-3, 1), between(1e-3, 10), between(1e-2, 1), between(1e-2, 1)};
+        const double energy = between(1e-4, 1e4), bound = largest_of_bent(laws, energy);
+        double largest = 0;
+        std::vector<double> share(laws.size());
+        const auto sum_of = [&] {
+            double whole = 0, sum = 0;
+            for (const double s : share)
+                whole += s;
+            for (std::size_t k = 0; k < laws.size(); ++k) {
+                const auto& law = laws[k];
+                const double e = std::sqrt(share[k] / whole * energy / (law.duration * law.fall));
+                sum += law.duration * law.seen * std::min(law.curvature / 2 * e * e, law.bend * e);
+            }
+            return sum;
+        };
+        for (std::size_t k = 0; k < laws.size(); ++k) {  // all of it for one
+            share.assign(laws.size(), 0);
+            share[k] = 1;
+            largest = std::max(largest, sum_of());
+        }
+        for (std::size_t k = 0; k < laws.size(); ++k)  // what is best where all count by their bends
+            share[k] = laws[k].duration * std::pow(laws[k].seen * laws[k].bend, 2) / laws[k].fall;
+        largest = std::max(largest, sum_of());
+        for (int attempt = 0; attempt < 100; ++attempt) {
+            for (double& s : share)
+                s = between(1e-4, 1);
+            largest = std::max(largest, sum_of());
+        }
+        CHECK(largest <= bound * (1 + 1e-12));
+        CHECK(bound <= 3 * largest);  // each of the two parts is reached by some errors; both together hardly
+    }
+    CHECK(largest_of_bent({}, 1) == 0);
+    CHECK(largest_of_bent({{10, 0.5, 4, 1e9, 2}}, 7) == Approx(0.5 * 4 / 2. / 2 * 7));              // by its curvature
+    CHECK(largest_of_bent({{10, 0.5, 1e9, 3, 2}}, 7) == Approx(0.5 * 3 * std::sqrt(10 / 2. * 7)));  // by its bend
 }
 
 TEST_CASE("what the vectors of the terms leave out is in the remainder")

@@ -3,6 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/heat/films.hpp"
+#include "deadpoint/reduce/certificate/bends.hpp"
 #include "deadpoint/reduce/certificate/euler_run.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
@@ -11,8 +12,6 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <functional>
-#include <limits>
 #include <optional>
 
 namespace deadpoint::reduce {
@@ -348,32 +347,16 @@ private:
         return share / 2 * primal_ / (kappa_ * kappa_);
     }
 
-    // Falling heat takes energy from an error: sum of dt |H'| (b . e)^2 <= sum of dt |r|^2 / (4 kappa) = energy. So a
-    // source counts in a step by
-    //   dt |b . z| curvature/2 (b . e)^2 <= ratio/2 dt |H'| (b . e)^2,   ratio = |b . z| curvature / |H'|,
-    // or, near a kink of its law, by its bend: dt |b . z| bend |b . e|, which are together at most
-    //   (sum of dt (b . z bend)^2 / |H'|)^1/2 energy^1/2.
-    // Those of the largest ratios count by their bends, as many as give the least. @param seen  |b . z|
+    // Falling heat takes energy from an error: sum of dt |H'| (b . e)^2 <= sum of dt |r|^2 / (4 kappa).
+    // @param seen  |b . z|
     [[nodiscard]] double curvature_by_falls(const Eigen::MatrixXd& seen) const
     {
-        struct Place {
-            double ratio, bent;
-        };
-        std::vector<Place> places;
+        std::vector<BentLaw> laws;
         for (Eigen::Index k = 0; k < count(); ++k)
-            for (Eigen::Index r = 0; r < seen.rows(); ++r) {
-                const double bent = seen(r, k) * bends_(r, k), fall = falls_(r, k);
-                if (fall > 0 && bent > 0)
-                    places.push_back({seen(r, k) * curvatures_(r, k) / fall, duration(k) * bent * bent / fall});
-            }
-        std::ranges::sort(places, std::greater{}, &Place::ratio);
-        const double energy = primal_ / (4 * kappa_);
-        double least = std::numeric_limits<double>::infinity(), by_bends = 0;
-        for (const auto& [ratio, bent] : places) {
-            least = std::min(least, ratio / 2 * energy + std::sqrt(by_bends * energy));
-            by_bends += bent;
-        }
-        return std::min(least, std::sqrt(by_bends * energy));
+            for (Eigen::Index r = 0; r < seen.rows(); ++r)
+                if (falls_(r, k) > 0)
+                    laws.push_back({duration(k), seen(r, k), curvatures_(r, k), bends_(r, k), falls_(r, k)});
+        return largest_of_bent(laws, primal_ / (4 * kappa_));
     }
 
     const DenseTerms& terms_;
