@@ -30,8 +30,8 @@
 #include <string>
 #include <vector>
 
-// How long the stages of a run on a reduced press take: benchmark_reduced_times case.toml press.rom [count]
-// Prints the fastest and the median of `count` calls [ms].
+// How long the stages of a run on a reduced press take: benchmark_reduced_times case.toml press.rom [count
+// [loads|runs|causes|certificate]] Prints the fastest and the median of `count` calls [ms].
 
 namespace {
 
@@ -171,12 +171,17 @@ private:
 int main(int count, char** arguments)
 {
     if (count < 3) {
-        std::fprintf(stderr, "benchmark_reduced_times case.toml press.rom [count]\n");
+        std::fprintf(stderr, "benchmark_reduced_times case.toml press.rom [count [loads|runs|causes|certificate]]\n");
         return 1;
     }
     Stages stages(arguments[1], arguments[2], count > 3 ? std::atoi(arguments[3]) : 21);
-    stages.loads();
-    stages.runs();
-    stages.causes();
-    stages.certificate();
+    const std::string only = count > 4 ? arguments[4] : "";
+    if (only.empty() || only == "loads")
+        stages.loads();
+    if (only.empty() || only == "runs")
+        stages.runs();
+    if (only.empty() || only == "causes")
+        stages.causes();
+    if (only.empty() || only == "certificate")
+        stages.certificate();
 }

@@ -302,7 +302,7 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
         result.freed_guides.push_back(whole.linkage.joints[static_cast<std::size_t>(joint)].name);
     timer.done("linkage and masses");
 
-    const auto bottom = about("joints", [&] { return mechanism::bottom_dead_point(own); });
+    const auto bottom = about("joints", [&] { return turns ? turns->bottom(own) : mechanism::bottom_dead_point(own); });
     result.lengths = mechanism::length_sensitivities(own, bottom);
     result.throw_at_bottom = direction_of_throw(own, bottom.poses);
     timer.done("bottom dead point");

@@ -28,6 +28,8 @@ public:
     /// As compute_loads(), and its errors.
     std::shared_ptr<const LoadsResult> get(const casefile::Case& input, const Machine* machine, int segment,
                                            Vibration vibration);
+    /// Positions that no speed or force changes.
+    [[nodiscard]] TurnCache& turns() { return turns_; }
 
 private:
     using Loads = std::shared_future<std::shared_ptr<const LoadsResult>>;

@@ -1,5 +1,6 @@
 #include "deadpoint/study/pipeline/turn_cache.hpp"
 
+#include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/turn.hpp"
 
 #include <algorithm>
@@ -36,6 +37,14 @@ std::shared_ptr<const mechanism::Turn> TurnCache::get(const Linkage& linkage, in
         positions_ = positions;
     }
     return turn_;
+}
+
+BottomDeadPointSensitivity TurnCache::bottom(const Linkage& linkage)
+{
+    const std::scoped_lock lock(mutex_);
+    if (!bottom_ || !same(bottom_->first, linkage))
+        bottom_.emplace(linkage, mechanism::bottom_dead_point(linkage));
+    return bottom_->second;
 }
 
 }  // namespace deadpoint::study

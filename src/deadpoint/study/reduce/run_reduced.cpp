@@ -19,6 +19,7 @@
 #include "deadpoint/study/fields/field_times.hpp"
 #include "deadpoint/study/fields/lift_fields.hpp"
 #include "deadpoint/study/laws/run_laws.hpp"
+#include "deadpoint/study/pipeline/loads_cache.hpp"
 #include "deadpoint/study/pipeline/run_warnings.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/reduce/outside.hpp"
@@ -71,7 +72,7 @@ class ReducedCaseRun {
 public:
     ReducedCaseRun(const casefile::Case& input, const ReducedPress& press, ReducedDetail detail, Observer& observer,
                    LoadsCache* loads)
-        : input_(input), press_(press), detail_(detail), observer_(observer), watch_(observer),
+        : input_(input), press_(press), detail_(detail), observer_(observer), watch_(observer), loads_(loads),
           problem_(run_laws(input, press.machine,
                             detail == ReducedDetail::all ? Vibration::computed : Vibration::left_out, watch_, result_,
                             observer, loads)),
@@ -121,7 +122,8 @@ private:
             return;
         const auto& chain = *press_.chain;
         const auto play = crank_play(input_);
-        result_.sensitivity = mechanism::bottom_dead_point(describe_linkage(input_));
+        const auto linkage = describe_linkage(input_);
+        result_.sensitivity = loads_ ? loads_->turns().bottom(linkage) : mechanism::bottom_dead_point(linkage);
         result_.drift = drift_series(chain.figures, play, result_.thermal);
         if (detail_ == ReducedDetail::all && input_.output.causes && !result_.thermal.interrupted)
             result_.causes = drift_causes(input_, problem_, *result_.drift,
@@ -214,6 +216,7 @@ private:
     Observer& observer_;
     RunResult result_;
     Stopwatch watch_;
+    LoadsCache* loads_;
     HeatProblem problem_;
     SplitProblem split_;
 };
