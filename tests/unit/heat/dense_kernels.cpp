@@ -1,6 +1,7 @@
 /// Requirement: products with small dense matrices, their sums and their tridiagonal form are those of Eigen, for sizes
 /// that fill panels of eight columns and sizes that do not.
 #include "deadpoint/reduce/dense/kernels.hpp"
+#include "deadpoint/reduce/dense/products.hpp"
 #include "deadpoint/reduce/dense/symmetric_matrix.hpp"
 #include "deadpoint/reduce/dense/tridiagonal.hpp"
 #include "deadpoint/reduce/online/conduction.hpp"
@@ -54,6 +55,21 @@ TEST_CASE("products with rows and with their transpose are those of the matrix")
             reduce::kernels::add_rows(a.data(), n, rows, n, w.data(), sum.data());
             CHECK((sum - start - a.transpose() * w).norm() <= rounding * (1 + sum.norm()));
         }
+}
+
+TEST_CASE("products of two matrices are those of Eigen, in one block of rows and in several")
+{
+    std::srand(4);
+    for (const int n : {1, 9, 61, 530, 1100}) {
+        const MatrixXd a = MatrixXd::Random(n, 7), b = MatrixXd::Random(n, 10);
+        const MatrixXd expected = a.transpose() * b;
+        CHECK((reduce::transposed_product(a, b) - expected).norm() <= rounding * n);
+    }
+    for (const int n : {1, 31, 32, 61, 200}) {
+        const reduce::RowMatrix any = reduce::RowMatrix::Random(n, n);  // nothing below the diagonal is read
+        const MatrixXd b = MatrixXd::Random(n, 6), expected = any.triangularView<Eigen::Upper>() * b;
+        CHECK((reduce::upper_product(any, b) - expected).norm() <= rounding * n);
+    }
 }
 
 TEST_CASE("a symmetric matrix keeps its lower half, multiplies, and is summed with any number of terms")

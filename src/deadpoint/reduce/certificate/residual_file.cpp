@@ -19,14 +19,19 @@ void require_fit(const StoredResidual& stored)
         throw InputError("a term of a certificate has another size than the others");
 }
 
-Eigen::MatrixXd upper_triangle(const std::vector<float>& entries, Eigen::Index size)
+// The file has columns, and a row of the matrix is contiguous: a few columns at a time.
+RowMatrix upper_triangle(const std::vector<float>& entries, Eigen::Index size)
 {
+    constexpr Eigen::Index at_a_time = 16;
     if (static_cast<Eigen::Index>(entries.size()) != size * (size + 1) / 2)
         throw InputError("a certificate has another number of products than vectors");
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
-    for (Eigen::Index j = 0, at = 0; j < size; at += ++j)
-        result.col(j).head(j + 1) =
-            Eigen::Map<const Eigen::VectorXf>(&entries[static_cast<std::size_t>(at)], j + 1).cast<double>();
+    RowMatrix result = RowMatrix::Zero(size, size);
+    for (Eigen::Index first = 0; first < size; first += at_a_time) {
+        const Eigen::Index end = std::min(first + at_a_time, size);
+        for (Eigen::Index i = 0; i < end; ++i)
+            for (Eigen::Index j = std::max(i, first); j < end; ++j)
+                result(i, j) = entries[static_cast<std::size_t>(j * (j + 1) / 2 + i)];
+    }
     return result;
 }
 

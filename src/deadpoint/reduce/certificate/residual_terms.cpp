@@ -67,7 +67,7 @@ void set_products(ResidualTerms& terms)
         for (Eigen::Index k = 0; k < terms.corrections(q); ++k)
             columns.push_back(terms.first_of_term(q) + k);
     const Eigen::MatrixXd first = terms.root(Eigen::all, columns);
-    terms.products = first.transpose() * first;
+    terms.products = transposed_product(first, first);
 }
 
 ResidualNorm::ResidualNorm(const ResidualTerms& terms, const UniformLoads& loads,
@@ -96,15 +96,15 @@ ResidualNorm::ResidualNorm(const ResidualTerms& terms, const UniformLoads& loads
 
 Eigen::VectorXd ResidualNorm::squares(const Eigen::MatrixXd& columns) const
 {
-    const Eigen::MatrixXd seen = terms_->root.triangularView<Eigen::Upper>() * columns;
-    const Eigen::MatrixXd along = correction_.matrixL().solve(directions_.transpose() * seen);
+    const Eigen::MatrixXd seen = upper_product(terms_->root, columns);
+    const Eigen::MatrixXd along = correction_.matrixL().solve(transposed_product(directions_, seen));
     return (seen.colwise().squaredNorm() - along.colwise().squaredNorm()).cwiseMax(0.0).transpose();
 }
 
 Eigen::MatrixXd ResidualNorm::products(const Eigen::MatrixXd& columns) const
 {
-    const Eigen::MatrixXd seen = terms_->root.triangularView<Eigen::Upper>() * columns;
-    const Eigen::MatrixXd along = correction_.matrixL().solve(directions_.transpose() * seen);
+    const Eigen::MatrixXd seen = upper_product(terms_->root, columns);
+    const Eigen::MatrixXd along = correction_.matrixL().solve(transposed_product(directions_, seen));
     return seen.transpose() * seen - along.transpose() * along;
 }
 
@@ -121,7 +121,7 @@ Eigen::MatrixXd ResidualNorm::deviations(const Eigen::MatrixXd& states) const
 Eigen::MatrixXd ResidualNorm::conducted(const Eigen::MatrixXd& states) const
 {
     const auto mean = means(states);
-    const Eigen::MatrixXd seen = terms_->factors.transpose() * deviations(states);
+    const Eigen::MatrixXd seen = transposed_product(terms_->factors, deviations(states));
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(terms_->count(), states.cols());
     for (std::size_t q = 0; q < terms_->terms(); ++q) {
         if (coefficients_[q] == 0)
@@ -144,7 +144,7 @@ Eigen::MatrixXd ResidualNorm::conducted_on_states(const Eigen::MatrixXd& states,
 {
     const auto mean = means(states);
     const Eigen::Index of_solid = terms_->first[terms_->terms() - 1];
-    Eigen::MatrixXd seen = terms_->factors.leftCols(of_solid).transpose() * deviations(states);
+    Eigen::MatrixXd seen = transposed_product(terms_->factors, deviations(states)).topRows(of_solid);
     Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(functionals.rows(), states.cols());
     for (std::size_t q = 0; q + 1 < terms_->terms(); ++q) {
         seen.middleRows(terms_->first[q], terms_->kept(q)) *= coefficients_[q];

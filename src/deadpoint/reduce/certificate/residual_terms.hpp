@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/reduce/dense/products.hpp"
+
 #include <Eigen/Dense>
 #include <cstddef>
 #include <utility>
@@ -37,7 +39,7 @@ struct ResidualTerms {
     /// D with |remainder of x in K^-1|^2 <= max_q (coefficient / highest) |D x|^2
     Eigen::MatrixXd remainder;
     Eigen::Index functionals = 0, observed = 0;
-    Eigen::MatrixXd root;      ///< upper triangle R: u_i K'^-1 u_j = (R^T R)_ij
+    RowMatrix root;            ///< upper triangle R: u_i K'^-1 u_j = (R^T R)_ij
     Eigen::MatrixXd products;  ///< of the first y_j of each term, at most `corrections` of them
 
     [[nodiscard]] std::size_t terms() const { return lowest.size(); }

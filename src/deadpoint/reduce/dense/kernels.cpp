@@ -176,6 +176,50 @@ template <Size count>
     }
 }
 
+constexpr Size block_length = 512;  // numbers of a row that stay in the nearest cache while they are multiplied
+
+template <Size rows, Size columns>
+[[gnu::always_inline]] inline void add_block(const double* a, Size stride_a, const double* b, Size stride_b, Size n,
+                                             double* c, Size stride)
+{
+    Lanes sums[rows][columns]{};
+    Size i = 0;
+    for (; i + width <= n; i += width) {
+        Lanes of_a[rows], of_b[columns];
+#pragma GCC unroll 8
+        for (Size r = 0; r < rows; ++r)
+            load(of_a[r], a + r * stride_a + i);
+#pragma GCC unroll 8
+        for (Size k = 0; k < columns; ++k)
+            load(of_b[k], b + k * stride_b + i);
+#pragma GCC unroll 8
+        for (Size r = 0; r < rows; ++r)
+#pragma GCC unroll 8
+            for (Size k = 0; k < columns; ++k)
+                sums[r][k] += of_a[r] * of_b[k];
+    }
+#pragma GCC unroll 8
+    for (Size r = 0; r < rows; ++r)
+#pragma GCC unroll 8
+        for (Size k = 0; k < columns; ++k) {
+            double sum = sum_of(sums[r][k]);
+            for (Size left = i; left < n; ++left)
+                sum += a[r * stride_a + left] * b[k * stride_b + left];
+            c[r * stride + k] += sum;
+        }
+}
+
+template <Size rows>
+[[gnu::always_inline]] inline void add_row_block(const double* a, Size stride_a, const Rows& b, Size begin, Size n,
+                                                 double* c, Size stride)
+{
+    Size k = 0;
+    for (; k + 4 <= b.count; k += 4)
+        add_block<rows, 4>(a + begin, stride_a, b.numbers + k * b.stride + begin, b.stride, n, c + k, stride);
+    for (; k < b.count; ++k)
+        add_block<rows, 1>(a + begin, stride_a, b.numbers + k * b.stride + begin, b.stride, n, c + k, stride);
+}
+
 // u = T s or T^T s of a triangle T whose upper half counts.
 [[gnu::always_inline]] inline void multiply_triangle(const double* t, bool transposed, const double* s, double* u)
 {
@@ -218,6 +262,19 @@ void add_rows(const double* a, Size stride, Size rows, Size n, const double* w, 
         add_products_of<8>(a + r * stride, stride, n, w + r, y);
     for (; r < rows; ++r)
         add_products_of<1>(a + r * stride, stride, n, w + r, y);
+}
+
+DEADPOINT_FOR_PROCESSORS
+void add_products(const Rows& a, const Rows& b, Size n, double* c, Size stride)
+{
+    for (Size begin = 0; begin < n; begin += block_length) {
+        const Size length = std::min(block_length, n - begin);
+        Size r = 0;
+        for (; r + 4 <= a.count; r += 4)
+            add_row_block<4>(a.numbers + r * a.stride, a.stride, b, begin, length, c + r * stride, stride);
+        for (; r < a.count; ++r)
+            add_row_block<1>(a.numbers + r * a.stride, a.stride, b, begin, length, c + r * stride, stride);
+    }
 }
 
 DEADPOINT_FOR_PROCESSORS

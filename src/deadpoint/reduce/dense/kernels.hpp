@@ -26,6 +26,13 @@ void row_products(const double* a, std::ptrdiff_t stride, std::ptrdiff_t rows, s
 /// y += A^T w of the same rows.
 void add_rows(const double* a, std::ptrdiff_t stride, std::ptrdiff_t rows, std::ptrdiff_t n, const double* w,
               double* y);
+/// Rows of a matrix, which begin `stride` numbers apart.
+struct Rows {
+    const double* numbers = nullptr;
+    std::ptrdiff_t stride = 0, count = 0;
+};
+/// C += A B^T of rows of n numbers. @param stride  of the rows of c, one for each row of a
+void add_products(const Rows& a, const Rows& b, std::ptrdiff_t n, double* c, std::ptrdiff_t stride);
 /// sum += the sum of coefficient times matrix. @param length  of each, a multiple of eight
 void add_scaled(double* sum, std::ptrdiff_t length, const double* const* matrices, const double* coefficients,
                 std::ptrdiff_t count);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/heat/functionals.hpp"
+#include "deadpoint/reduce/dense/products.hpp"
 #include "deadpoint/reduce/dense/symmetric_matrix.hpp"
 #include "deadpoint/reduce/online/conduction.hpp"
 
@@ -27,9 +28,6 @@ struct DenseJoint {
     /// fully. A joint needs only those of the two that its laws use.
     LowRankTerm turning;
 };
-
-/// Row-major matrix, so that a row is contiguous in memory.
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// A system by its terms. The states are orthonormal with respect to the heat capacity: M is the identity, and a state
 /// has the unit (J K)^(1/2).
