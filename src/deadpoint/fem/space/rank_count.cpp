@@ -7,7 +7,8 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr std::size_t least_cells = 5000;  // of a rank
-// Memory of a run on one rank, and what each further rank adds: the libraries and its copy of the mesh's numbering.
+// Memory of a run on one rank, and what each further rank adds: the libraries, and mostly what the factor of the
+// deformation takes more on several ranks.
 constexpr double of_program = 0.6e9;        // [byte]
 constexpr double of_cell = 14e3;            // [byte]
 constexpr double of_rank = 0.15e9;          // [byte]
