@@ -36,6 +36,18 @@ find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
 add_library(tomlplusplus INTERFACE)
 target_include_directories(tomlplusplus SYSTEM INTERFACE ${TOMLPLUSPLUS_INCLUDE})
 
+find_library(DMUMPS_LIBRARY dmumps REQUIRED)
+find_path(DMUMPS_INCLUDE dmumps_c.h REQUIRED)
+add_library(mumps INTERFACE)
+target_link_libraries(mumps INTERFACE ${DMUMPS_LIBRARY})
+target_include_directories(mumps SYSTEM INTERFACE ${DMUMPS_INCLUDE})
+
+find_library(METIS_LIBRARY metis REQUIRED)
+find_path(METIS_INCLUDE metis.h REQUIRED)
+add_library(metis INTERFACE)
+target_link_libraries(metis INTERFACE ${METIS_LIBRARY})
+target_include_directories(metis SYSTEM INTERFACE ${METIS_INCLUDE})
+
 find_library(GMSH_LIBRARY gmsh REQUIRED)
 find_path(GMSH_INCLUDE gmsh.h REQUIRED)
 add_library(gmsh INTERFACE)

@@ -35,6 +35,21 @@ void take_column(Mat dense, PetscInt k, Vec to)
     DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(dense, k, &column));
 }
 
+// As PETSc calls a preconditioner of ours; no exception may pass through it.
+PetscErrorCode apply_factor(PC shell, Vec right, Vec solution) noexcept
+{
+    void* factor = nullptr;
+    const PetscErrorCode error = PCShellGetContext(shell, &factor);
+    if (error != 0)
+        return error;
+    try {
+        static_cast<SparseFactor*>(factor)->solve(right, solution);
+    } catch (const ConvergenceError&) {
+        return PETSC_ERR_LIB;
+    }
+    return 0;
+}
+
 }  // namespace
 
 ElasticSolver::ElasticSolver(const Discretisation& space, const std::vector<Material>& materials,
@@ -66,25 +81,10 @@ ElasticSolver::ElasticSolver(const Discretisation& space, const std::vector<Mate
     choose_solver(size);
     DEADPOINT_PETSC(KSPSetOptionsPrefix(solver_, "deformation_"));
     DEADPOINT_PETSC(KSPSetFromOptions(solver_));
-    find_factor();
-
     solution_ = create_vector(space_, 3);
     rhs_ = create_vector(space_, 3);
     DEADPOINT_PETSC(MatCreateVecs(matrix_, free_solution_.out(), free_rhs_.out()));
-}
-
-// Half the entries suffice, and on one rank the factorisation reads them in place; on several, PETSc converts entry by
-// entry, which takes minutes.
-void ElasticSolver::keep_upper_half()
-{
-    int ranks = 1;
-    MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
-    if (ranks > 1)
-        return;
-    OwnedMat upper;
-    DEADPOINT_PETSC(MatConvert(matrix_, MATSBAIJ, MAT_INITIAL_MATRIX, upper.out()));
-    matrix_ = std::move(upper);
-    DEADPOINT_PETSC(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
+    make_factor();
 }
 
 // A sparse factor serves all adjoints and field times, and thin frames of many plates, which multigrid takes hundreds
@@ -99,9 +99,7 @@ void ElasticSolver::choose_solver(PetscInt size)
     PC preconditioner = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
     if (direct) {
-        keep_upper_half();
-        DEADPOINT_PETSC(PCSetType(preconditioner, PCCHOLESKY));
-        DEADPOINT_PETSC(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
+        DEADPOINT_PETSC(PCSetType(preconditioner, PCSHELL));
     } else {
         DEADPOINT_PETSC(MatSetBlockSize(matrix_, 3));
         set_near_null_space();
@@ -110,14 +108,24 @@ void ElasticSolver::choose_solver(PetscInt size)
     DEADPOINT_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
 }
 
-// Options may have chosen another solver.
-void ElasticSolver::find_factor()
+// Half the entries suffice for a factor. Options may have chosen another solver.
+void ElasticSolver::make_factor()
 {
     PC preconditioner = nullptr;
     PetscBool is_factor = PETSC_FALSE;
     DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
-    DEADPOINT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner), PCCHOLESKY, &is_factor));
-    has_factor_ = is_factor == PETSC_TRUE;
+    DEADPOINT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner), PCSHELL, &is_factor));
+    if (!is_factor)
+        return;
+    upper_half_ = std::make_unique<SymmetricMatrix>(matrix_);
+    operator_ = std::make_unique<ShellMatrix>(static_cast<PetscInt>(upper_half_->owned()), upper_half_->size(),
+                                              [this](Vec in, Vec out) { upper_half_->multiply(in, out); });
+    DEADPOINT_PETSC(KSPSetOperators(solver_, *operator_, *operator_));
+    matrix_.reset();
+    factor_ = std::make_unique<SparseFactor>(*upper_half_, 3);
+    factor_->factorise(*upper_half_);
+    DEADPOINT_PETSC(PCShellSetContext(preconditioner, factor_.get()));
+    DEADPOINT_PETSC(PCShellSetApply(preconditioner, apply_factor));
 }
 
 void ElasticSolver::take_free_load()
@@ -135,10 +143,10 @@ void ElasticSolver::solve_free(const char* what)
     DEADPOINT_PETSC(VecNorm(free_rhs_, NORM_INFINITY, &size));
     if (!(size > 0) && !std::isnan(size)) {
         DEADPOINT_PETSC(VecSet(free_solution_, 0));
-    } else if (has_factor_) {
-        const auto right = dense_columns(matrix_, 1), solution = dense_columns(matrix_, 1);
+    } else if (factor_) {
+        const auto right = free_columns(1), solution = free_columns(1);
         set_column(right, 0, free_rhs_);
-        const bool solved = solve_with_factor(right, solution);
+        const bool solved = factor_solver_.solve(*upper_half_, *factor_, right, solution, relative_tolerance);
         take_column(solution, 0, free_solution_);
         iterations_ += solved ? 1 : solve(solver_, free_rhs_, free_solution_, what);
     } else {
@@ -147,20 +155,18 @@ void ElasticSolver::solve_free(const char* what)
     DEADPOINT_PETSC(MatMult(expansion_, free_solution_, solution_));
 }
 
-bool ElasticSolver::solve_with_factor(Mat right, Mat solution)
+// Loads or displacements of the free nodes, a column each.
+OwnedMat ElasticSolver::free_columns(PetscInt count) const
 {
-    PC preconditioner = nullptr;
-    Mat factor = nullptr;
-    DEADPOINT_PETSC(KSPSetUp(solver_));
-    DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
-    DEADPOINT_PETSC(PCFactorGetMatrix(preconditioner, &factor));
-    return factor_.solve(matrix_, factor, right, solution, relative_tolerance);
+    PetscInt rows = 0;
+    DEADPOINT_PETSC(VecGetLocalSize(free_rhs_, &rows));
+    return dense_columns(rows, count);
 }
 
 void ElasticSolver::solve_all(std::size_t count, const char* what, const std::function<void(std::size_t)>& load,
                               const std::function<void(std::size_t)>& take)
 {
-    if (has_factor_) {
+    if (factor_) {
         for (std::size_t first = 0; first < count; first += block)
             solve_block(first, std::min(first + block, count), what, load, take);
         return;
@@ -178,13 +184,13 @@ void ElasticSolver::solve_block(std::size_t first, std::size_t last, const char*
                                 const std::function<void(std::size_t)>& take)
 {
     const auto count = static_cast<PetscInt>(last - first);
-    const auto right = dense_columns(matrix_, count), solution = dense_columns(matrix_, count);
+    const auto right = free_columns(count), solution = free_columns(count);
     for (PetscInt k = 0; k < count; ++k) {
         load(first + static_cast<std::size_t>(k));
         take_free_load();
         set_column(right, k, free_rhs_);
     }
-    const bool solved = solve_with_factor(right, solution);
+    const bool solved = factor_solver_.solve(*upper_half_, *factor_, right, solution, relative_tolerance);
     for (PetscInt k = 0; k < count; ++k) {
         take_column(solution, k, free_solution_);
         if (solved) {

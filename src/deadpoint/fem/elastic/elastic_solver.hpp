@@ -5,6 +5,7 @@
 #include "deadpoint/fem/elastic/factor_solver.hpp"
 #include "deadpoint/fem/elastic/ties.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/shell_matrix.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -51,12 +52,11 @@ private:
     };
     void find_supports(const Foundation& foundation);
     void assemble();
-    void keep_upper_half();
     void choose_solver(PetscInt size);
-    void find_factor();
+    void make_factor();
     void set_near_null_space();
     void solve_free(const char* what);
-    bool solve_with_factor(Mat right, Mat solution);
+    [[nodiscard]] OwnedMat free_columns(PetscInt count) const;
     /// @param load  sets rhs_ to the load of that number
     /// @param take  reads its displacement in solution_
     void solve_all(std::size_t count, const char* what, const std::function<void(std::size_t)>& load,
@@ -101,9 +101,12 @@ private:
     Vec3 foot_normal_{0, -1, 0};  ///< out of the feet, along an axis
     Ties ties_;
     OwnedMat expansion_;  ///< from free to all displacements
-    OwnedMat matrix_;     ///< of the free displacements
+    OwnedMat matrix_;     ///< of the free displacements; none once there is a factor
     OwnedKsp solver_;
-    FactorSolver factor_;
+    std::unique_ptr<SymmetricMatrix> upper_half_;  ///< of the matrix, with its factor
+    std::unique_ptr<SparseFactor> factor_;         ///< where it fits into memory
+    std::unique_ptr<ShellMatrix> operator_;        ///< multiplies with upper_half_
+    FactorSolver factor_solver_;
     OwnedVec solution_, rhs_;  ///< all displacements
     OwnedVec free_solution_, free_rhs_;
     std::unique_ptr<RigidPieces> pieces_;
@@ -111,7 +114,6 @@ private:
     std::vector<PetscInt> feet_;   ///< unknowns at the feet that are held or on pads, on all ranks
     std::vector<PetscInt> fixed_;  ///< this rank's, as global numbers of free displacements
     int iterations_ = 0;
-    bool has_factor_ = false;  ///< a sparse factor of matrix_
 };
 
 }  // namespace deadpoint::fem

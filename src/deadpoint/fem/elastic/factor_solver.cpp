@@ -17,20 +17,20 @@ PetscInt columns_of(Mat dense)
     return columns;
 }
 
-// residual = right - matrix solution
-void set_residual(Mat matrix, Mat right, Mat solution, Mat residual)
+PetscInt rows_of(Mat dense)
 {
-    for (PetscInt k = 0; k < columns_of(right); ++k) {
-        Vec from = nullptr, to = nullptr, wanted = nullptr;
-        DEADPOINT_PETSC(MatDenseGetColumnVecRead(solution, k, &from));
-        DEADPOINT_PETSC(MatDenseGetColumnVecWrite(residual, k, &to));
-        DEADPOINT_PETSC(MatMult(matrix, from, to));
-        DEADPOINT_PETSC(MatDenseGetColumnVecRead(right, k, &wanted));
-        DEADPOINT_PETSC(VecAYPX(to, -1, wanted));
-        DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(right, k, &wanted));
-        DEADPOINT_PETSC(MatDenseRestoreColumnVecWrite(residual, k, &to));
-        DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(solution, k, &from));
-    }
+    PetscInt rows = 0;
+    DEADPOINT_PETSC(MatGetLocalSize(dense, &rows, nullptr));
+    return rows;
+}
+
+OwnedMat like(Mat dense) { return dense_columns(rows_of(dense), columns_of(dense)); }
+
+// residual = right - matrix solution
+void set_residual(const SymmetricMatrix& matrix, Mat right, Mat solution, Mat residual)
+{
+    matrix.multiply(solution, residual);
+    DEADPOINT_PETSC(MatAYPX(residual, -1, right, SAME_NONZERO_PATTERN));
 }
 
 std::vector<PetscReal> column_norms(Mat dense)
@@ -51,21 +51,19 @@ bool is_settled(Mat change, Mat solution, double tolerance)
 
 }  // namespace
 
-OwnedMat dense_columns(Mat matrix, PetscInt columns)
+OwnedMat dense_columns(PetscInt rows, PetscInt columns)
 {
-    PetscInt rows = 0;
     OwnedMat result;
-    DEADPOINT_PETSC(MatGetLocalSize(matrix, &rows, nullptr));
     DEADPOINT_PETSC(
         MatCreateDense(PETSC_COMM_WORLD, rows, PETSC_DECIDE, PETSC_DETERMINE, columns, nullptr, result.out()));
     return result;
 }
 
-bool FactorSolver::is_sharp(Mat factor, Mat residual, Mat solution, double tolerance)
+bool FactorSolver::is_sharp(SparseFactor& factor, Mat residual, Mat solution, double tolerance)
 {
     const auto residuals = column_norms(residual), sizes = column_norms(solution);
     if (gain_ == 0) {
-        const auto sum = dense_columns(residual, 1), change = dense_columns(residual, 1);
+        const auto sum = dense_columns(rows_of(residual), 1), change = dense_columns(rows_of(residual), 1);
         Vec total = nullptr, column = nullptr;
         DEADPOINT_PETSC(MatDenseGetColumnVecWrite(sum, 0, &total));
         DEADPOINT_PETSC(VecSet(total, 0));
@@ -77,7 +75,7 @@ bool FactorSolver::is_sharp(Mat factor, Mat residual, Mat solution, double toler
             DEADPOINT_PETSC(MatDenseRestoreColumnVecRead(residual, k, &column));
         }
         DEADPOINT_PETSC(MatDenseRestoreColumnVecWrite(sum, 0, &total));
-        DEADPOINT_PETSC(MatMatSolve(factor, sum, change));
+        factor.solve(sum, change);
         if (const double size = column_norms(sum)[0]; size > 0)
             gain_ = column_norms(change)[0] / size;
     }
@@ -87,16 +85,16 @@ bool FactorSolver::is_sharp(Mat factor, Mat residual, Mat solution, double toler
     return true;
 }
 
-bool FactorSolver::solve(Mat matrix, Mat factor, Mat right, Mat solution, double tolerance)
+bool FactorSolver::solve(const SymmetricMatrix& matrix, SparseFactor& factor, Mat right, Mat solution, double tolerance)
 {
-    const auto residual = dense_columns(matrix, columns_of(right));
-    DEADPOINT_PETSC(MatMatSolve(factor, right, solution));
+    const auto residual = like(right);
+    factor.solve(right, solution);
     set_residual(matrix, right, solution, residual);
     if (is_sharp(factor, residual, solution, tolerance))
         return true;
-    const auto change = dense_columns(matrix, columns_of(right));
+    const auto change = like(right);
     for (int round = 0; round < rounds; ++round) {
-        DEADPOINT_PETSC(MatMatSolve(factor, residual, change));
+        factor.solve(residual, change);
         DEADPOINT_PETSC(MatAXPY(solution, 1, change, SAME_NONZERO_PATTERN));
         if (is_settled(change, solution, tolerance))
             return true;

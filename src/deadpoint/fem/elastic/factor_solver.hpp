@@ -1,12 +1,12 @@
 #pragma once
 
-#include "deadpoint/fem/space/petsc.hpp"
+#include "deadpoint/fem/space/sparse_factor.hpp"
 
 /// Internal to fem/: solves with a sparse factor.
 namespace deadpoint::fem {
 
-/// A dense matrix of `columns` columns with the rows of `matrix`.
-OwnedMat dense_columns(Mat matrix, PetscInt columns);
+/// A dense matrix of `columns` columns with so many rows on this rank.
+OwnedMat dense_columns(PetscInt rows, PetscInt columns);
 
 /// Solves with a sparse factor to a tolerance of the relative change by one more step of iterative refinement (Golub
 /// and Van Loan, Matrix Computations, section 3.5.3).
@@ -18,10 +18,10 @@ class FactorSolver {
 public:
     /// @param right, solution  dense, of the same number of columns
     /// @return false if the refinement does not converge
-    bool solve(Mat matrix, Mat factor, Mat right, Mat solution, double tolerance);
+    bool solve(const SymmetricMatrix& matrix, SparseFactor& factor, Mat right, Mat solution, double tolerance);
 
 private:
-    [[nodiscard]] bool is_sharp(Mat factor, Mat residual, Mat solution, double tolerance);
+    [[nodiscard]] bool is_sharp(SparseFactor& factor, Mat residual, Mat solution, double tolerance);
 
     double gain_ = 0;  ///< 0: not measured
 };

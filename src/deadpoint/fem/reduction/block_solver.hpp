@@ -1,13 +1,13 @@
 #pragma once
 
-#include "deadpoint/fem/space/petsc.hpp"
+#include "deadpoint/fem/space/sparse_factor.hpp"
 
 #include <Eigen/Dense>
 
 /// Internal to fem/: a sparse factor that solves for blocks of right-hand sides.
 namespace deadpoint::fem {
 
-/// Solves (stiffness + shift mass) X = B by a Cholesky factor (MUMPS). Matrices set later have the pattern of the first
+/// Solves (stiffness + shift mass) X = B by a sparse factor. Matrices set later have the pattern of the first
 /// one, whose ordering serves all.
 class BlockSolver {
 public:
@@ -18,7 +18,7 @@ public:
 
 private:
     OwnedMat matrix_;
-    OwnedKsp solver_;
+    SparseFactor factor_;
 };
 
 }  // namespace deadpoint::fem
