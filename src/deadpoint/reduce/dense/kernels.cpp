@@ -15,17 +15,15 @@ namespace deadpoint::reduce::kernels {
 namespace {
 
 using Size = std::ptrdiff_t;
-using Lanes [[gnu::vector_size(width * sizeof(double))]] = double;
+constexpr Size lanes = 4;  // with eight, the accumulators of four rows overflow the registers of AVX2 and SSE2
+using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
 
 constexpr Size part_length = 4096;  // numbers of a sum that stay in the nearest cache
 
 // By reference, since how vectors are passed by value depends on the processor.
 [[gnu::always_inline]] inline void load(Lanes& to, const double* from) { std::memcpy(&to, from, sizeof(Lanes)); }
 [[gnu::always_inline]] inline void store(double* to, const Lanes& from) { std::memcpy(to, &from, sizeof(Lanes)); }
-[[gnu::always_inline]] inline double sum_of(const Lanes& v)
-{
-    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
-}
+[[gnu::always_inline]] inline double sum_of(const Lanes& v) { return (v[0] + v[2]) + (v[1] + v[3]); }
 
 // Four columns of a panel below its first eight rows: y += A x, and the sums of A^T x. Before, if `update`,
 // A -= v w^T + w v^T. All pointers are to the first row of the panel, `column` is the first of the four.
@@ -36,7 +34,7 @@ template <bool update, typename Number>
     Number *a0 = a + column * length, *a1 = a0 + length, *a2 = a1 + length, *a3 = a2 + length;
     Lanes s0{}, s1{}, s2{}, s3{};
     const double *xc = x + column, *vc = v + column, *wc = w + column;
-    for (Size i = width; i < length; i += width) {
+    for (Size i = width; i < length; i += lanes) {
         Lanes c0, c1, c2, c3, xi, yi;
         load(c0, a0 + i);
         load(c1, a1 + i);
@@ -83,23 +81,25 @@ template <bool update, typename Number>
 [[gnu::always_inline]] inline void multiply_corner(Number* a, Size length, const double* v, const double* w,
                                                    const double* x, double* y)
 {
-    Lanes top;
-    load(top, y);
+    for (Size at = 0; at < width; at += lanes) {
+        Lanes top;
+        load(top, y + at);
 #pragma GCC unroll 8
-    for (Size c = 0; c < width; ++c) {
-        Lanes column;
-        load(column, a + c * length);
-        if constexpr (update) {
-            Lanes vi, wi;
-            load(vi, v);
-            load(wi, w);
-            column -= vi * w[c];
-            column -= wi * v[c];
-            store(a + c * length, column);
+        for (Size c = 0; c < width; ++c) {
+            Lanes column;
+            load(column, a + c * length + at);
+            if constexpr (update) {
+                Lanes vi, wi;
+                load(vi, v + at);
+                load(wi, w + at);
+                column -= vi * w[c];
+                column -= wi * v[c];
+                store(a + c * length + at, column);
+            }
+            top += column * x[c];
         }
-        top += column * x[c];
+        store(y + at, top);
     }
-    store(y, top);
 }
 
 template <bool update, typename Number>
@@ -120,7 +120,7 @@ template <Size rows>
 {
     Lanes sums[rows]{};
     Size i = 0;
-    for (; i + width <= n; i += width) {
+    for (; i + lanes <= n; i += lanes) {
         Lanes xi;
         load(xi, x + i);
 #pragma GCC unroll 8
@@ -143,7 +143,7 @@ template <Size rows>
 [[gnu::always_inline]] inline void add_products_of(const double* a, Size stride, Size n, const double* w, double* y)
 {
     Size i = 0;
-    for (; i + width <= n; i += width) {
+    for (; i + lanes <= n; i += lanes) {
         Lanes sum;
         load(sum, y + i);
 #pragma GCC unroll 8
@@ -163,7 +163,7 @@ template <Size count>
 [[gnu::always_inline]] inline void add_part(double* sum, Size begin, Size end, const double* const* matrices,
                                             const double* coefficients)
 {
-    for (Size i = begin; i < end; i += width) {
+    for (Size i = begin; i < end; i += lanes) {
         Lanes all;
         load(all, sum + i);
 #pragma GCC unroll 8
@@ -184,7 +184,7 @@ template <Size rows, Size columns>
 {
     Lanes sums[rows][columns]{};
     Size i = 0;
-    for (; i + width <= n; i += width) {
+    for (; i + lanes <= n; i += lanes) {
         Lanes of_a[rows], of_b[columns];
 #pragma GCC unroll 8
         for (Size r = 0; r < rows; ++r)
