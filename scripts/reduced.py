@@ -103,16 +103,26 @@ def narrow_row(options, place):
             f"{cell(error_of(errors, 'as in the case, to a full run'))} | {cell(next((e for e in errors if 'drawn' in e['of']), None))} |")
 
 
-def checks(options, name, first, count, *more):
-    """Rows of numbers of benchmark_reduced_checks."""
-    file = os.path.join(options.scratch, name + ".txt")
+def rows_of(file):
+    """The whole lines of numbers of a file, which may not be there."""
     if not os.path.exists(file):
-        with open(file, "w") as out:
-            subprocess.run([options.checks, os.path.join(ROOT, "cases", "jl75g-60", "oil.toml"),
-                            os.path.join(options.scratch, CHECKED + ".rom"), "1", str(first), str(count), *more],
-                           stdout=out, check=True, env=dict(os.environ, OMP_NUM_THREADS="1"))
+        return []
     with open(file) as lines:
-        return [[float(word) for word in line.split()] for line in lines if len(line.split()) == 9]
+        return [line for line in lines if len(line.split()) == 9 and line.endswith("\n")]
+
+
+def checks(options, name, first, count, *more):
+    """Rows of numbers of benchmark_reduced_checks. What an earlier call did is not done again."""
+    file = os.path.join(options.scratch, name + ".txt")
+    done = rows_of(file)
+    if len(done) < count and not options.ready:
+        with open(file, "w") as out:
+            out.writelines(done)
+            out.flush()
+            subprocess.run([options.checks, os.path.join(ROOT, "cases", "jl75g-60", "oil.toml"),
+                            os.path.join(options.scratch, CHECKED + ".rom"), "1", str(first + len(done)), str(count - len(done)),
+                            *more], stdout=out, check=True, env=dict(os.environ, OMP_NUM_THREADS="1"))
+    return [[float(word) for word in line.split()] for line in rows_of(file)]
 
 
 def checks_row(meaning, rows):
