@@ -185,6 +185,29 @@ TEST_CASE("a law that is not straight adds to the bound where it bends")
     CHECK(bound_with(0.1, end + 20) == Approx(straight).epsilon(1e-9));  // more than 5 K from all temperatures
 }
 
+TEST_CASE("a law that jumps adds what its jump may heat")
+{
+    const auto terms = std::make_shared<const PreparedTerms>(rods::full_terms());
+    const auto& models = certified().models;
+    const double end = run_on(models.large, rods::problem()).source_temperature[0].back();
+    const auto bound_with = [&](double jump) {
+        auto problem = rods::problem();
+        problem.segments[0].heat[0] = [=](double t) {
+            return LawValue{60 - 0.4 * (t - 293) + (t > end - 0.01 ? jump : 0), -0.4, true};
+        };
+        const auto large = run_on(models.large, problem), exact = run_on(terms, problem);
+        const auto found = certify(models.large, *models.residual, problem, large.time, outputs());
+        REQUIRE(found.refused.empty());
+        CHECK(found.bounds[1] >= std::abs(large.functionals[0].value.back() - exact.functionals[0].value.back()));
+        return found.bounds[1];
+    };
+    // twice the jump may heat twice as much; without it there is the rest of the bound alone
+    const double none = bound_with(0), once = bound_with(0.01), twice = bound_with(0.02);
+    MESSAGE(none << " " << once << " " << twice);
+    CHECK(once > 1.2 * none);
+    CHECK(twice - none == Approx(2 * (once - none)).epsilon(0.1));
+}
+
 TEST_CASE("no error that falling heat allows makes more of bent laws than their bound")
 {
     Draws draws(17);

@@ -22,6 +22,10 @@ constexpr std::array distances{0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0,
 
 constexpr double rounding = 1e-12;  // of a law
 
+// Of a law's heat, times what one watt heats its source (b . K^-1 b): what falls less counts as heat that does not
+// fall.
+constexpr double least_fall = 1e-2;
+
 bool starts_in_basis(const DenseTerms& terms, const HeatProblem& problem)
 {
     bool uniform = true, in_basis = true;
@@ -61,12 +65,53 @@ struct Stretch {
     Eigen::Index first = 0, count = 0;
 };
 
-/// A source's law around a temperature. With its tangent there, |law - tangent| <= curvature/2 e^2 and <= bend |e| at
-/// distances e.
+/// A source's law around a temperature, a continuous one and jumps. With its tangent there,
+/// |continuous law - tangent| <= curvature/2 e^2 and <= bend |e| at distances e.
 struct LawShape {
     double steepest_rise = 0, gentlest_fall = 0;  ///< [W/K], not below 0
     double curvature = 0;                         ///< [W/K2]
     double bend = 0;                              ///< [W/K]
+    double jump = 0;                              ///< sum of the sizes of all jumps [W]
+};
+
+struct Jump {
+    double at = 0, size = 0;
+};
+
+/// Where a table rises or falls by more than 1e-6 of its value within a hundred thousandth of a kelvin.
+std::vector<Jump> jumps_of(const LawTable& law)
+{
+    constexpr double narrow = 1e-5, least = 1e-6;
+    std::vector<Jump> found;
+    const auto &at = law.points(), &value = law.values();
+    for (std::size_t k = 1; k < at.size(); ++k)
+        if (at[k] - at[k - 1] < narrow &&
+            std::abs(value[k] - value[k - 1]) > least * std::max(std::abs(value[k]), std::abs(value[k - 1])))
+            found.push_back({(at[k - 1] + at[k]) / 2, value[k] - value[k - 1]});
+    return found;
+}
+
+/// A law without its jumps within the distances that are looked at, and the sum of their sizes.
+struct WithoutJumps {
+    WithoutJumps(const LawTable& law_, double at_) : law(law_), at(at_)
+    {
+        for (const auto& one : jumps_of(law))
+            if (std::abs(one.at - at) <= distances.back()) {
+                jumps.push_back(one);
+                size += std::abs(one.size);
+            }
+    }
+    [[nodiscard]] LawValue operator()(double temperature) const
+    {
+        auto value = law(temperature);
+        for (const auto& one : jumps)
+            value.value -= one.size * ((temperature > one.at ? 1 : 0) - (at > one.at ? 1 : 0));
+        return value;
+    }
+    const LawTable& law;
+    double at = 0;
+    std::vector<Jump> jumps;
+    double size = 0;
 };
 
 class Certifier {
@@ -83,10 +128,10 @@ public:
         divide();
         for (const auto& stretch : stretches_)
             norms_.emplace_back(residual_, uniform_, stretch.coefficients);
-        remainders_ = remainders(states());
-        primal_ = sum_of_squares(primal_residual(), remainders_);
-        on_states_ = residual_on_states();
         look_at_laws();
+        remainders_ = remainders(states());
+        primal_ = sum_of_squares(primal_residual(), remainders_ + sizes_of_jumps());
+        on_states_ = residual_on_states();
     }
 
     /// Not positive: the sources may feed an error.
@@ -272,7 +317,7 @@ private:
     void look_at_laws()
     {
         const auto sources = static_cast<Eigen::Index>(problem_.sources.size());
-        curvatures_ = bends_ = falls_ = Eigen::MatrixXd::Zero(sources, count());
+        curvatures_ = bends_ = falls_ = jumps_ = Eigen::MatrixXd::Zero(sources, count());
         kappa_ = 1;
         for (std::size_t s = 0; s < stretches_.size(); ++s) {
             load_products_.push_back(norms_[s].products(stretches_[s].loads));
@@ -282,8 +327,10 @@ private:
                     const auto shape = shape_of(run_.levels()[static_cast<std::size_t>(k)], r);
                     rising[r] = std::max(rising[r], shape.steepest_rise);
                     bends_(r, k) = shape.bend;
-                    falls_(r, k) = shape.gentlest_fall;
+                    if (shape.gentlest_fall * load_products_[s](r, r) > least_fall)
+                        falls_(r, k) = shape.gentlest_fall;
                     curvatures_(r, k) = shape.curvature;
+                    jumps_(r, k) = shape.jump;
                 }
             kappa_ = std::min(kappa_, 1 - largest_share(load_products_[s], rising));
         }
@@ -304,11 +351,13 @@ private:
     {
         LawShape shape;
         const auto r = static_cast<std::size_t>(source);
-        const auto& law = problem_.segments[level.step.segment].heat[r];
-        if (!law)
+        const auto& table = problem_.segments[level.step.segment].heat[r];
+        if (!table)
             return shape;
+        const WithoutJumps law(table, level.temperatures[r]);
         const double share = problem_.sources[r].share, at = level.temperatures[r];
         const auto here = law(at);
+        shape.jump = share * law.size;
         shape.steepest_rise = std::max(share * here.slope, 0.0);
         shape.gentlest_fall = std::max(0.0, -share * here.slope);
         for (const double distance : distances)
@@ -332,7 +381,47 @@ private:
             seen.middleCols(first, steps) = seen_by_sources(loads, duals.middleCols(first, steps)).cwiseAbs();
         const Eigen::MatrixXd weights = seen.cwiseProduct(curvatures_);
         const Eigen::MatrixXd without_fall = (falls_.array() > 0).select(0.0, weights);
-        return std::min(curvature_by_energy(weights), curvature_by_energy(without_fall) + curvature_by_falls(seen));
+        const double of_continuous = std::min(
+            curvature_by_energy(weights),
+            std::min(curvature_by_energy(without_fall), curvature_without_falls(seen)) + curvature_by_falls(seen));
+        return of_continuous + by_jumps(seen);
+    }
+
+    // Sources and steps whose heat does not fall, each source alone: (b . e)^2 / (b . K^-1 b) <= |e|_K^2, and
+    // sum of dt |e|_K^2 <= sum of dt |r|^2 / kappa^2. @param seen  |b . z|
+    [[nodiscard]] double curvature_without_falls(const Eigen::MatrixXd& seen) const
+    {
+        double sum = 0;
+        for (Eigen::Index r = 0; r < seen.rows(); ++r) {
+            std::vector<BentLaw> laws;
+            for (std::size_t s = 0; s < stretches_.size(); ++s) {
+                const double own = load_products_[s](r, r);
+                for (Eigen::Index k = stretches_[s].first; k < stretches_[s].first + stretches_[s].count; ++k)
+                    if (!(falls_(r, k) > 0) && bends_(r, k) > 0 && own > 0)
+                        laws.push_back({duration(k), seen(r, k), curvatures_(r, k), bends_(r, k), 1 / own});
+            }
+            sum += largest_of_bent(laws, primal_ / (kappa_ * kappa_));
+        }
+        return sum;
+    }
+
+    // What jumps may add to sum of dt z . heat. @param seen  |b . z|
+    [[nodiscard]] double by_jumps(const Eigen::MatrixXd& seen) const
+    {
+        double sum = 0;
+        for (Eigen::Index k = 0; k < count(); ++k)
+            sum += duration(k) * seen.col(k).dot(jumps_.col(k));
+        return sum;
+    }
+
+    // Sizes of the heat of all jumps as a part of the residual, for each step.
+    [[nodiscard]] Eigen::VectorXd sizes_of_jumps() const
+    {
+        Eigen::VectorXd result(count());
+        for (std::size_t s = 0; s < stretches_.size(); ++s)
+            for (Eigen::Index k = stretches_[s].first; k < stretches_[s].first + stretches_[s].count; ++k)
+                result[k] = load_products_[s].diagonal().cwiseMax(0.0).cwiseSqrt().dot(jumps_.col(k));
+        return result;
     }
 
     // Half of sum of dt w (b . e)^2 by |b|.
@@ -370,8 +459,8 @@ private:
     Eigen::MatrixXd on_states_;        ///< see residual_on_states()
     double primal_ = 0;                ///< sum of dt |r|^2
     double kappa_ = 1;
-    Eigen::MatrixXd curvatures_, bends_, falls_;  ///< per source and step, of LawShape
-    std::vector<Eigen::MatrixXd> load_products_;  ///< of each stretch: b_q . K^-1 b_r
+    Eigen::MatrixXd curvatures_, bends_, falls_, jumps_;  ///< per source and step, of LawShape
+    std::vector<Eigen::MatrixXd> load_products_;          ///< of each stretch: b_q . K^-1 b_r
 };
 
 }  // namespace
