@@ -1,7 +1,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/certificate/certificate.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"

@@ -3,7 +3,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "deadpoint/study/laws/run_laws.hpp"

@@ -2,7 +2,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/io/resources.hpp"
 #include "deadpoint/reduce/kept/build_checkpoint.hpp"
 #include "deadpoint/report/text/reduce_text.hpp"

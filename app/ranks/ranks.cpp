@@ -1,8 +1,8 @@
 #include "ranks/ranks.hpp"
 
 #include "deadpoint/error.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/fem/space/rank_count.hpp"
-#include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/io/resources.hpp"
 #include "errors.hpp"
 #include "interrupt.hpp"

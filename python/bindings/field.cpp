@@ -5,7 +5,7 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/bare_machine.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/press.hpp"

@@ -1,5 +1,5 @@
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/reduce/reduce.hpp"

@@ -1,7 +1,7 @@
 /// make_rom CASE FILE: a reduced press from few training runs on a coarse mesh, with its large model beside it, for
 /// tests that need a model but not a good one.
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/reduce/reduce.hpp"

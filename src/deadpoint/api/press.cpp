@@ -8,7 +8,7 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/study/pipeline/heat_tables.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/press.hpp"

@@ -2,7 +2,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/press.hpp"
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/folder/folder_claim.hpp"

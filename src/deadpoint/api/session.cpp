@@ -1,6 +1,6 @@
 #include "deadpoint/session.hpp"
 
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 
 namespace deadpoint {
 

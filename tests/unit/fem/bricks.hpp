@@ -3,8 +3,8 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include "deadpoint/fem/space/vectors.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,6 +1,6 @@
 /// Requirement: who has opened MPI and PETSc keeps them, and a communicator of some ranks is all that is worked on.
 #include "deadpoint/error.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 
 #include <doctest/doctest.h>
 #include <petscsys.h>

@@ -1,4 +1,4 @@
-#include "deadpoint/fem/space/huge_pages.hpp"
+#include "deadpoint/fem/algebra/huge_pages.hpp"
 
 #include <algorithm>
 #include <array>

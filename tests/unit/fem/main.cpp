@@ -1,5 +1,5 @@
 #define DOCTEST_CONFIG_IMPLEMENT
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 
 #include <doctest/doctest.h>
 #include <string>

@@ -1,5 +1,5 @@
 /// Requirement: where memory is short, what computes ends with an error instead of asking for memory for ever.
-#include "deadpoint/fem/space/petsc.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 
 #include <cstddef>
 #include <doctest/doctest.h>

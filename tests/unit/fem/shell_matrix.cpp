@@ -1,4 +1,4 @@
-#include "deadpoint/fem/space/shell_matrix.hpp"
+#include "deadpoint/fem/algebra/shell_matrix.hpp"
 
 #include <doctest/doctest.h>
 #include <stdexcept>

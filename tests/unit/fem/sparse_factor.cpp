@@ -1,4 +1,4 @@
-#include "deadpoint/fem/space/sparse_factor.hpp"
+#include "deadpoint/fem/algebra/sparse_factor.hpp"
 
 #include "deadpoint/error.hpp"
 

@@ -1,6 +1,6 @@
 #include "deadpoint/fem/conduction/coarse_matrices.hpp"
 
-#include "deadpoint/fem/space/vectors.hpp"
+#include "deadpoint/fem/algebra/vectors.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,10 +2,10 @@
 
 #include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/fem/conduction/heat_checkpoint.hpp"
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
-#include "deadpoint/fem/space/vectors.hpp"
 #include "deadpoint/heat/adjoint.hpp"
 #include "deadpoint/heat/run.hpp"
 #include "deadpoint/observer.hpp"

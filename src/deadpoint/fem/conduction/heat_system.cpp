@@ -1,6 +1,7 @@
 #include "deadpoint/fem/conduction/heat_system.hpp"
 
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/conduction/heat_functionals.hpp"
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
 #include "deadpoint/fem/conduction/terms/film_points.hpp"
@@ -8,7 +9,6 @@
 #include "deadpoint/fem/conduction/terms/material_maps.hpp"
 #include "deadpoint/fem/conduction/terms/prescribed.hpp"
 #include "deadpoint/fem/elastic/expansion.hpp"
-#include "deadpoint/fem/space/vectors.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,15 @@
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
 
+#include "deadpoint/fem/algebra/huge_pages.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/fem/algebra/shell_matrix.hpp"
+#include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/conduction/coarse_matrices.hpp"
 #include "deadpoint/fem/conduction/float_cycle.hpp"
 #include "deadpoint/fem/conduction/terms/film_points.hpp"
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 #include "deadpoint/fem/conduction/terms/material_maps.hpp"
 #include "deadpoint/fem/conduction/terms/prescribed.hpp"
-#include "deadpoint/fem/space/huge_pages.hpp"
-#include "deadpoint/fem/space/session.hpp"
-#include "deadpoint/fem/space/shell_matrix.hpp"
-#include "deadpoint/fem/space/vectors.hpp"
 
 #include <algorithm>
 #include <cmath>

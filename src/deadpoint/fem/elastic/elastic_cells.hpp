@@ -1,8 +1,8 @@
 #pragma once
 
 #include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 #include "deadpoint/fem/space/cell_values.hpp"
-#include "deadpoint/fem/space/petsc.hpp"
 
 #include <vector>
 

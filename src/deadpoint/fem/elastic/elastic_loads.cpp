@@ -1,12 +1,12 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/elastic/elastic_cells.hpp"
 #include "deadpoint/fem/elastic/elastic_law.hpp"
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/fields.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include "deadpoint/fem/space/vectors.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -2,10 +2,10 @@
 
 #include "deadpoint/exchange/deformation.hpp"
 #include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/fem/algebra/shell_matrix.hpp"
 #include "deadpoint/fem/elastic/factor_solver.hpp"
 #include "deadpoint/fem/elastic/ties.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include "deadpoint/fem/space/shell_matrix.hpp"
 
 #include <cstddef>
 #include <functional>

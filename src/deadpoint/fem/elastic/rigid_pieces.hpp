@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
-#include "deadpoint/fem/space/petsc.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 
 #include <array>
 #include <vector>

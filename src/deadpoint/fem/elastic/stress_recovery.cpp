@@ -2,10 +2,10 @@
 
 #include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 #include "deadpoint/fem/elastic/elastic_law.hpp"
 #include "deadpoint/fem/space/cell_values.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include "deadpoint/fem/space/petsc.hpp"
 #include <deal.II/base/quadrature_lib.h>
 
 #include <Eigen/Dense>

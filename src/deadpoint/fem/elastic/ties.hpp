@@ -1,7 +1,7 @@
 #pragma once
 
+#include "deadpoint/fem/algebra/petsc.hpp"
 #include "deadpoint/fem/elastic/tie.hpp"
-#include "deadpoint/fem/space/petsc.hpp"
 
 #include <map>
 #include <vector>

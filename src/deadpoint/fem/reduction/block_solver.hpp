@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/fem/space/sparse_factor.hpp"
+#include "deadpoint/fem/algebra/sparse_factor.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,6 @@
 #include "deadpoint/fem/reduction/columns.hpp"
 
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 
 #include <algorithm>
 #include <petscblaslapack.h>

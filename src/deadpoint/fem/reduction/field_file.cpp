@@ -2,9 +2,9 @@
 
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/fem/space/file_order.hpp"
-#include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/io/binary_file.hpp"
 #include "deadpoint/io/write_file.hpp"
 

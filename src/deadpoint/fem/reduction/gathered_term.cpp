@@ -1,8 +1,8 @@
 #include "deadpoint/fem/reduction/gathered_term.hpp"
 
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/fem/reduction/basis_fields.hpp"
 #include "deadpoint/fem/reduction/columns.hpp"
-#include "deadpoint/fem/space/session.hpp"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/conduction/heat_functionals.hpp"
 #include "deadpoint/fem/conduction/heat_system.hpp"
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
@@ -15,7 +16,6 @@
 #include "deadpoint/fem/reduction/residual.hpp"
 #include "deadpoint/fem/reduction/surface_terms.hpp"
 #include "deadpoint/fem/space/file_order.hpp"
-#include "deadpoint/fem/space/vectors.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
 
 #include <fmt/format.h>

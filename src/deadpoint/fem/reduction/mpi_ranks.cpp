@@ -1,8 +1,8 @@
 #include "deadpoint/fem/reduction/mpi_ranks.hpp"
 
+#include "deadpoint/fem/algebra/petsc.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/fem/reduction/columns.hpp"
-#include "deadpoint/fem/space/petsc.hpp"
-#include "deadpoint/fem/space/session.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "deadpoint/fem/space/discretisation.hpp"
 
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/heat/system.hpp"
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
+#include "deadpoint/fem/algebra/couplings.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 #include "deadpoint/fem/space/cell_maps.hpp"
-#include "deadpoint/fem/space/couplings.hpp"
-#include "deadpoint/fem/space/petsc.hpp"
 #include "deadpoint/fem/space/unknowns.hpp"
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/hp/q_collection.h>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "deadpoint/fem/algebra/petsc.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include "deadpoint/fem/space/petsc.hpp"
 
 #include <string>
 #include <vector>

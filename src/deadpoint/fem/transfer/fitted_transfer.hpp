@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/fem/space/petsc.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include "deadpoint/fem/space/petsc.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/drift/play.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/fem/fields.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/fem/space/session.hpp"
 #include "deadpoint/io/vtu.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/chain_series.hpp"

@@ -5,7 +5,7 @@
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/check/question.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"

@@ -1,8 +1,8 @@
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 
 #include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/fem/algebra/huge_pages.hpp"
 #include "deadpoint/fem/space/cell_values.hpp"
-#include "deadpoint/fem/space/huge_pages.hpp"
 #include "deadpoint/heat/films.hpp"
 
 #include <algorithm>

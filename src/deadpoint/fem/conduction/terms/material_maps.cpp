@@ -1,9 +1,9 @@
 #include "deadpoint/fem/conduction/terms/material_maps.hpp"
 
 #include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include "deadpoint/fem/space/vectors.hpp"
 
 #include <algorithm>
 

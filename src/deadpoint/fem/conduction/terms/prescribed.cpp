@@ -3,7 +3,7 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/fem/space/vectors.hpp"
+#include "deadpoint/fem/algebra/vectors.hpp"
 
 #include <algorithm>
 #include <cmath>

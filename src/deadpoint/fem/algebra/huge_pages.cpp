@@ -1,6 +1,6 @@
-#include "deadpoint/fem/space/huge_pages.hpp"
+#include "deadpoint/fem/algebra/huge_pages.hpp"
 
-#include "deadpoint/fem/space/petsc.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "deadpoint/fem/space/couplings.hpp"
+#include "deadpoint/fem/algebra/couplings.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "deadpoint/fem/space/symmetric_matrix.hpp"
+#include "deadpoint/fem/algebra/symmetric_matrix.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/fem/space/symmetric_matrix.hpp"
+#include "deadpoint/fem/algebra/symmetric_matrix.hpp"
 
 #include <memory>
 

@@ -1,8 +1,8 @@
-#include "deadpoint/fem/space/session.hpp"
+#include "deadpoint/fem/algebra/session.hpp"
 
 #include "deadpoint/error.hpp"
-#include "deadpoint/fem/space/huge_pages.hpp"
-#include "deadpoint/fem/space/petsc.hpp"
+#include "deadpoint/fem/algebra/huge_pages.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 
 #include <cstddef>
 #include <cstdlib>

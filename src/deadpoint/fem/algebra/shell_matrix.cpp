@@ -1,4 +1,4 @@
-#include "deadpoint/fem/space/shell_matrix.hpp"
+#include "deadpoint/fem/algebra/shell_matrix.hpp"
 
 namespace deadpoint::fem {
 
