@@ -96,6 +96,17 @@ TEST_CASE("a sparse factor solves for many columns, with new values of the same 
     }
 }
 
+TEST_CASE("a factor is made again as often as a build of a reduced press asks for")
+{
+    const auto dense = chain(30);
+    const SymmetricMatrix matrix(sparse(dense));
+    const auto right = columns(size, 1);
+    SparseFactor factor(matrix, block);
+    for (int k = 0; k < 100; ++k)
+        factor.factorise(matrix);
+    CHECK((dense * solve(factor, right) - right).norm() < 1e-13 * right.norm());
+}
+
 TEST_CASE("nodes without couplings, and a single one, need no order")
 {
     for (const PetscInt count : {1, 5}) {

@@ -170,13 +170,15 @@ void SparseFactor::factorise(const SymmetricMatrix& matrix)
 {
     constexpr int largest_room = 400;  // percent beyond MUMPS' estimate
     auto& data = mumps_->data;
+    auto& room = mumps_->option(14);
     mumps_->set_entries(matrix);
-    do {
+    data.job = factor;
+    dmumps_c(&data);
+    while ((data.infog[0] == short_of_integers || data.infog[0] == short_of_numbers) && 2 * room <= largest_room) {
+        room *= 2;
         data.job = factor;
         dmumps_c(&data);
-        mumps_->option(14) *= 2;
-    } while ((data.infog[0] == short_of_integers || data.infog[0] == short_of_numbers) &&
-             mumps_->option(14) <= largest_room);
+    }
     if (data.infog[0] < 0)
         throw ConvergenceError("a sparse factor failed: " + reason_text(data.infog[0]));
 }
