@@ -22,6 +22,8 @@ TEST_CASE("a small mesh gets no more ranks than it keeps busy")
 TEST_CASE("ranks that the memory does not hold are left out")
 {
     CHECK(fem::rank_count(2400000, 8, 1e9) == 1);
-    // 34.2 GB for one rank and 6.15 GB for each further one
-    CHECK(fem::rank_count(2400000, 8, 34.2e9 + 2.5 * 6.15e9) == 3);
+    // 16.6 GB for one rank and 3.75 GB for each further one
+    CHECK(fem::rank_count(2400000, 8, 16.6e9 + 2.5 * 3.75e9) == 3);
+    // 2.6 and 0.3 GB
+    CHECK(fem::rank_count(100000, 8, 2.6e9 + 1.5 * 0.3e9) == 2);
 }
