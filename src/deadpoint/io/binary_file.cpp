@@ -12,6 +12,30 @@ namespace {
 
 constexpr std::uint64_t ending = 2 * sizeof(std::uint64_t);  // length and checksum
 
+// The digits at the end of a first line "name-7\n" or "name 7\n"; empty if it is no such line.
+std::string_view version_in(std::string_view line)
+{
+    if (!line.ends_with('\n'))
+        return {};
+    line.remove_suffix(1);
+    const auto digits = line.substr(line.find_last_of("- ") + 1);
+    const bool number = !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+    return number && digits.size() < line.size() ? digits : std::string_view{};
+}
+
+// The version of a file that begins with `head`, if it is of the given kind but for its version; empty otherwise.
+std::string_view other_version(std::string_view head, std::string_view kind)
+{
+    const auto line = head.substr(0, head.find('\n') + 1);
+    const auto found = version_in(line), wanted = version_in(kind);
+    if (found.empty() || wanted.empty() || found == wanted)
+        return {};
+    const auto name = [](std::string_view whole, std::string_view version) {
+        return whole.substr(0, whole.size() - version.size() - 1);  // with what parts it from its version
+    };
+    return name(line, found) == name(kind, wanted) ? found : std::string_view{};
+}
+
 }  // namespace
 
 BinaryWriter::BinaryWriter(std::ostream& out, std::string_view kind) : out_(out)
@@ -46,13 +70,19 @@ BinaryReader::BinaryReader(std::filesystem::path file, std::string_view kind, st
         throw IoError(fmt::format("cannot read '{}': {}\n  help: {}", file_.string(), std::strerror(errno), help_));
     const auto size = static_cast<std::uint64_t>(in_.tellg());
     in_.seekg(0);
-    std::string head(kind.size(), '\0');
+    constexpr std::size_t more_digits = 8;  // of a version longer than this program's
+    std::string head(static_cast<std::size_t>(std::min<std::uint64_t>(size, kind.size() + more_digits)), '\0');
     in_.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (!in_ || head != kind)
+    if (const auto version = other_version(head, kind); !version.empty())
+        throw IoError(fmt::format("'{}' has version {} of its format; this program reads version {}\n  help: {}",
+                                  file_.string(), version, version_in(kind), help_));
+    head.resize(std::min(head.size(), kind.size()));
+    if (head != kind)
         refuse(fmt::format("it does not begin with '{}'", kind.substr(0, kind.find('\n'))));
     if (size < kind.size() + ending)
         refuse("it is cut short");
 
+    in_.seekg(static_cast<std::streamoff>(kind.size()));
     StableHash checksum;
     checksum.add(head);
     std::string piece(std::min<std::uint64_t>(size, 1 << 20), '\0');

@@ -170,6 +170,25 @@ TEST_CASE("a file that was cut anywhere is refused with its name and what to do"
     CHECK_FALSE(refusal(folder, whole + whole).empty());
 }
 
+TEST_CASE("a file of another version of its format is refused with both versions")
+{
+    const ScratchFolder folder;
+    const auto refused_as = [&](const std::string& first_line) {
+        return refusal(folder, first_line + bytes_of(example()).substr(kind.size()));
+    };
+    for (const std::string version : {"0", "2", "10", "1234567"}) {
+        CAPTURE(version);
+        CHECK(refused_as("test-kind-" + version + "\n")
+                  .find("file' has version " + version + " of its format; this program reads version 1\n") !=
+              std::string::npos);
+    }
+    for (const std::string first_line :
+         {"test-kind-\n", "test-kind-x\n", "best-kind-2\n", "test-kind 2\n", "2\n", "\n"}) {
+        CAPTURE(first_line);
+        CHECK(refused_as(first_line).find("does not begin with 'test-kind-1'") != std::string::npos);
+    }
+}
+
 TEST_CASE("a file in which any bit has changed is refused")
 {
     const ScratchFolder folder;
