@@ -21,8 +21,15 @@ constexpr std::size_t vector_alignment = 64;
 
 struct Mapped {
     std::size_t size = 0;
+    std::size_t number = 0;     ///< counts all arrays, in the order in which they were allocated
     std::string_view function;  ///< of PETSc that has allocated it; empty: unknown
 };
+
+std::size_t& count()
+{
+    static std::size_t arrays = 0;
+    return arrays;
+}
 
 // Mapped directly: malloc would take them from its pool of small pages that were used before.
 std::unordered_map<void*, Mapped>& mapped()
@@ -48,7 +55,7 @@ void* map_large(std::size_t size)
     if (before < large_page)
         munmap(static_cast<char*>(aligned) + wanted, large_page - before);
     madvise(aligned, wanted, MADV_HUGEPAGE);
-    mapped()[aligned] = {wanted, {}};
+    mapped()[aligned] = {wanted, count()++, {}};
     return aligned;
 }
 
@@ -118,10 +125,12 @@ void ask_for_large_pages() { PetscMallocSet(petsc_allocate, petsc_release, petsc
 
 void give_back_freed_memory() { malloc_trim(0); }
 
-void give_back_arrays_of(std::string_view function)
+std::size_t large_arrays_so_far() { return count(); }
+
+void give_back_arrays_of(std::string_view function, std::size_t since)
 {
     for (const auto& [array, by] : mapped())
-        if (by.function == function)
+        if (by.function == function && by.number >= since)
             madvise(array, by.size, MADV_DONTNEED);
 }
 

@@ -197,6 +197,7 @@ void StageMatrix::prepare()
 {
     if (coarse_)
         return;
+    const auto before = large_arrays_so_far();
     create_multigrid();
     coarse_ = std::make_unique<CoarseMatrices>();
     for (const double factor : {longest_, shortest_factor}) {
@@ -208,7 +209,7 @@ void StageMatrix::prepare()
     }
     // On several ranks, PETSc's copy of the matrix for ML, from which no level is made any more.
     if (coarse_->complete())
-        give_back_arrays_of("MatConvert_MPIAIJ_ML");
+        give_back_arrays_of("MatConvert_MPIAIJ_ML", before);
 }
 
 bool StageMatrix::combine(double factor, Vec temperature)
