@@ -237,11 +237,11 @@ TEST_CASE("a factor that is not exact is found out and refined")
     DEADPOINT_PETSC(MatDenseRestoreArray(right, &entries));
     const auto solve_with = [&](double diagonal) {
         const auto other = matrix_of(diagonal);
-        const SymmetricMatrix half(other);
+        const SymmetricTriplets half(other);
         SparseFactor factor(half, 1);
         factor.factorise(half);
         FactorSolver solver;
-        return solver.solve(SymmetricMatrix(matrix), factor, right, solution, 1e-10);
+        return solver.solve(SymmetricTriplets(matrix), factor, right, solution, 1e-10);
     };
     const auto residual = [&] {
         OwnedMat product;

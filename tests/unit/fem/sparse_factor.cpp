@@ -74,7 +74,7 @@ Eigen::MatrixXd solve(SparseFactor& factor, const Eigen::MatrixXd& right)
 TEST_CASE("the upper half of a matrix multiplies like the whole one, any number of columns")
 {
     const auto dense = chain(30);
-    const SymmetricMatrix half(sparse(dense));
+    const SymmetricTriplets half(sparse(dense));
     CHECK(half.value.size() == static_cast<std::size_t>(((dense.array() != 0).count() + size) / 2));
     for (const Eigen::Index count : {1, 8, 11}) {
         const auto x = columns(size, count);
@@ -87,10 +87,10 @@ TEST_CASE("the upper half of a matrix multiplies like the whole one, any number 
 TEST_CASE("a sparse factor solves for many columns, with new values of the same pattern too")
 {
     const auto right = columns(size, 40);  // more than are solved at once
-    SparseFactor factor(SymmetricMatrix(sparse(chain(1))), block);
+    SparseFactor factor(SymmetricTriplets(sparse(chain(1))), block);
     for (const double diagonal : {30.0, 12.0}) {
         const auto dense = chain(diagonal);
-        factor.factorise(SymmetricMatrix(sparse(dense)));
+        factor.factorise(SymmetricTriplets(sparse(dense)));
         const Eigen::MatrixXd exact = dense.llt().solve(right);
         CHECK((solve(factor, right) - exact).norm() < 1e-13 * exact.norm());  // a condition of about 10
     }
@@ -99,7 +99,7 @@ TEST_CASE("a sparse factor solves for many columns, with new values of the same 
 TEST_CASE("a factor is made again as often as a build of a reduced press asks for")
 {
     const auto dense = chain(30);
-    const SymmetricMatrix matrix(sparse(dense));
+    const SymmetricTriplets matrix(sparse(dense));
     const auto right = columns(size, 1);
     SparseFactor factor(matrix, block);
     for (int k = 0; k < 100; ++k)
@@ -111,8 +111,8 @@ TEST_CASE("nodes without couplings, and a single one, need no order")
 {
     for (const PetscInt count : {1, 5}) {
         const Eigen::MatrixXd dense = 4 * Eigen::MatrixXd::Identity(count, count);
-        SparseFactor factor(SymmetricMatrix(sparse(dense)), 1);
-        factor.factorise(SymmetricMatrix(sparse(dense)));
+        SparseFactor factor(SymmetricTriplets(sparse(dense)), 1);
+        factor.factorise(SymmetricTriplets(sparse(dense)));
         CHECK((solve(factor, columns(count, 2)) - 0.25 * columns(count, 2)).norm() < 1e-15);
     }
 }
@@ -122,6 +122,6 @@ TEST_CASE("a singular matrix has no factor")
     Eigen::MatrixXd dense = chain(30);
     dense.row(7).setZero();
     dense.col(7).setZero();
-    SparseFactor factor(SymmetricMatrix(sparse(dense)), block);
-    CHECK_THROWS_AS(factor.factorise(SymmetricMatrix(sparse(dense))), deadpoint::ConvergenceError);
+    SparseFactor factor(SymmetricTriplets(sparse(dense)), block);
+    CHECK_THROWS_AS(factor.factorise(SymmetricTriplets(sparse(dense))), deadpoint::ConvergenceError);
 }

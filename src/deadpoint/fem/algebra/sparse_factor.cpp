@@ -20,7 +20,7 @@ struct Edges {
     std::vector<int> from, to;
 };
 
-Edges node_couplings(const SymmetricMatrix& matrix, int block)
+Edges node_couplings(const SymmetricTriplets& matrix, int block)
 {
     Edges edges;
     std::vector<int> behind;
@@ -46,7 +46,7 @@ Edges node_couplings(const SymmetricMatrix& matrix, int block)
 }
 
 // All ranks' values on the first one.
-std::vector<int> gather(const std::vector<int>& owned, const SymmetricMatrix& matrix)
+std::vector<int> gather(const std::vector<int>& owned, const SymmetricTriplets& matrix)
 {
     const int own = static_cast<int>(owned.size());
     std::vector<int> sizes(matrix.sizes.size()), starts(sizes.size() + 1, 0);
@@ -82,7 +82,7 @@ std::vector<idx_t> nested_dissection(idx_t nodes, const Edges& edges)
 }
 
 // The place of each unknown, from 1; empty except on the first rank, and where no nodes are coupled.
-std::vector<MUMPS_INT> order_of_unknowns(const SymmetricMatrix& matrix, int block)
+std::vector<MUMPS_INT> order_of_unknowns(const SymmetricTriplets& matrix, int block)
 {
     const auto owned = node_couplings(matrix, block);
     const Edges edges{gather(owned.from, matrix), gather(owned.to, matrix)};
@@ -112,13 +112,25 @@ std::string reason_text(int error)
 struct SparseFactor::Mumps {
     DMUMPS_STRUC_C data{};
     int rank = 0;
-    std::vector<int> sizes, starts;  ///< as in SymmetricMatrix
+    std::vector<int> sizes, starts;  ///< as in SymmetricTriplets
     std::vector<MUMPS_INT> order;
 
+    Mumps() = default;
+    Mumps(const Mumps&) = delete;
+    Mumps& operator=(const Mumps&) = delete;
+    ~Mumps()
+    {
+        if (!begun)
+            return;
+        data.job = end;
+        dmumps_c(&data);
+    }
+
+    bool begun = false;
     [[nodiscard]] bool alone() const { return sizes.size() == 1; }
     MUMPS_INT& option(int number) { return data.icntl[number - 1]; }
     // MUMPS reads them only.
-    void set_entries(const SymmetricMatrix& matrix)
+    void set_entries(const SymmetricTriplets& matrix)
     {
         (alone() ? data.nnz : data.nnz_loc) = static_cast<MUMPS_INT8>(matrix.value.size());
         (alone() ? data.irn : data.irn_loc) = const_cast<int*>(matrix.row.data());
@@ -127,7 +139,7 @@ struct SparseFactor::Mumps {
     }
 };
 
-SparseFactor::SparseFactor(const SymmetricMatrix& pattern, int block) : mumps_(std::make_unique<Mumps>())
+SparseFactor::SparseFactor(const SymmetricTriplets& pattern, int block) : mumps_(std::make_unique<Mumps>())
 {
     auto& mumps = *mumps_;
     mumps.rank = pattern.rank;
@@ -138,11 +150,11 @@ SparseFactor::SparseFactor(const SymmetricMatrix& pattern, int block) : mumps_(s
     mumps.data.par = 1;  // the first rank computes too
     mumps.data.sym = 1;  // positive definite
     call(begin);
+    mumps.begun = true;  // from here on it holds memory
     for (const int stream : {1, 2, 3})
         mumps.option(stream) = -1;
     mumps.option(4) = 0;                       // no messages
     mumps.option(18) = mumps.alone() ? 0 : 3;  // each rank has a share of the entries
-    mumps.option(27) = -32;                    // right sides at once, at most
     mumps.data.n = pattern.size();
     if (!mumps.order.empty()) {
         mumps.option(7) = 1;  // the order given
@@ -152,11 +164,7 @@ SparseFactor::SparseFactor(const SymmetricMatrix& pattern, int block) : mumps_(s
     call(analyse);
 }
 
-SparseFactor::~SparseFactor()
-{
-    mumps_->data.job = end;
-    dmumps_c(&mumps_->data);
-}
+SparseFactor::~SparseFactor() = default;
 
 void SparseFactor::call(int job)
 {
@@ -166,7 +174,7 @@ void SparseFactor::call(int job)
         throw ConvergenceError("a sparse factor failed: " + reason_text(error));
 }
 
-void SparseFactor::factorise(const SymmetricMatrix& matrix)
+void SparseFactor::factorise(const SymmetricTriplets& matrix)
 {
     constexpr int largest_room = 400;  // percent beyond MUMPS' estimate
     auto& data = mumps_->data;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/fem/algebra/symmetric_matrix.hpp"
+#include "deadpoint/fem/algebra/symmetric_triplets.hpp"
 
 #include <memory>
 
@@ -15,14 +15,14 @@ class SparseFactor {
 public:
     /// @param pattern  its values do not matter
     /// @param block  unknowns of a node, which stay together: rows and columns come in groups of so many
-    SparseFactor(const SymmetricMatrix& pattern, int block);
+    SparseFactor(const SymmetricTriplets& pattern, int block);
     ~SparseFactor();
     SparseFactor(const SparseFactor&) = delete;
     SparseFactor& operator=(const SparseFactor&) = delete;
 
     /// Factorises a matrix of the pattern given first, which is not read later.
     /// @throws ConvergenceError if the matrix is singular or memory is short
-    void factorise(const SymmetricMatrix& matrix);
+    void factorise(const SymmetricTriplets& matrix);
     /// solution = A^-1 right, for all columns together, which takes far less time each.
     /// @param right, solution  dense, with the rows of the matrix on each rank
     void solve(Mat right, Mat solution);

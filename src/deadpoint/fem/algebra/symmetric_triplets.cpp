@@ -1,4 +1,4 @@
-#include "deadpoint/fem/algebra/symmetric_matrix.hpp"
+#include "deadpoint/fem/algebra/symmetric_triplets.hpp"
 
 #include <algorithm>
 
@@ -25,7 +25,7 @@ void for_each_row(Mat matrix, const Visit& visit)
 
 }  // namespace
 
-SymmetricMatrix::SymmetricMatrix(Mat matrix)
+SymmetricTriplets::SymmetricTriplets(Mat matrix)
 {
     int count = 1;
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
@@ -54,7 +54,7 @@ SymmetricMatrix::SymmetricMatrix(Mat matrix)
 }
 
 // Rows of `width` columns lie together in x_all and y_all, so that an entry meets all of them at once.
-void SymmetricMatrix::multiply(PetscInt columns, const double* x, double* y) const
+void SymmetricTriplets::multiply(PetscInt columns, const double* x, double* y) const
 {
     const auto all = static_cast<std::size_t>(size()), rows = owned(), count = static_cast<std::size_t>(columns);
     const auto share = [&](const std::vector<int>& rows_of_ranks) {
@@ -89,12 +89,12 @@ void SymmetricMatrix::multiply(PetscInt columns, const double* x, double* y) con
     }
 }
 
-void SymmetricMatrix::multiply(Mat x, Mat y) const
+void SymmetricTriplets::multiply(Mat x, Mat y) const
 {
     with_columns(x, y, [&](PetscInt columns, const double* from, double* to) { multiply(columns, from, to); });
 }
 
-void SymmetricMatrix::multiply(Vec x, Vec y) const
+void SymmetricTriplets::multiply(Vec x, Vec y) const
 {
     with_columns(x, y, [&](PetscInt columns, const double* from, double* to) { multiply(columns, from, to); });
 }

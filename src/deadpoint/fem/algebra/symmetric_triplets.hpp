@@ -5,14 +5,14 @@
 #include <cstddef>
 #include <vector>
 
-/// Internal to fem/: the upper half of a symmetric matrix.
+/// Internal to fem/: the upper half of a symmetric matrix as a list.
 namespace deadpoint::fem {
 
 /// Entries of a symmetric matrix on and above its diagonal, each with its row and column, as MUMPS reads them. They
 /// take 16 bytes each, two thirds of what both halves take in compressed rows.
-class SymmetricMatrix {
+class SymmetricTriplets {
 public:
-    explicit SymmetricMatrix(Mat matrix);
+    explicit SymmetricTriplets(Mat matrix);
 
     /// y = A x for several columns at once. @param x, y  this rank's rows of all columns, column by column
     void multiply(PetscInt columns, const double* x, double* y) const;

@@ -117,7 +117,7 @@ void ElasticSolver::make_factor()
     DEADPOINT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner), PCSHELL, &is_factor));
     if (!is_factor)
         return;
-    upper_half_ = std::make_unique<SymmetricMatrix>(matrix_);
+    upper_half_ = std::make_unique<SymmetricTriplets>(matrix_);
     operator_ = std::make_unique<ShellMatrix>(static_cast<PetscInt>(upper_half_->owned()), upper_half_->size(),
                                               [this](Vec in, Vec out) { upper_half_->multiply(in, out); });
     DEADPOINT_PETSC(KSPSetOperators(solver_, *operator_, *operator_));

@@ -103,9 +103,9 @@ private:
     OwnedMat expansion_;  ///< from free to all displacements
     OwnedMat matrix_;     ///< of the free displacements; none once there is a factor
     OwnedKsp solver_;
-    std::unique_ptr<SymmetricMatrix> upper_half_;  ///< of the matrix, with its factor
-    std::unique_ptr<SparseFactor> factor_;         ///< where it fits into memory
-    std::unique_ptr<ShellMatrix> operator_;        ///< multiplies with upper_half_
+    std::unique_ptr<SymmetricTriplets> upper_half_;  ///< of the matrix, with its factor
+    std::unique_ptr<SparseFactor> factor_;           ///< where it fits into memory
+    std::unique_ptr<ShellMatrix> operator_;          ///< multiplies with upper_half_
     FactorSolver factor_solver_;
     OwnedVec solution_, rhs_;  ///< all displacements
     OwnedVec free_solution_, free_rhs_;

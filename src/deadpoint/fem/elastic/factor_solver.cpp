@@ -27,7 +27,7 @@ PetscInt rows_of(Mat dense)
 OwnedMat like(Mat dense) { return dense_columns(rows_of(dense), columns_of(dense)); }
 
 // residual = right - matrix solution
-void set_residual(const SymmetricMatrix& matrix, Mat right, Mat solution, Mat residual)
+void set_residual(const SymmetricTriplets& matrix, Mat right, Mat solution, Mat residual)
 {
     matrix.multiply(solution, residual);
     DEADPOINT_PETSC(MatAYPX(residual, -1, right, SAME_NONZERO_PATTERN));
@@ -85,7 +85,8 @@ bool FactorSolver::is_sharp(SparseFactor& factor, Mat residual, Mat solution, do
     return true;
 }
 
-bool FactorSolver::solve(const SymmetricMatrix& matrix, SparseFactor& factor, Mat right, Mat solution, double tolerance)
+bool FactorSolver::solve(const SymmetricTriplets& matrix, SparseFactor& factor, Mat right, Mat solution,
+                         double tolerance)
 {
     const auto residual = like(right);
     factor.solve(right, solution);

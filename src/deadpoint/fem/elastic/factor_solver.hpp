@@ -18,7 +18,7 @@ class FactorSolver {
 public:
     /// @param right, solution  dense, of the same number of columns
     /// @return false if the refinement does not converge
-    bool solve(const SymmetricMatrix& matrix, SparseFactor& factor, Mat right, Mat solution, double tolerance);
+    bool solve(const SymmetricTriplets& matrix, SparseFactor& factor, Mat right, Mat solution, double tolerance);
 
 private:
     [[nodiscard]] bool is_sharp(SparseFactor& factor, Mat residual, Mat solution, double tolerance);

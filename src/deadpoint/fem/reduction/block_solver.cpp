@@ -15,7 +15,7 @@ OwnedMat dense_view(const Eigen::MatrixXd& columns)
 
 }  // namespace
 
-BlockSolver::BlockSolver(Mat pattern) : factor_(SymmetricMatrix(pattern), 1)
+BlockSolver::BlockSolver(Mat pattern) : factor_(SymmetricTriplets(pattern), 1)
 {
     DEADPOINT_PETSC(MatDuplicate(pattern, MAT_COPY_VALUES, matrix_.out()));
 }
@@ -24,7 +24,7 @@ void BlockSolver::set(Mat stiffness, double shift, Mat mass)
 {
     DEADPOINT_PETSC(MatCopy(stiffness, matrix_, SAME_NONZERO_PATTERN));
     DEADPOINT_PETSC(MatAXPY(matrix_, shift, mass, SAME_NONZERO_PATTERN));
-    factor_.factorise(SymmetricMatrix(matrix_));
+    factor_.factorise(SymmetricTriplets(matrix_));
 }
 
 Eigen::MatrixXd BlockSolver::solve(const Eigen::MatrixXd& right)
