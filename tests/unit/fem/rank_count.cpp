@@ -22,8 +22,8 @@ TEST_CASE("a small mesh gets no more ranks than it keeps busy")
 TEST_CASE("ranks that the memory does not hold are left out")
 {
     CHECK(fem::rank_count(2400000, 8, 1e9) == 1);
-    // 16.6 GB for one rank and 3.75 GB for each further one
-    CHECK(fem::rank_count(2400000, 8, 16.6e9 + 2.5 * 3.75e9) == 3);
-    // 2.6 and 0.3 GB
-    CHECK(fem::rank_count(100000, 8, 2.6e9 + 1.5 * 0.3e9) == 2);
+    // 15.75 GB for one rank and 2.1 GB for each further one
+    CHECK(fem::rank_count(2400000, 8, 15.75e9 + 2.5 * 2.1e9) == 3);
+    // 3.05 and 0.35 GB
+    CHECK(fem::rank_count(100000, 8, 3.05e9 + 1.5 * 0.35e9) == 2);
 }
