@@ -25,6 +25,9 @@ struct ReduceOptions : CaseOptions {
 int reduce_case(const ReduceOptions& options, Ranks& ranks)
 {
     const auto read = read_case(options, ranks.console);
+    if (options.certify) {
+        ranks.stay_alone("a certificate");
+    }
     const BuildFolder folder(options.file, options.resume ? StoppedBuild::resume : StoppedBuild::refuse, read.value,
                              ranks);
     study::Press press(read.value, options.size_scale);

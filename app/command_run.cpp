@@ -324,6 +324,9 @@ int run_case(RunOptions options, Ranks& ranks)
         throw InputError("--certify bounds the error of a reduced run\n  help: give it with --reduced FILE, or with "
                          "--reduce FILE to write what that needs");
     }
+    if (options.certify) {
+        ranks.stay_alone("a certificate");
+    }
     auto& console = ranks.console;
     if (!options.accuracy.empty()) {
         options.overrides.push_back("numerics.accuracy=\"" + options.accuracy + "\"");

@@ -122,6 +122,16 @@ void Ranks::spread_if_wanted()
     }
 }
 
+void Ranks::stay_alone(const std::string& what)
+{
+    const int wanted = session_ ? session_->size() : wanted_.count;
+    if (wanted > 1) {
+        throw InputError(fmt::format(
+            "{} is made by one process, and {} are wanted\n  help: use --ranks 1, and no mpirun", what, wanted));
+    }
+    wanted_.count = 1;
+}
+
 void Ranks::spread_to(int count)
 {
     if (count == 1 || !start(count)) {

@@ -49,6 +49,9 @@ public:
     void spread(const std::function<std::size_t()>& cells);
     /// Instead of spread(): this process works alone unless the user wants more ranks.
     void spread_if_wanted();
+    /// Before spread(), which then starts no other ranks.
+    /// @param what  needs one process: "a certificate" @throws InputError if the user wants more
+    void stay_alone(const std::string& what);
 
     /// @throws InputError if mpirun has started several ranks
     /// @param command  that uses threads: "optimise"

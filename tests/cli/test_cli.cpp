@@ -868,6 +868,20 @@ void check_calibrate(const Folder& folder, const std::string& press, const std::
     CHECK_FALSE(fs::exists(folder / "no"));
 }
 
+TEST_CASE("a certificate is made by one process, and more of them are refused before any work")
+{
+    const Folder folder;
+    REQUIRE(deadpoint("init " + (folder / "press")).code == 0);
+    const auto press = folder / "press/case.toml";
+    const auto model = folder / "press.rom";
+    for (const std::string command : {"reduce " + press + " -o " + model, "run " + press + " --reduce " + model}) {
+        const auto refused = deadpoint(command + " --certify --ranks 2");
+        CHECK(refused.code == 2);
+        CHECK(has(refused.err, "a certificate is made by one process, and 2 are wanted\n  help: use --ranks 1"));
+        CHECK_FALSE(std::filesystem::exists(model + ".checkpoint"));
+    }
+}
+
 TEST_CASE("reduce makes a model that runs and sweeps like the press, and says where it does not fit")
 {
     const Folder folder;

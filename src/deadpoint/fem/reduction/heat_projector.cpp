@@ -282,13 +282,19 @@ reduce::DenseTerms HeatProjector::project(const reduce::Truncation& truncation)
     return terms;
 }
 
-reduce::ResidualTerms HeatProjector::residual(const reduce::ResidualTask& task)
+void HeatProjector::require_residual() const
 {
-    auto& it = *parts_;
+    const auto& it = *parts_;
     if (it.space.total > largest_heat_factor || it.ranks.count() > 1)
         throw InputError(fmt::format("a certificate is made by one process, for at most {} temperatures; this press "
                                      "has {}, on {} processes\n  help: leave out --certify, or enlarge the cells",
                                      largest_heat_factor, it.space.total, it.ranks.count()));
+}
+
+reduce::ResidualTerms HeatProjector::residual(const reduce::ResidualTask& task)
+{
+    require_residual();
+    auto& it = *parts_;
     const auto problem = with_constant_films(task.lowest);
     auto& matrices = it.system.matrices();
     matrices.adopt(problem);

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] heat::HeatGeometry geometry() const override;
     [[nodiscard]] reduce::DenseTerms project(const reduce::Truncation& truncation) override;
     [[nodiscard]] reduce::ResidualTerms residual(const reduce::ResidualTask& task) override;
+    /// @throws InputError if residual() cannot be had: on several ranks, or with too many unknowns
+    void require_residual() const;
     [[nodiscard]] const reduce::Ranks& ranks() const override;
     /// A text that identifies mesh, elements and unknowns; the same on any number of ranks.
     [[nodiscard]] std::string mesh() const;

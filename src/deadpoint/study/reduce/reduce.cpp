@@ -270,6 +270,8 @@ std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& in
 
     const auto problems = problems_of(problem, parts, input);
     const auto full = parts.model->projector(problems.nominal.problem, parts.adjoints, attribution_of(parts));
+    if (options.build.certificate)
+        full->require_residual();
     const reduce::BuildCheckpoint kept(options.checkpoint, build_text(input) + ' ' + full->mesh(), fem::rank() == 0,
                                        [&](const std::string& text) { observer.warn(text); });
     if (!starts_uniform(problem, parts.machine.parts.size()))
