@@ -1,7 +1,11 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/heat/run_state.hpp"
+#include "deadpoint/io/binary_file.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/certificate/certificate.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
@@ -25,23 +29,27 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // Compares a reduced press with full runs that its build never saw, a line for each:
-//   benchmark_reduced_checks case.toml press.rom size_scale first count [cycles] [bounds]
+//   benchmark_reduced_checks case.toml press.rom size_scale first count [cycles] [bounds] [keep=FOLDER]
 // Coefficients are drawn from the box. With "cycles" the operation is one of work at other heat and rest in turn.
-// With "bounds" there are no full runs. Columns are then: number; certified bound [um]; processor time of the large
-// model's run and of its certificate [s].
-// Columns: number; largest errors after the first minute of the large and of the small model [K, um]; the small model
-// to the large one [K, um]; error of the large model at the end [um] and its certified bound [um].
+// With "keep" full runs are kept in a folder, and read from there for other reduced models of the same case, mesh and
+// box. With "bounds" there are no full runs. Columns are then: number; certified bound [um]; processor time of the
+// large model's run and of its certificate [s]. Columns: number; largest errors after the first minute of the large and
+// of the small model [K, um]; the small model to the large one [K, um]; error of the large model at the end [um] and
+// its certified bound [um].
 
 namespace {
 
 using namespace deadpoint;
 
 constexpr unsigned long long seed = 20260;
+constexpr std::string_view kind = "deadpoint kept run 1\n";
 
 class Silent : public Observer {};
 
@@ -86,15 +94,22 @@ public:
         const auto problem = parts_.translate(input, watch, unused, observer);
         if (with_full)
             parts_.need_model(input, watch, observer);
+        mark_ = casefile::case_hash(input);
         auto split = study::split_by_part(problem, machine);
         split.problem.field_times.clear();
         nominal_ = study::with_nominal_films(split.problem, input.machine.initial_temperature);
     }
 
+    void keep_in(const std::filesystem::path& folder)
+    {
+        std::filesystem::create_directories(folder);
+        folder_ = folder;
+    }
+
     void check(int number, bool cycles)
     {
         const auto problem = drawn(number, cycles);
-        const auto full = full_run(problem);
+        const auto full = known_or_full_run(problem, (cycles ? "cycle-" : "set-") + std::to_string(number));
         const auto large = reduced_run(large_, problem), small = reduced_run(small_, problem);
         const auto of_large = off(large, full), of_small = off(small, full), estimate = off(small, large);
         const double end =
@@ -125,6 +140,26 @@ private:
         if (cycles)
             make_cycle(problem, draws);
         return problem;
+    }
+    [[nodiscard]] ThermalHistory known_or_full_run(const HeatProblem& problem, const std::string& name)
+    {
+        if (folder_.empty())
+            return full_run(problem);
+        const auto file = folder_ / name;
+        ThermalHistory history;
+        std::string mark;
+        if (std::filesystem::exists(file)) {
+            BinaryReader(file, kind, "remove it")(mark, history);
+            if (mark != mark_)
+                throw IoError("'" + file.string() + "' is of another case\n  help: keep its runs in another folder");
+            return history;
+        }
+        history = full_run(problem);
+        std::ofstream out(file, std::ios::binary);
+        BinaryWriter writer(out, kind);
+        writer(mark_, history);
+        writer.finish();
+        return history;
     }
     [[nodiscard]] ThermalHistory full_run(const HeatProblem& problem)
     {
@@ -157,6 +192,8 @@ private:
     study::ReducedPress small_, large_;
     std::shared_ptr<const reduce::ResidualTerms> residual_;
     HeatProblem nominal_;
+    std::string mark_;  ///< of the case
+    std::filesystem::path folder_;
 };
 
 }  // namespace
@@ -164,7 +201,9 @@ private:
 int main(int count, char** arguments)
 {
     if (count < 6) {
-        std::fprintf(stderr, "benchmark_reduced_checks case.toml press.rom size_scale first count [cycles] [bounds]\n");
+        std::fprintf(
+            stderr,
+            "benchmark_reduced_checks case.toml press.rom size_scale first count [cycles] [bounds] [keep=FOLDER]\n");
         return 1;
     }
     const std::vector<std::string> more(arguments + 6, arguments + count);
@@ -176,6 +215,9 @@ int main(int count, char** arguments)
     press.mesh(observer);
     Checks checks(press.input(), press.machine(observer), arguments[2], !bounds, observer);
     const int first = std::atoi(arguments[4]);
+    for (const auto& word : more)
+        if (word.starts_with("keep="))
+            checks.keep_in(word.substr(5));
     for (int k = first; k < first + std::atoi(arguments[5]); ++k)
         if (bounds)
             checks.time_bound(k, cycles);
