@@ -12,11 +12,13 @@ void StableHash::add(std::string_view bytes)
     }
 }
 
+std::string StableHash::text() const { return fmt::format("{:016x}", hash_); }
+
 std::string stable_hash(std::string_view text)
 {
     StableHash hash;
     hash.add(text);
-    return fmt::format("{:016x}", hash.value());
+    return hash.text();
 }
 
 }  // namespace deadpoint

@@ -11,6 +11,8 @@ class StableHash {
 public:
     void add(std::string_view bytes);
     [[nodiscard]] std::uint64_t value() const { return hash_; }
+    /// The value as 16 hexadecimal digits.
+    [[nodiscard]] std::string text() const;
 
 private:
     std::uint64_t hash_ = 0xcbf29ce484222325ULL;

@@ -181,6 +181,7 @@ public:
         if (!begin_table(key, true)) {
             return;
         }
+        renew(value);
         describe(*this, value);
         end_table();
     }
@@ -193,6 +194,7 @@ public:
         if (!value) {
             value = T{};
         }
+        renew(*value);
         describe(*this, *value);
         end_table();
     }
@@ -211,6 +213,7 @@ public:
             if (!begin_member(name)) {
                 continue;
             }
+            renew(values[name]);
             describe(*this, values[name]);
             end_member();
         }
@@ -229,6 +232,7 @@ public:
             if (!begin_item(i)) {
                 continue;
             }
+            renew(values[i]);
             describe(*this, values[i]);
             end_item();
         }
@@ -236,6 +240,8 @@ public:
     }
 
 protected:
+    /// Whether a table takes the place of the value that was there before.
+    [[nodiscard]] virtual bool replaces() const { return false; }
     /// @return whether to describe the table; if so, end_table follows
     virtual bool begin_table(const Key& key, bool present) = 0;
     virtual void end_table() = 0;
@@ -247,6 +253,15 @@ protected:
     virtual bool begin_item(std::size_t index) = 0;
     virtual void end_item() = 0;
     virtual void end_list() = 0;
+
+private:
+    template <class T>
+    void renew(T& value)
+    {
+        if (replaces()) {
+            value = T{};
+        }
+    }
 };
 
 }  // namespace deadpoint::casefile

@@ -33,7 +33,7 @@ std::optional<Document> read_again(const CaseSource& source, Diagnostics& source
 {
     try {
         Document document = load_document(source.path, source.overrides, sources, source.files);
-        if (sources.size() == 0 && sources.sources.hash() == source.hash)
+        if (sources.size() == 0 && sources.sources.hash().text() == source.hash)
             return document;
     } catch (const Error&) {
         return std::nullopt;

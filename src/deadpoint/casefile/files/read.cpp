@@ -50,7 +50,7 @@ Document read_case(const std::filesystem::path& path, const std::vector<std::str
                          place_of(document.root, finding.path), finding.path, finding.message, finding.help,
                          std::nullopt, ""});
     }
-    value.source = std::make_shared<CaseSource>(CaseSource{path, overrides, files, diagnostics.sources.hash()});
+    value.source = std::make_shared<CaseSource>(CaseSource{path, overrides, files, diagnostics.sources.hash().text()});
     return document;
 }
 

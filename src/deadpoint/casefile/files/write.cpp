@@ -1,16 +1,21 @@
 #include "deadpoint/casefile/files/write.hpp"
 
+#include "deadpoint/casefile/syntax/case_bytes.hpp"
 #include "deadpoint/casefile/syntax/value_texts.hpp"
 #include "deadpoint/core/hash.hpp"
 
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 
 namespace deadpoint::casefile {
 namespace {
 
 class Writer final : public ValueTexts {
 public:
+    /// @param only  path of the only table to write, as of case_parts(); empty: all
+    explicit Writer(std::string only = {}) : only_(std::move(only)) {}
+
     std::string run(Case& c)
     {
         frames_.push_back({Layout::block, "", "", true});
@@ -21,7 +26,7 @@ public:
     using ValueTexts::quantities;
     void quantities(const Key& key, std::map<std::string, double>& value, Dimension dimension) override
     {
-        if (value.empty()) {
+        if (value.empty() || !is_wanted(key)) {
             return;
         }
         const bool below_root = frames_.size() == 1;
@@ -35,13 +40,13 @@ public:
 protected:
     void put(const Key& key, std::optional<std::string> text) override
     {
-        if (text) {
+        if (text && is_wanted(key)) {
             emit(key, *text);
         }
     }
     bool begin_table(const Key& key, bool present) override
     {
-        if (!present) {
+        if (!present || !is_wanted(key)) {
             return false;
         }
         const bool below_root = frames_.size() == 1;
@@ -59,7 +64,7 @@ protected:
     }
     bool begin_group(const Key& key, std::vector<std::string>& names, std::string_view) override
     {
-        if (names.empty()) {
+        if (names.empty() || (!only_.empty() && !only_.starts_with(fmt::format("{}.", key.name)))) {
             return false;
         }
         frames_.push_back({Layout::block, std::string(key.name), "", true});
@@ -67,6 +72,9 @@ protected:
     }
     bool begin_member(const std::string& name) override
     {
+        if (!only_.empty() && only_ != fmt::format("{}.{}", top().name, name)) {
+            return false;
+        }
         frames_.push_back({Layout::block, fmt::format("{}.{}", top().name, key_text(name)), "", true});
         return true;
     }
@@ -82,7 +90,7 @@ protected:
     }
     bool begin_list(const Key& key, std::size_t& count) override
     {
-        if (count == 0) {
+        if (count == 0 || !is_wanted(key)) {
             return false;
         }
         const bool below_root = frames_.size() == 1;
@@ -136,6 +144,12 @@ private:
         return parent.layout == Layout::braces ? "[" + list.body + "]" : "[\n" + list.body + "]";
     }
 
+    /// Of a key of the case itself; all keys of a table that is written are.
+    [[nodiscard]] bool is_wanted(const Key& key) const
+    {
+        return only_.empty() || frames_.size() > 1 || only_ == key.name;
+    }
+
     Frame& top() { return frames_.back(); }
     Frame take()
     {
@@ -155,6 +169,7 @@ private:
         frame.first = false;
     }
 
+    std::string only_;
     std::vector<Frame> frames_;
 };
 
@@ -167,5 +182,23 @@ std::string write_case(const Case& c)
 }
 
 std::string case_hash(const Case& c) { return stable_hash(write_case(c)); }
+
+std::string CaseTexts::text(const Case& c)
+{
+    Case copy = c;
+    std::string result;
+    const auto parts = case_parts(copy);
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [path, bytes] : parts) {
+        auto [table, is_new] = tables_.try_emplace(path);
+        if (is_new || table->second.bytes != bytes) {
+            table->second = {bytes, Writer(path).run(copy)};
+        }
+        result += table->second.text;
+    }
+    return result;
+}
+
+std::string CaseTexts::hash(const Case& c) { return stable_hash(text(c)); }
 
 }  // namespace deadpoint::casefile

@@ -1,6 +1,5 @@
 #include "deadpoint/casefile/syntax/diagnostics.hpp"
 
-#include "deadpoint/core/hash.hpp"
 #include "deadpoint/core/plain_text.hpp"
 
 #include <algorithm>
@@ -82,16 +81,15 @@ std::string Sources::line(const Place& place) const
     return index < lines.size() ? lines[index] : std::string();
 }
 
-std::string Sources::hash() const
+StableHash Sources::hash(StableHash before) const
 {
-    std::string all;
     for (const auto& file : files_) {
-        all += file.shown + "\n";
+        before.add(file.shown + "\n");
         for (const auto& line : file.lines) {
-            all += line + "\n";
+            before.add(line + "\n");
         }
     }
-    return stable_hash(all);
+    return before;
 }
 
 void Diagnostics::add(Diagnostic diagnostic)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/core/hash.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -25,8 +27,8 @@ public:
     [[nodiscard]] const std::string& name(int file) const { return files_.at(static_cast<std::size_t>(file)).shown; }
     /// @return the line's text, empty if there is none
     [[nodiscard]] std::string line(const Place& place) const;
-    /// Of all names and texts, to see whether they are the same.
-    [[nodiscard]] std::string hash() const;
+    /// Of all names and texts, to see whether they are the same. @param before  of the texts that precede them
+    [[nodiscard]] StableHash hash(StableHash before = {}) const;
 
 private:
     struct File {

@@ -65,6 +65,12 @@ bool lies_below(const std::filesystem::path& path, const std::filesystem::path& 
 Document load_document(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                        Diagnostics& diagnostics, FileAccess files = FileAccess::below);
 
+/// Applies overrides to a document, or to that part of it which they touch, and checks the texts of what is there.
+void apply_overrides(Document& document, const std::vector<std::string>& overrides, Diagnostics& diagnostics);
+
+/// Steps of the path of an override: "operation", "0", "speed". Empty if it has no path.
+std::vector<std::string> override_steps(const std::string& text);
+
 /// Place of the value at a path such as "joints.crank.bodies.1", or of its nearest existing parent. An item of a list
 /// is given by its number, from 0, or by its `name`: "joints.crank.interfaces.pin".
 Place place_of(const Node& root, const std::string& path);

@@ -236,11 +236,11 @@ public:
 
     void apply(Node& root)
     {
-        const auto equals = text_.find('=');
-        if (equals == std::string::npos || trim(text_.substr(0, equals)).empty()) {
+        const auto steps = override_steps(text_);
+        if (steps.empty()) {
             return report("an override is written path=value", "write it like operation.0.speed=\"400 rpm\"");
         }
-        const auto steps = split_path(text_.substr(0, equals));
+        const auto equals = text_.find('=');
         key_ = whole_.value_or(Place{file_, 1, 1, static_cast<int>(equals)});
         value_ = whole_.value_or(Place{file_, 1, static_cast<int>(equals) + 2, 1 << 16});
         if (steps.size() == 1 && !root.find(steps[0])) {
@@ -456,15 +456,30 @@ Document load_document(const fs::path& path, const std::vector<std::string>& ove
     for (const auto& replacement : loader.replacements()) {
         Override(replacement.text, replacement.place.file, diagnostics, replacement.place).apply(document.root);
     }
+    apply_overrides(document, overrides, diagnostics);
+    return document;
+}
+
+void apply_overrides(Document& document, const std::vector<std::string>& overrides, Diagnostics& diagnostics)
+{
     const auto main = document.paths.front();
     document.first_override = static_cast<int>(document.paths.size());
     for (const auto& text : overrides) {
-        const int file = diagnostics.sources.add("--set", text);
+        const auto file = static_cast<int>(document.paths.size());
+        diagnostics.sources.add("--set", text);
         document.paths.push_back(main);
         Override(text, file, diagnostics).apply(document.root);
     }
     TextCheck(diagnostics).run(document.root, "");
-    return document;
+}
+
+std::vector<std::string> override_steps(const std::string& text)
+{
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || trim(text.substr(0, equals)).empty()) {
+        return {};
+    }
+    return split_path(text.substr(0, equals));
 }
 
 }  // namespace deadpoint::casefile

@@ -54,6 +54,7 @@ public:
     void laws(std::string_view tag, std::string_view chosen, std::span<const Law> laws) override;
 
 protected:
+    [[nodiscard]] bool replaces() const override { return true; }
     bool begin_table(const Key& key, bool present) override;
     void end_table() override { pop(); }
     bool begin_group(const Key& key, std::vector<std::string>& names, std::string_view placeholder) override;

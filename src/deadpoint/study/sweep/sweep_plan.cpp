@@ -1,8 +1,8 @@
 #include "deadpoint/study/sweep/sweep_plan.hpp"
 
-#include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/files/case_base.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
-#include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/casefile/syntax/case_bytes.hpp"
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/error.hpp"
 
@@ -235,24 +235,24 @@ SweepStudy translate_study(const casefile::StudyFile& file)
 
 std::function<bool(const std::string&, const std::string&)> base_values(const SweepStudy& study)
 {
-    const auto hash_with = [base = study.base, overrides = study.overrides,
-                            files = study.files](const std::string& more) {
+    const auto base = std::make_shared<casefile::CaseBase>(study.base, study.files);
+    const auto bytes_with = [base, overrides = study.overrides](const std::string& more) {
         auto all = overrides;
         if (!more.empty()) {
             all.push_back(more);
         }
-        return casefile::case_hash(casefile::read_case(base, all, files).value);
+        return casefile::case_bytes(base->with(all));
     };
-    const std::string base_hash = hash_with("");
+    const auto base_bytes = bytes_with("");
     auto known = std::make_shared<std::map<std::string, bool>>();
-    return [hash_with, base_hash, known](const std::string& key, const std::string& value) {
+    return [bytes_with, base_bytes, known](const std::string& key, const std::string& value) {
         const std::string setting = fmt::format("{}={}", key, value);
         if (const auto found = known->find(setting); found != known->end()) {
             return found->second;
         }
         bool same = false;
         try {
-            same = hash_with(setting) == base_hash;
+            same = bytes_with(setting) == base_bytes;
         } catch (const InputError&) {
             // A key that is refused alone can be valid together with other keys of its axis.
         }
