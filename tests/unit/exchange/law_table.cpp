@@ -1,6 +1,7 @@
 #include "deadpoint/exchange/laws/law_table.hpp"
 
 #include "deadpoint/error.hpp"
+#include "deadpoint/exchange/laws/affine_table.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -95,4 +96,13 @@ TEST_CASE("a formula is data: printed with all digits, hashed, compared")
     CHECK(text_of(film) == "air film: speed = 0.10000000000000001, emissivity = 0.90000000000000002");
     CHECK(hash_of(film) == hash_of(LawFormula(film)));
     CHECK(hash_of(film) != hash_of({"air film", {{"speed", 0.1}, {"emissivity", 0.8}}}));
+}
+
+TEST_CASE("a table times a factor, plus an offset, is that of the law times the factor, plus the offset")
+{
+    const LawTable table = affine(LawTable(falling), 0.25, 30);
+    CHECK(largest_error(table, [](double t) { return 30 + 0.25 * falling(t).value; }) < 1e-10);
+    CHECK(table(300).slope == doctest::Approx(0.25 * falling(300).slope).epsilon(1e-7));
+    CHECK(table.points() == LawTable(falling).points());
+    CHECK(!table(600).in_range);
 }

@@ -5,6 +5,7 @@
 #include "../messages.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/exchange/cycle.hpp"
+#include "deadpoint/exchange/laws/law_table.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/warning.hpp"
 #include "deadpoint/observer.hpp"
@@ -466,4 +467,25 @@ TEST_CASE("every speed and force is summed up once, and what their loads warn ab
         std::ranges::count_if(warnings, [](const auto& text) { return has(text, "the process force acts at"); });
     CHECK(said == 1);
     CHECK(any_has(warnings, "at 300 rpm and 20 kN: the process force acts at"));
+}
+
+TEST_CASE("the table of a friction law is the law within its tolerance")
+{
+    // 1e-10 between the points of a table; a tenth of that besides for rounding of the sums.
+    const auto near_law = [](const casefile::Case& input, double speed) {
+        study::FrictionLaws laws(input, &press_machine(), nullptr);
+        for (const auto& [row, friction] : input.friction) {
+            const auto table = laws.table(row, segment(speed, 2e5));
+            const auto& law = laws.heat(row, segment(speed, 2e5)).heat;
+            for (double at = 255; at < 420; at += 0.173) {
+                CAPTURE(row);
+                CAPTURE(at);
+                CHECK(table(at).value == Approx(law(at).value).epsilon(1.1e-10));
+            }
+        }
+    };
+    for (const double speed : {0.0, 120.0, 200.0}) {
+        near_law(press_case({"friction.crank_pin.scale=1.7", "friction.crank_bearings.scale=0.6"}), speed);
+        near_law(press_case({"friction.crank_pin.scale=1.7"}, "physics.toml"), speed);
+    }
 }

@@ -3,9 +3,12 @@
 
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/exchange/laws/law_table.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/study/laws/friction.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/result/friction_summary.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 
 #include <doctest/doctest.h>
@@ -110,4 +113,46 @@ TEST_CASE("an error of the loads is that of each case that has it")
     standing.operation[0].speed = 0;
     for (int k = 0; k < 2; ++k)
         CHECK_THROWS_AS(std::ignore = cache.get(standing, &machine(), 0, Vibration::left_out), Error);
+}
+
+TEST_CASE("friction laws that cases share are those of each case by itself")
+{
+    const std::string pin = "friction.pins={law=\"pin\", lubricant=\"oil\", coefficient=0.08, length=\"60 mm\", "
+                            "clearance=\"45 um\", scale=";
+    const std::vector<std::vector<std::string>> cases{
+        {},
+        {"friction.pins.scale=1.5"},
+        {"friction.pins.load_part=70 W", "friction.gibs.viscous_part=0 W"},
+        {"friction.pins.exponent=0.9"},
+        {"friction.pins.reference_force=100 kN"},
+        {"friction.pins.reference_force=100 kN", "friction.pins.reference_speed=50 rpm"},
+        {"friction.pins.reference_force=100 kN", "operation.0.force=90 kN"},
+        {"friction.pins.reference_force=100 kN", "joints.wrist_pin.friction=journals"},
+        {"lubricants.oil.library=ISO-VG-100"},
+        {pin + "1}"},
+        {pin + "1.5}"},
+        {pin + "1.5}", "joints.crank_pin.interfaces.0.diameter=88 mm"},
+        {pin + "1.5}", "lubricants.oil.library=ISO-VG-100"}};
+    LoadsCache cache;
+    for (int round = 0; round < 2; ++round)
+        for (const auto& change : cases) {
+            CAPTURE(change);
+            const auto input = press(change);
+            const auto loads = cache.get(input, &machine(), 0, Vibration::left_out);
+            FrictionLaws shared(input, &machine(), loads.get(), &cache), alone(input, &machine(), loads.get());
+            for (const auto& [row, friction] : input.friction)
+                for (const double speed : {input.operation[0].speed, 5.0}) {
+                    auto segment = input.operation[0];
+                    segment.speed = speed;
+                    CAPTURE(row);
+                    CHECK(shared.table(row, segment) == alone.table(row, segment));
+                    const auto& heat = shared.heat(row, segment);
+                    const auto& own = alone.heat(row, segment);
+                    CHECK(heat.heat(310).value == own.heat(310).value);
+                    CHECK(heat.load_part == own.load_part);
+                    CHECK(heat.load_ratio == own.load_ratio);
+                    CHECK(heat.joints == own.joints);
+                }
+            CHECK(shared.warnings(shared.summaries()) == alone.warnings(alone.summaries()));
+        }
 }

@@ -1,9 +1,11 @@
 #include "deadpoint/study/laws/friction.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/syntax/case_bytes.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/exchange/cycle.hpp"
+#include "deadpoint/exchange/laws/affine_table.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/laws/friction_physics.hpp"
@@ -48,7 +50,7 @@ Duty joint_duty(const LoadsResult& loads, std::size_t index, const casefile::Joi
 // Bearings or bushes that share the joint.
 std::size_t element_count(const casefile::Joint& joint) { return std::max<std::size_t>(1, joint.elements.size()); }
 
-double load_duty(const std::vector<RubbingJoint>& joints, tribology::FrictionKind kind)
+double load_duty_of(const std::vector<RubbingJoint>& joints, tribology::FrictionKind kind)
 {
     const double exponent = kind == tribology::FrictionKind::rolling ? tribology::rolling_load_exponent : 1.0;
     double sum = 0;
@@ -139,18 +141,31 @@ std::vector<std::string> power_warnings(const FrictionSummary& summary)
     return warnings;
 }
 
+bool is_calibrated(const casefile::Friction& friction)
+{
+    return std::holds_alternative<casefile::CalibratedFriction>(friction.law);
+}
+
 }  // namespace
 
+/// A calibrated law at an operating point.
+struct CalibratedAt {
+    tribology::CalibratedFriction law;
+    tribology::DutyRatio duty;
+    std::optional<double> load_ratio;  ///< of a law with a reference force, in a press that runs
+    bool unloaded = false;             ///< such a law, whose joints carry no load at the reference
+};
+
 FrictionLaws::FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known,
-                           LoadsCache* shared, const KnownLaws* laws)
-    : input_(input), machine_(machine), known_(known), shared_(shared), laws_(laws)
+                           LoadsCache* shared)
+    : input_(input), machine_(machine), known_(known), shared_(shared),
+      kept_(shared && known ? shared->friction_at(*known) : std::make_shared<KeptFriction>())
 {
-    if (laws_)
-        computed_ = laws_->others;
     if (known_)
         for (const auto& warning : known_->warnings)
             heard_.insert(warning.about);
 }
+FrictionLaws::~FrictionLaws() = default;
 
 void FrictionLaws::keep_warnings(const LoadsResult& loads, bool at_reference)
 {
@@ -164,17 +179,21 @@ void FrictionLaws::keep_warnings(const LoadsResult& loads, bool at_reference)
     }
 }
 
-const LoadsResult& FrictionLaws::compute(const LoadsKey& key, const casefile::Case& input)
+const LoadsResult& FrictionLaws::compute(const LoadsKey& key, const std::function<casefile::Case()>& input)
 {
     auto& slot = computed_[key];
     if (!slot) {
-        if (!has_loads(input))
-            throw InputError(
-                "its heat follows the loads of the linkage, which the case does not describe\n  help: name "
-                "the driver's joint with `driver = true` and the body that carries the tool with "
-                "`mechanism.slide_body`");
-        slot = shared_ ? shared_->get(input, machine_, 0, Vibration::left_out)
-                       : std::make_shared<const LoadsResult>(compute_loads(input, machine_, 0, Vibration::left_out));
+        slot = *kept_->loads.get(key, [&] {
+            const auto changed = input();
+            if (!has_loads(changed))
+                throw InputError(
+                    "its heat follows the loads of the linkage, which the case does not describe\n  help: name "
+                    "the driver's joint with `driver = true` and the body that carries the tool with "
+                    "`mechanism.slide_body`");
+            return shared_
+                       ? shared_->get(changed, machine_, 0, Vibration::left_out)
+                       : std::make_shared<const LoadsResult>(compute_loads(changed, machine_, 0, Vibration::left_out));
+        });
         keep_warnings(*slot, key.at_reference);
     }
     return *slot;
@@ -184,31 +203,39 @@ const LoadsResult& FrictionLaws::loads(const casefile::Segment& segment)
 {
     if (known_ && known_->speed == segment.speed && known_->force == segment.force)
         return *known_;
-    auto input = input_;
-    input.operation = {segment};
-    return compute({{segment.speed, segment.force}, false, 0}, input);
+    return compute({{segment.speed, segment.force}, false, 0}, [&] {
+        auto input = input_;
+        input.operation = {segment};
+        return input;
+    });
+}
+
+LoadsKey FrictionLaws::reference_key(const casefile::CalibratedFriction& friction) const
+{
+    using Model = casefile::Crankshaft::Model;
+    const OperatingPoint at{friction.reference_speed, *friction.reference_force};
+    if (!input_.crankshaft || (input_.crankshaft->model == Model::flexible && !friction.reference_stiffness))
+        return {at, false, 0};
+    return {at, true, friction.reference_stiffness.value_or(0)};
 }
 
 const LoadsResult& FrictionLaws::reference(const casefile::CalibratedFriction& friction)
 {
-    auto input = input_;
     casefile::Segment segment;
     segment.speed = friction.reference_speed;
     segment.force = *friction.reference_force;
-    if (input.crankshaft) {
-        using Model = casefile::Crankshaft::Model;
-        const bool changed = input.crankshaft->model != Model::flexible || friction.reference_stiffness;
-        input.crankshaft->model = Model::flexible;
+    const auto key = reference_key(friction);
+    if (!key.at_reference)
+        return loads(segment);
+    return compute(key, [&] {
+        auto input = input_;
+        input.operation = {segment};
+        input.crankshaft->model = casefile::Crankshaft::Model::flexible;
         if (friction.reference_stiffness)
             for (auto& bearing : input.crankshaft->bearings)
                 bearing.stiffness = {{{*friction.reference_stiffness, 0}, {0, *friction.reference_stiffness}}};
-        if (!changed)
-            return loads(segment);
-    } else {
-        return loads(segment);
-    }
-    input.operation = {segment};
-    return compute({{segment.speed, segment.force}, true, friction.reference_stiffness.value_or(0)}, input);
+        return input;
+    });
 }
 
 std::vector<RubbingJoint> FrictionLaws::rubbing_joints(const std::string& row, const LoadsResult& loads) const
@@ -234,52 +261,128 @@ std::vector<RubbingJoint> FrictionLaws::rubbing_joints(const std::string& row, c
     return result;
 }
 
-LoadRatio FrictionLaws::load_ratio(const std::string& row, const casefile::Segment& segment,
-                                   const casefile::CalibratedFriction& friction)
+// All that the heat of a law follows from, besides loads and its scale.
+std::string FrictionLaws::inputs_of(const std::string& row, casefile::Friction friction) const
 {
-    const KeptFriction::Key key{
-        row,
-        {segment.speed, segment.force},
-        {friction.reference_speed, *friction.reference_force, friction.reference_stiffness.value_or(0)}};
-    if (laws_)
-        if (const auto found = laws_->kept->ratio(key))
-            return *found;
-    const auto& at_reference = reference(friction);
-    const auto then = rubbing_joints(row, at_reference);
-    LoadRatio result{1, carries_nothing(then, at_reference)};
-    if (!result.unloaded)
-        result.ratio = load_duty(rubbing_joints(row, loads(segment)), friction.kind) / load_duty(then, friction.kind);
-    if (laws_)
-        laws_->kept->keep(key, result);
-    return result;
+    casefile::Case part;
+    if (!friction.lubricant.empty())
+        part.lubricants.emplace(friction.lubricant, input_.lubricants.at(friction.lubricant));
+    friction.scale = 1;
+    part.friction.emplace(row, std::move(friction));
+    for (const auto& [name, joint] : input_.joints) {
+        if (joint.friction != row)
+            continue;
+        auto& own = part.joints.emplace(name, joint).first->second;
+        own.oil_temperature = casefile::Joint{}.oil_temperature;
+        own.clearance.reset();
+        for (auto& interface : own.interfaces) {
+            interface.conductance = {};
+            interface.oil = 0;
+            interface.heat_share = 1;
+        }
+    }
+    return casefile::case_bytes(std::move(part));
+}
+
+LoadDuty FrictionLaws::load_duty(const std::string& row, const std::string& inputs, const LoadsKey& key,
+                                 const LoadsResult& loads)
+{
+    const auto kept = shared_ && &loads != known_ ? shared_->friction_at(loads) : kept_;
+    return *kept->duties.get({inputs, key}, [&] {
+        const auto kind = std::get<casefile::CalibratedFriction>(input_.friction.at(row).law).kind;
+        const auto joints = rubbing_joints(row, loads);
+        return LoadDuty{load_duty_of(joints, kind), carries_nothing(joints, loads)};
+    });
+}
+
+// Over that at the reference; none if its joints carry no load there.
+std::optional<double> FrictionLaws::load_ratio(const std::string& row, const casefile::Segment& segment,
+                                               const casefile::CalibratedFriction& friction)
+{
+    casefile::CalibratedFriction law;
+    law.kind = friction.kind;
+    auto duty = input_.friction.at(row);
+    duty.lubricant.clear();
+    duty.law = law;
+    const auto inputs = inputs_of(row, std::move(duty));
+    const auto then = load_duty(row, inputs, reference_key(friction), reference(friction));
+    if (then.unloaded)
+        return std::nullopt;
+    return load_duty(row, inputs, {{segment.speed, segment.force}, false, 0}, loads(segment)).sum / then.sum;
+}
+
+const CalibratedAt& FrictionLaws::calibrated_at(const std::string& row, const casefile::Segment& segment)
+{
+    const LawAt key{row, {segment.speed, segment.force}};
+    if (const auto found = calibrated_.find(key); found != calibrated_.end())
+        return found->second;
+    const auto& friction = input_.friction.at(row);
+    const auto& given = std::get<casefile::CalibratedFriction>(friction.law);
+    CalibratedAt result;
+    result.law.kind = given.kind;
+    result.law.load_part = given.load_part;
+    result.law.viscous_part = given.viscous_part;
+    result.law.exponent = given.exponent;
+    result.law.reference_speed = given.reference_speed;
+    result.law.scale = friction.scale;
+    result.duty = tribology::speed_ratio(result.law, segment.speed);
+    if (given.reference_force && segment.speed > 0) {
+        result.load_ratio = load_ratio(row, segment, given);
+        result.unloaded = !result.load_ratio;
+        result.duty.load = result.load_ratio.value_or(result.duty.load);
+    }
+    return calibrated_.emplace(key, result).first->second;
 }
 
 FrictionHeat FrictionLaws::calibrated(const std::string& row, const casefile::Segment& segment)
 {
     const auto& friction = input_.friction.at(row);
-    const auto& given = std::get<casefile::CalibratedFriction>(friction.law);
-    tribology::CalibratedFriction law;
-    law.kind = given.kind;
-    law.load_part = given.load_part;
-    law.viscous_part = given.viscous_part;
-    law.exponent = given.exponent;
-    law.reference_speed = given.reference_speed;
-    law.scale = friction.scale;
-
+    const auto& at = calibrated_at(row, segment);
     FrictionHeat result;
-    auto ratio = tribology::speed_ratio(law, segment.speed);
-    if (given.reference_force && segment.speed > 0) {
-        const auto found = load_ratio(row, segment, given);
-        result.unloaded = found.unloaded;
-        if (!found.unloaded)
-            result.load_ratio = ratio.load = found.ratio;
-    }
+    result.unloaded = at.unloaded;
+    result.load_ratio = at.load_ratio;
     tribology::ViscosityLaw viscosity;
     if (!friction.lubricant.empty())
         viscosity = viscosity_law(input_, friction.lubricant);
-    result.heat = tribology::calibrated_heat(law, viscosity, segment.speed, ratio);
-    result.load_part = friction.scale * given.load_part * ratio.load;
+    result.heat = tribology::calibrated_heat(at.law, viscosity, segment.speed, at.duty);
+    result.load_part = tribology::heat_parts(at.law, at.duty).load;
     return result;
+}
+
+// Laws with one lubricant and exponent differ by their parts only.
+LawTable FrictionLaws::calibrated_table(const std::string& row, const casefile::Segment& segment)
+{
+    const auto& at = calibrated_at(row, segment);
+    const auto parts = tribology::heat_parts(at.law, at.duty);
+    if (segment.speed == 0 || parts.viscous == 0)
+        return LawTable(heat(row, segment).heat);
+    const auto& lubricant = input_.friction.at(row).lubricant;
+    casefile::Case inputs;
+    inputs.lubricants.emplace(lubricant, input_.lubricants.at(lubricant));
+    casefile::CalibratedFriction shape;
+    shape.kind = at.law.kind;
+    shape.exponent = at.law.exponent;
+    inputs.friction[lubricant].law = shape;
+    inputs.operation.emplace_back().speed = at.law.kind == FrictionKind::rolling ? segment.speed : 0;
+    const auto table = kept_->shapes->get(casefile::case_bytes(std::move(inputs)), [&] {
+        return LawTable(tribology::viscous_shape(at.law, viscosity_law(input_, lubricant), segment.speed));
+    });
+    return affine(*table, parts.viscous, parts.load);
+}
+
+std::shared_ptr<const FrictionHeat> FrictionLaws::unscaled_heat(const std::string& row,
+                                                                const casefile::Segment& segment)
+{
+    const auto& friction = input_.friction.at(row);
+    const auto& now = loads(segment);
+    return kept_->heats.get({inputs_of(row, friction), {{segment.speed, segment.force}, false, 0}}, [&] {
+        const auto parts = physical_heat(input_, friction, rubbing_joints(row, now));
+        FrictionHeat result;
+        result.heat = parts.heat;
+        result.load_part = parts.load_part;
+        result.ring_heat = parts.ring_heat;
+        return result;
+    });
 }
 
 FrictionHeat FrictionLaws::physical(const std::string& row, const casefile::Segment& segment)
@@ -290,32 +393,50 @@ FrictionHeat FrictionLaws::physical(const std::string& row, const casefile::Segm
         result.load_part = 0;
         return result;
     }
-    const auto parts = physical_heat(input_, input_.friction.at(row), rubbing_joints(row, loads(segment)));
-    result.heat = parts.heat;
-    result.load_part = parts.load_part;
-    result.ring_heat = parts.ring_heat;
+    const auto unscaled = unscaled_heat(row, segment);
+    const double scale = input_.friction.at(row).scale;
+    result.heat = [unscaled, scale](double temperature) {
+        const LawValue value = unscaled->heat(temperature);
+        return LawValue{scale * value.value, scale * value.slope, value.in_range};
+    };
+    if (unscaled->load_part)
+        result.load_part = scale * *unscaled->load_part;
+    if (unscaled->ring_heat)
+        result.ring_heat = [unscaled, scale](double difference) { return scale * unscaled->ring_heat(difference); };
     return result;
 }
 
-FrictionHeat FrictionLaws::heat(const std::string& row, const casefile::Segment& segment)
+LawTable FrictionLaws::physical_table(const std::string& row, const casefile::Segment& segment)
 {
-    if (!laws_)
-        return computed_heat(row, segment);
-    const KeptFriction::Key key{row, {segment.speed, segment.force}, laws_->values(row)};
-    if (auto found = laws_->kept->heat(key))
-        return *std::move(found);
-    auto result = computed_heat(row, segment);
-    result.table = LawTable(result.heat);
-    laws_->kept->keep(key, result);
-    return result;
+    if (segment.speed == 0)
+        return LawTable(tribology::constant_heat(0));
+    const auto& friction = input_.friction.at(row);
+    const auto table = kept_->tables.get({inputs_of(row, friction), {{segment.speed, segment.force}, false, 0}},
+                                         [&] { return LawTable(unscaled_heat(row, segment)->heat); });
+    return affine(*table, friction.scale, 0);
+}
+
+const FrictionHeat& FrictionLaws::heat(const std::string& row, const casefile::Segment& segment)
+{
+    const LawAt key{row, {segment.speed, segment.force}};
+    auto found = heats_.find(key);
+    if (found == heats_.end())
+        found = heats_.emplace(key, computed_heat(row, segment)).first;
+    return found->second;
+}
+
+LawTable FrictionLaws::table(const std::string& row, const casefile::Segment& segment)
+{
+    return about("friction." + row, [&] {
+        return is_calibrated(input_.friction.at(row)) ? calibrated_table(row, segment) : physical_table(row, segment);
+    });
 }
 
 FrictionHeat FrictionLaws::computed_heat(const std::string& row, const casefile::Segment& segment)
 {
     const auto& friction = input_.friction.at(row);
-    const bool is_calibrated = std::holds_alternative<casefile::CalibratedFriction>(friction.law);
-    auto result =
-        about("friction." + row, [&] { return is_calibrated ? calibrated(row, segment) : physical(row, segment); });
+    auto result = about("friction." + row,
+                        [&] { return is_calibrated(friction) ? calibrated(row, segment) : physical(row, segment); });
     result.row = row;
     result.law = casefile::law_name(friction);
     for (const auto& [name, joint] : input_.joints)

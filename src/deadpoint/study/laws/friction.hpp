@@ -1,13 +1,15 @@
 #pragma once
 
+#include "deadpoint/exchange/laws/operating_point.hpp"
 #include "deadpoint/study/laws/loads_key.hpp"
 
-#include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace deadpoint::casefile {
@@ -18,10 +20,12 @@ struct LoadsResult;
 }
 
 namespace deadpoint {
+class LawTable;
 struct Machine;
-}
+}  // namespace deadpoint
 namespace deadpoint::casefile {
 struct Case;
+struct Friction;
 struct Segment;
 }  // namespace deadpoint::casefile
 
@@ -29,10 +33,11 @@ struct Segment;
 namespace deadpoint::study {
 
 class LoadsCache;
+struct CalibratedAt;
 struct FrictionHeat;
-struct KnownLaws;
-struct LoadRatio;
 struct FrictionSummary;
+struct KeptFriction;
+struct LoadDuty;
 struct RubbingJoint;
 
 /// The friction laws of a case. Loads are computed once for each operating point and reference that
@@ -49,15 +54,17 @@ class FrictionLaws {
 public:
     /// @param machine  for masses that the case does not state; may be null where loads_need_machine() is false
     /// @param known    loads already computed, used at their speed and force; may be null
-    /// @param shared   loads that are computed here and shared with other cases of this machine; may be null
-    /// @param laws     loads and laws of other cases of this machine; may be null
+    /// @param shared   loads and laws that other cases of this machine share; may be null
     /// All of them must outlive this.
     FrictionLaws(const casefile::Case& input, const Machine* machine, const LoadsResult* known,
-                 LoadsCache* shared = nullptr, const KnownLaws* laws = nullptr);
+                 LoadsCache* shared = nullptr);
+    ~FrictionLaws();
 
     /// @throws InputError naming the friction law, if it needs loads and the case has no linkage,
     ///         or a size is missing or outside the law; as compute_loads
-    FrictionHeat heat(const std::string& row, const casefile::Segment& segment);
+    const FrictionHeat& heat(const std::string& row, const casefile::Segment& segment);
+    /// Its `heat` as a table, to the tolerance of LawTableRange. @throws as heat()
+    LawTable table(const std::string& row, const casefile::Segment& segment);
 
     /// All friction laws in a segment in which the press runs.
     FrictionSummary summary(const casefile::Segment& segment);
@@ -72,26 +79,35 @@ public:
 
     /// Loads at a segment's speed (not zero) and force.
     const LoadsResult& loads(const casefile::Segment& segment);
-    /// All loads computed here so far.
-    [[nodiscard]] const std::map<LoadsKey, std::shared_ptr<const LoadsResult>>& computed() const { return computed_; }
 
 private:
+    [[nodiscard]] LoadsKey reference_key(const casefile::CalibratedFriction& friction) const;
     const LoadsResult& reference(const casefile::CalibratedFriction& friction);
-    const LoadsResult& compute(const LoadsKey& key, const casefile::Case& input);
+    const LoadsResult& compute(const LoadsKey& key, const std::function<casefile::Case()>& input);
     void keep_warnings(const LoadsResult& loads, bool at_reference);
     [[nodiscard]] std::vector<RubbingJoint> rubbing_joints(const std::string& row, const LoadsResult& loads) const;
+    [[nodiscard]] std::string inputs_of(const std::string& row, casefile::Friction friction) const;
     FrictionHeat computed_heat(const std::string& row, const casefile::Segment& segment);
-    LoadRatio load_ratio(const std::string& row, const casefile::Segment& segment,
-                         const casefile::CalibratedFriction& friction);
+    LoadDuty load_duty(const std::string& row, const std::string& inputs, const LoadsKey& key,
+                       const LoadsResult& loads);
+    std::optional<double> load_ratio(const std::string& row, const casefile::Segment& segment,
+                                     const casefile::CalibratedFriction& friction);
+    const CalibratedAt& calibrated_at(const std::string& row, const casefile::Segment& segment);
+    LawTable calibrated_table(const std::string& row, const casefile::Segment& segment);
     FrictionHeat calibrated(const std::string& row, const casefile::Segment& segment);
     FrictionHeat physical(const std::string& row, const casefile::Segment& segment);
+    LawTable physical_table(const std::string& row, const casefile::Segment& segment);
+    std::shared_ptr<const FrictionHeat> unscaled_heat(const std::string& row, const casefile::Segment& segment);
     void contrast_bearings(FrictionSummary& result, const LoadsResult& loads);
 
     const casefile::Case& input_;
     const Machine* machine_;
     const LoadsResult* known_;
     LoadsCache* shared_;
-    const KnownLaws* laws_;
+    std::shared_ptr<KeptFriction> kept_;  ///< of this case, or of all with its loads
+    using LawAt = std::pair<std::string, OperatingPoint>;
+    std::map<LawAt, FrictionHeat> heats_;
+    std::map<LawAt, CalibratedAt> calibrated_;
     std::map<LoadsKey, std::shared_ptr<const LoadsResult>> computed_;
     std::set<std::string> heard_;  ///< Warning::about of the loads' warnings so far
     std::vector<std::string> warnings_;

@@ -34,14 +34,6 @@ tribology::Lubricant lubricant_of(const casefile::Case& input, const Friction& f
     return {viscosity_law(input, friction.lubricant), tribology::linear_density(density)};
 }
 
-HeatLaw scaled(HeatLaw law, double factor)
-{
-    return [law = std::move(law), factor](double temperature) {
-        const LawValue value = law(temperature);
-        return LawValue{factor * value.value, factor * value.slope, value.in_range};
-    };
-}
-
 double palmgren_load_heat(const tribology::PalmgrenBearing& bearing, const Duty& duty, double axial)
 {
     double sum = 0;
@@ -96,7 +88,7 @@ double warm_preload(const PalmgrenFriction& friction, double difference)
 }
 
 // Additional heat from the rings' temperature difference, tabulated because each value is a mean over the turn.
-RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const PalmgrenFriction& friction, double scale,
+RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const PalmgrenFriction& friction,
                       const std::vector<RubbingJoint>& joints)
 {
     constexpr double step = 2.5;  // [K]
@@ -114,7 +106,7 @@ RingHeatLaw ring_heat(const tribology::PalmgrenBearing& bearing, const PalmgrenF
     for (int i = -steps; i <= steps; ++i) {
         const double difference = i * step;
         differences.push_back(difference);
-        added.push_back(scale * (heat(difference) - cold));
+        added.push_back(heat(difference) - cold);
     }
     return [differences, added](double difference) { return interpolate_linear(differences, added, difference).value; };
 }
@@ -240,12 +232,12 @@ PhysicalHeat physical_heat(const casefile::Case& input, const Friction& friction
         },
         friction.law);
     PhysicalHeat result;
-    result.heat = scaled(tribology::summed_heat(std::move(sum.laws)), friction.scale);
+    result.heat = tribology::summed_heat(std::move(sum.laws));
     if (!std::holds_alternative<casefile::SkfFriction>(friction.law))
-        result.load_part = friction.scale * sum.load_part;
+        result.load_part = sum.load_part;
     const auto* rolling = std::get_if<PalmgrenFriction>(&friction.law);
     if (rolling && rolling->ring_expansion)
-        result.ring_heat = ring_heat(palmgren_bearing(*rolling), *rolling, friction.scale, joints);
+        result.ring_heat = ring_heat(palmgren_bearing(*rolling), *rolling, joints);
     return result;
 }
 

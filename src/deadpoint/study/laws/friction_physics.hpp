@@ -30,7 +30,7 @@ struct PhysicalHeat {
     RingHeatLaw ring_heat;            ///< added by a ring temperature difference; empty without `ring_expansion` [W]
 };
 
-/// Heat of a friction law other than the calibrated one.
+/// Heat of a friction law other than the calibrated one, without its `scale`.
 ///
 /// Rolling bearings: every duty is one bearing of the stated size; the preload is an axial force on
 /// each (in spin, of a pair, an approach of its rows). Pins: diameter and length by the law, else

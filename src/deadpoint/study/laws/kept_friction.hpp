@@ -1,69 +1,73 @@
 #pragma once
 
-#include "deadpoint/exchange/laws/operating_point.hpp"
+#include "deadpoint/exchange/laws/law_table.hpp"
 #include "deadpoint/study/laws/loads_key.hpp"
 #include "deadpoint/study/result/friction_summary.hpp"
 
-#include <functional>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
-#include <tuple>
-#include <vector>
+#include <utility>
 
 /// Friction laws that many cases of one machine share.
 namespace deadpoint::study {
 
 struct LoadsResult;
 
-/// Load part of a calibrated law over that at its reference.
-struct LoadRatio {
-    double ratio = 1;
-    bool unloaded = false;  ///< its joints carry no load at the reference
-};
-
-/// Friction heats with their tables, by law, operating point, and the values on which the law depends; and ratios of
-/// loads, by law, operating point and reference. Any number of threads may use it.
-class KeptFriction {
+/// Values that are computed once for each key. Any number of threads may use them; two that ask for the same at once
+/// both compute it.
+template <class Key, class Value>
+class KeptValues {
 public:
-    using Key = std::tuple<std::string, OperatingPoint, std::vector<double>>;
-    [[nodiscard]] std::optional<FrictionHeat> heat(const Key& key) const { return found(heats_, key); }
-    void keep(const Key& key, const FrictionHeat& heat) { insert(heats_, key, heat); }
-    [[nodiscard]] std::optional<LoadRatio> ratio(const Key& key) const { return found(ratios_, key); }
-    void keep(const Key& key, const LoadRatio& ratio) { insert(ratios_, key, ratio); }
+    /// @param most  number of values that are kept
+    explicit KeptValues(std::size_t most) : most_(most) {}
+    /// @param make  computes the value of the key where it is not there
+    template <class Make>
+    std::shared_ptr<const Value> get(const Key& key, const Make& make)
+    {
+        if (auto found = find(key))
+            return found;
+        auto made = std::make_shared<const Value>(make());
+        const std::scoped_lock lock(mutex_);
+        if (kept_.size() >= most_)
+            kept_.clear();
+        return kept_.emplace(key, std::move(made)).first->second;
+    }
 
 private:
-    static constexpr std::size_t most = 4096;  ///< a table takes some kilobytes
-
-    template <class Value>
-    std::optional<Value> found(const std::map<Key, Value>& kept, const Key& key) const
+    std::shared_ptr<const Value> find(const Key& key) const
     {
         const std::scoped_lock lock(mutex_);
-        const auto at = kept.find(key);
-        return at == kept.end() ? std::nullopt : std::optional(at->second);
-    }
-    template <class Value>
-    void insert(std::map<Key, Value>& kept, const Key& key, const Value& value)
-    {
-        const std::scoped_lock lock(mutex_);
-        if (kept.size() >= most)
-            kept.clear();
-        kept.emplace(key, value);
+        const auto found = kept_.find(key);
+        return found == kept_.end() ? nullptr : found->second;
     }
 
+    std::size_t most_;
     mutable std::mutex mutex_;
-    std::map<Key, FrictionHeat> heats_;
-    std::map<Key, LoadRatio> ratios_;
+    std::map<Key, std::shared_ptr<const Value>> kept_;
 };
 
-/// What a case takes from others of its machine that have the same loads.
-struct KnownLaws {
-    std::shared_ptr<const LoadsResult> first;                       ///< of the first segment in which the press runs
-    std::map<LoadsKey, std::shared_ptr<const LoadsResult>> others;  ///< of other segments, and of references
-    std::function<std::vector<double>(const std::string&)> values;  ///< on which a friction law depends, by its name
-    KeptFriction* kept = nullptr;
+/// Duty of the joints of a calibrated law, to which its load part is proportional.
+struct LoadDuty {
+    double sum = 0;         ///< of mean(F^1.33 |w|) or mean(F |w|), by the kind of the law
+    bool unloaded = false;  ///< the joints carry no load
+};
+
+/// Viscous shapes of calibrated laws as tables, by lubricant, exponent and, of rolling friction, speed.
+using KeptShapes = KeptValues<std::string, LawTable>;
+
+/// What follows from loads, for cases that agree in all that loads depend on. `loads` are others of the same cases.
+struct KeptFriction {
+    /// Inputs of a law (FrictionLaws) and the loads at which it is wanted.
+    using Key = std::pair<std::string, LoadsKey>;
+    KeptValues<LoadsKey, std::shared_ptr<const LoadsResult>> loads{16};  ///< at other points, and at references
+    KeptValues<Key, LoadDuty> duties{1024};
+    KeptValues<Key, FrictionHeat> heats{256};  ///< of physical laws, without their scale
+    KeptValues<Key, LawTable> tables{256};     ///< of the same; one takes some tens of kilobytes
+    /// Of any loads.
+    std::shared_ptr<KeptShapes> shapes = std::make_shared<KeptShapes>(std::size_t{64});
 };
 
 }  // namespace deadpoint::study

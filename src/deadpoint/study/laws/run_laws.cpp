@@ -5,7 +5,6 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/laws/friction.hpp"
-#include "deadpoint/study/laws/kept_friction.hpp"
 #include "deadpoint/study/pipeline/loads_cache.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
@@ -38,23 +37,13 @@ HeatProblem run_laws(const casefile::Case& input, const Machine& machine, Vibrat
     return problem;
 }
 
-HeatProblem heat_with(const casefile::Case& input, const Machine& machine, const KnownLaws& known)
+HeatProblem heat_with(const casefile::Case& input, const Machine& machine, LoadsCache& shared, Observer& observer)
 {
-    Observer silent;
-    FrictionLaws friction(input, &machine, known.first.get(), nullptr, &known);
-    return describe_heat(input, machine, silent, known.first.get(), friction);
-}
-
-KnownLaws known_laws(const casefile::Case& input, const Machine& machine, LoadsCache& shared)
-{
-    KnownLaws known;
+    std::shared_ptr<const LoadsResult> loads;
     if (const int segment = first_running_segment(input); segment >= 0 && has_loads(input))
-        known.first = shared.get(input, &machine, segment, Vibration::left_out);
-    Observer silent;
-    FrictionLaws friction(input, &machine, known.first.get(), &shared);
-    (void)describe_heat(input, machine, silent, known.first.get(), friction);
-    known.others = friction.computed();
-    return known;
+        loads = shared.get(input, &machine, segment, Vibration::left_out);
+    FrictionLaws friction(input, &machine, loads.get(), &shared);
+    return describe_heat(input, machine, observer, loads.get(), friction);
 }
 
 }  // namespace deadpoint::study

@@ -14,20 +14,19 @@ struct Case;
 /// Internal to study/: from a case to its heat problem.
 namespace deadpoint::study {
 
-struct KnownLaws;
 class LoadsCache;
 class Stopwatch;
 struct RunResult;
 
 /// Loads and laws of a case as its heat problem; stores loads and friction in the result. Needs no mesh.
-/// @param machine  perhaps without_mesh() @param shared  loads shared with other cases of this machine, or null
+/// @param machine  perhaps without_mesh() @param shared  loads and laws shared with other cases of this machine, or
+/// null
 /// @throws CaseError, CaseDomainError
 HeatProblem run_laws(const casefile::Case& input, const Machine& machine, Vibration vibration, Stopwatch& watch,
                      RunResult& result, Observer& observer, LoadsCache* shared = nullptr);
 
-/// The heat problem alone, of a case whose loads and most of whose laws are known.
-HeatProblem heat_with(const casefile::Case& input, const Machine& machine, const KnownLaws& known);
-/// What other cases may take from this one. Its `values` and `kept` are left empty.
-KnownLaws known_laws(const casefile::Case& input, const Machine& machine, LoadsCache& shared);
+/// The heat problem alone, without warnings of loads and powers.
+/// @throws as run_laws()
+HeatProblem heat_with(const casefile::Case& input, const Machine& machine, LoadsCache& shared, Observer& observer);
 
 }  // namespace deadpoint::study

@@ -10,7 +10,6 @@
 #include "deadpoint/reduce/sensitivity/sensitivity.hpp"
 #include "deadpoint/study/drift/chain_series.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
-#include "deadpoint/study/laws/kept_friction.hpp"
 #include "deadpoint/study/laws/run_laws.hpp"
 #include "deadpoint/study/pipeline/loads_cache.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
@@ -63,38 +62,6 @@ Combination parts_of(const ForwardOutput& output, const ReducedChain& chain)
     return dimension_parts(output.index, chain.figures);
 }
 
-/// The friction law on which alone a key acts; "" for none of them, nothing if it may act on any.
-std::optional<std::string> friction_of(const std::string& key)
-{
-    constexpr std::string_view friction = "friction.";
-    if (key.starts_with(friction)) {
-        const auto end = key.find('.', friction.size());
-        return key.substr(friction.size(), end - friction.size());
-    }
-    const auto starts = [&](std::string_view text) { return key.starts_with(text); };
-    const auto ends = [&](std::string_view text) { return key.ends_with(text); };
-    const bool other = starts("oil.") || starts("oil_with_speed.") || starts("surfaces.") || key == "machine.ambient" ||
-                       (starts("joints.") && (ends(".oil") || key.find(".conductance.") != key.npos));
-    return other ? std::optional<std::string>("") : std::nullopt;
-}
-
-bool acts_on(const CaseParameter& parameter, const std::string& law)
-{
-    return std::ranges::any_of(parameter.keys, [&](const auto& key) {
-        const auto only = friction_of(key);
-        return !only || *only == law;
-    });
-}
-
-bool changes_loads(const casefile::Case& input, const CaseParameter& parameter)
-{
-    const auto changed = with_parameters(input, {parameter}, {half_step});
-    for (int s = 0; s < static_cast<int>(input.operation.size()); ++s)
-        if (loads_part(input, s) != loads_part(changed, s))
-            return true;
-    return false;
-}
-
 std::vector<double> zeros(std::size_t count) { return std::vector<double>(count, 0.0); }
 
 }  // namespace
@@ -121,44 +88,12 @@ struct ForwardModel::Parts {
     ForwardOptions options;
     std::vector<ForwardOutput> outputs;
     std::unique_ptr<LoadsCache> own_loads;
-    std::optional<KnownLaws> known;                          ///< at theta = 0, unless a parameter changes loads
-    std::map<std::string, std::vector<std::size_t>> acting;  ///< parameters that act on a friction law
-    mutable KeptFriction kept;
 
     [[nodiscard]] LoadsCache& loads() const { return options.loads ? *options.loads : *own_loads; }
-    // What all values of the parameters share.
-    void prepare()
-    {
-        for (const auto& parameter : parameters)
-            if (changes_loads(input, parameter))
-                return;
-        known = known_laws(input, press->machine, loads());
-        for (const auto& [name, law] : input.friction)
-            for (std::size_t k = 0; k < parameters.size(); ++k)
-                if (acts_on(parameters[k], name))
-                    acting[name].push_back(k);
-    }
-    [[nodiscard]] HeatProblem laws(const casefile::Case& at, const std::vector<double>& theta, Observer& observer) const
-    {
-        if (!known) {
-            RunResult unused;
-            Stopwatch watch(observer);
-            return run_laws(at, press->machine, Vibration::left_out, watch, unused, observer, &loads());
-        }
-        KnownLaws own = *known;
-        own.kept = &kept;
-        own.values = [&](const std::string& law) {
-            std::vector<double> result;
-            if (const auto found = acting.find(law); found != acting.end())
-                for (const auto k : found->second)
-                    result.push_back(theta[k]);
-            return result;
-        };
-        return heat_with(at, press->machine, own);
-    }
     [[nodiscard]] SplitProblem split(const std::vector<double>& theta, Observer& observer) const
     {
-        auto result = split_by_part(laws(with_parameters(input, parameters, theta), theta, observer), press->machine);
+        const auto at = with_parameters(input, parameters, theta);
+        auto result = split_by_part(heat_with(at, press->machine, loads(), observer), press->machine);
         result.problem.field_times.clear();
         result.problem.fixed_step = options.fixed_step;
         return result;
@@ -274,7 +209,6 @@ ForwardModel::ForwardModel(casefile::Case input, const ReducedPress& press, std:
                                          "calibrate friction, oil, conductances, films or the operation",
                                          parameter.name, found.front()));
     }
-    parts_->prepare();
 }
 ForwardModel::~ForwardModel() = default;
 ForwardModel::ForwardModel(ForwardModel&&) noexcept = default;

@@ -1,13 +1,38 @@
 #include "deadpoint/study/pipeline/loads_cache.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/casefile/syntax/case_bytes.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 
 namespace deadpoint::study {
+
+namespace {
+
+std::shared_ptr<KeptFriction> kept_friction(const std::shared_ptr<KeptShapes>& shapes)
+{
+    auto result = std::make_shared<KeptFriction>();
+    result->shapes = shapes;
+    return result;
+}
+
+/// Loads that are still being computed, or could not be, are no others'.
+bool holds(const std::shared_future<std::shared_ptr<const LoadsResult>>& computed, const LoadsResult& loads)
+{
+    if (computed.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return false;
+    try {
+        return computed.get().get() == &loads;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace
 
 std::string loads_part(const casefile::Case& input, int segment)
 {
@@ -44,7 +69,7 @@ std::string loads_part(const casefile::Case& input, int segment)
     read.output = {};
     read.reduce.reset();
     read.reference.reset();
-    return fmt::format("{}\n{}", segment, casefile::write_case(read));
+    return fmt::format("{}\n{}", segment, casefile::case_bytes(std::move(read)));
 }
 
 std::shared_ptr<const LoadsResult> LoadsCache::get(const casefile::Case& input, const Machine* machine, int segment,
@@ -55,18 +80,25 @@ std::shared_ptr<const LoadsResult> LoadsCache::get(const casefile::Case& input, 
         return std::make_shared<const LoadsResult>(compute_loads(input, machine, segment, vibration, &turns_));
     });
     std::unique_lock lock(mutex_);
-    if (const auto found = std::ranges::find(kept_, key, &std::pair<Key, Loads>::first); found != kept_.end()) {
+    if (const auto found = std::ranges::find(kept_, key, &Entry::key); found != kept_.end()) {
         kept_.splice(kept_.begin(), kept_, found);
-        const auto loads = found->second;
+        const auto loads = found->loads;
         lock.unlock();
         return loads.get();
     }
-    const auto loads = kept_.emplace_front(key, task.get_future().share()).second;
+    const auto loads = kept_.emplace_front(Entry{key, task.get_future().share(), kept_friction(shapes_)}).loads;
     if (kept_.size() > most_)
         kept_.pop_back();
     lock.unlock();
     task();
     return loads.get();
+}
+
+std::shared_ptr<KeptFriction> LoadsCache::friction_at(const LoadsResult& loads)
+{
+    const std::scoped_lock lock(mutex_);
+    const auto found = std::ranges::find_if(kept_, [&](const Entry& entry) { return holds(entry.loads, loads); });
+    return found == kept_.end() ? kept_friction(shapes_) : found->friction;
 }
 
 }  // namespace deadpoint::study

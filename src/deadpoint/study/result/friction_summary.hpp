@@ -1,6 +1,5 @@
 #pragma once
 
-#include "deadpoint/exchange/laws/law_table.hpp"
 #include "deadpoint/exchange/laws/laws.hpp"
 
 #include <cmath>
@@ -17,7 +16,6 @@ struct FrictionHeat {
     std::string law;
     std::vector<std::string> joints;   ///< that name the friction law
     HeatLaw heat;                      ///< [W] over temperature [K]
-    LawTable table;                    ///< of it, where other cases share it
     std::optional<double> load_part;   ///< share of the heat that does not depend on temperature [W]; SKF has none
     RingHeatLaw ring_heat;             ///< added by the ring temperature difference; may be empty
     std::optional<double> load_ratio;  ///< duty of the load part over that at the reference, with a reference force

@@ -159,7 +159,7 @@ private:
     /// Of the friction heat at the initial temperature.
     double load_share(const std::string& row, const casefile::Segment& running)
     {
-        const auto friction = friction_.heat(row, running);
+        const auto& friction = friction_.heat(row, running);
         const double whole = friction.heat(input_.machine.initial_temperature).value;
         return whole > 0 ? std::clamp(friction.load_part.value_or(0) / whole, 0.0, 1.0) : 0;
     }
@@ -188,8 +188,8 @@ private:
 
     void add_friction(HeatSegment& segment, const std::string& row, const casefile::Segment& operation)
     {
-        const auto friction = friction_.heat(row, operation);
-        segment.heat.push_back(friction.table ? friction.table : LawTable(friction.heat));
+        const auto& friction = friction_.heat(row, operation);
+        segment.heat.push_back(friction_.table(row, operation));
         segment.ring_heat.push_back(friction.ring_heat);
         segment.zoned_heat.push_back(friction.load_part.value_or(0));
         if (!friction.load_part)

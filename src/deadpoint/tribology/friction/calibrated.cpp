@@ -77,29 +77,41 @@ DutyRatio duty_ratio(FrictionKind kind, const Duty& now, const Duty& reference)
             ratio_of(duty_mean(now, 0, drag), duty_mean(reference, 0, drag), "motion")};
 }
 
+HeatParts heat_parts(const CalibratedFriction& friction, const DutyRatio& ratio)
+{
+    check(friction, true);
+    require_not_negative("factor on the load part", ratio.load);
+    require_not_negative("factor on the viscous part", ratio.viscous);
+    return {friction.scale * friction.load_part * ratio.load, friction.scale * friction.viscous_part * ratio.viscous};
+}
+
+HeatLaw viscous_shape(const CalibratedFriction& friction, const ViscosityLaw& viscosity, double speed)
+{
+    const double branch = branch_viscosity(friction, speed);
+    const double low = std::pow(branch / square_millimetre, palmgren_exponent) * low_branch_factor /
+                       std::pow(palmgren_branch, palmgren_exponent);
+    return [low, branch, p = friction.exponent, viscosity](double temperature) {
+        const LawValue nu = viscosity(temperature);
+        if (nu.value < branch)
+            return LawValue{low, 0, nu.in_range};
+        const double part = std::pow(nu.value / square_millimetre, p);
+        return LawValue{part, part * p * nu.slope / nu.value, nu.in_range};
+    };
+}
+
 HeatLaw calibrated_heat(const CalibratedFriction& friction, const ViscosityLaw& viscosity, double speed,
                         const DutyRatio& ratio)
 {
     check(friction, static_cast<bool>(viscosity));
-    require_not_negative("factor on the load part", ratio.load);
-    require_not_negative("factor on the viscous part", ratio.viscous);
+    const auto parts = heat_parts(friction, ratio);
     require_not_negative("speed of the crank, its sign dropped [rad/s]", std::abs(speed));
     if (speed == 0)
         return constant_heat(0);
-    const double load = friction.scale * friction.load_part * ratio.load;
-    const double viscous = friction.scale * friction.viscous_part * ratio.viscous;
-    if (viscous == 0)
-        return constant_heat(load);
-
-    const double branch = branch_viscosity(friction, speed);
-    const double low = viscous * std::pow(branch / square_millimetre, palmgren_exponent) * low_branch_factor /
-                       std::pow(palmgren_branch, palmgren_exponent);
-    return [load, viscous, low, branch, p = friction.exponent, viscosity](double temperature) {
-        const LawValue nu = viscosity(temperature);
-        if (nu.value < branch)
-            return LawValue{load + low, 0, nu.in_range};
-        const double part = viscous * std::pow(nu.value / square_millimetre, p);
-        return LawValue{load + part, part * p * nu.slope / nu.value, nu.in_range};
+    if (parts.viscous == 0)
+        return constant_heat(parts.load);
+    return [parts, shape = viscous_shape(friction, viscosity, speed)](double temperature) {
+        const LawValue value = shape(temperature);
+        return LawValue{parts.load + parts.viscous * value.value, parts.viscous * value.slope, value.in_range};
     };
 }
 

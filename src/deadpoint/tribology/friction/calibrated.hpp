@@ -39,6 +39,21 @@ DutyRatio speed_ratio(const CalibratedFriction& friction, double speed, double l
 /// @throws InputError if at the reference the joint does not move, or carries no load
 DutyRatio duty_ratio(FrictionKind kind, const Duty& now, const Duty& reference);
 
+/// The heat of a joint at given duty [W]: load + viscous shape(T).
+struct HeatParts {
+    double load = 0;     ///< scale c0 load
+    double viscous = 0;  ///< scale c1 viscous, at a viscosity of 1 mm2/s
+};
+
+/// @throws InputError if a part, the scale or a factor is negative or not finite
+HeatParts heat_parts(const CalibratedFriction& friction, const DutyRatio& ratio);
+
+/// Viscous heat over that at 1 mm2/s: (nu(T)/1 mm2/s)^p, of a rolling part with its low branch (see below). Joints
+/// share it that share lubricant and exponent, rolling ones the speed besides.
+/// @param friction  its kind and exponent; the rest is not read
+/// @param speed     not zero
+HeatLaw viscous_shape(const CalibratedFriction& friction, const ViscosityLaw& viscosity, double speed);
+
 /// The friction heat of a joint at given duty, as a curve over the joint's temperature:
 ///     scale (c0 load + c1 viscous (nu(T)/1 mm2/s)^p)
 ///
