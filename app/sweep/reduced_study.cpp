@@ -1,3 +1,4 @@
+#include "deadpoint/casefile/files/case_base.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/hash.hpp"
@@ -160,11 +161,11 @@ void run_on_model(const SweepOptions& options, const study::ReducedPress& press,
     flush_out();
     study::ReducedSweep how;
     how.threads = options.jobs > 0 ? options.jobs : usable_cores();
-    how.read = [&](const study::SweepPoint& point) {
-        return casefile::read_case(result.study.base, point.overrides, options.files).value;
-    };
+    const casefile::CaseBase base(result.study.base, options.files);
+    how.read = [&](const study::SweepPoint& point) { return base.with(point.overrides); };
+    casefile::CaseTexts texts;
     how.record = [&](std::size_t point, const casefile::Case& input, const study::RunResult& run) {
-        const auto record = report::record_of(input, run);
+        const auto record = report::record_of(input, texts.hash(input), run);
         return drawn.contains(point) ? record : report::brief(record);
     };
     how.take = [&](std::size_t point, study::EndedPoint ended) {

@@ -1,7 +1,6 @@
 #include "deadpoint/report/folder/record_of_run.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/report/files/sampled.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
@@ -9,6 +8,7 @@
 #include "deadpoint/study/result/run_summary.hpp"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace deadpoint::report {
 namespace {
@@ -25,11 +25,11 @@ void add_bearings(const study::LoadsResult& loads, study::RunRecord& record)
 
 }  // namespace
 
-study::RunRecord record_of(const casefile::Case& input, const study::RunResult& result)
+study::RunRecord record_of(const casefile::Case& input, std::string hash, const study::RunResult& result)
 {
     study::RunRecord record;
     record.machine = input.machine.name;
-    record.hash = casefile::case_hash(input);
+    record.hash = std::move(hash);
     record.interrupted = result.thermal.interrupted;
     record.initial_temperature = input.machine.initial_temperature;
     record.time = history_times(input, result);
@@ -43,9 +43,8 @@ study::RunRecord record_of(const casefile::Case& input, const study::RunResult& 
     if (result.drift)
         for (const auto& [name, series] : dimensions(*result.drift))
             record.chain[name] = sampled(steps, *series, record.time, 1, 0);
-    if (const auto summary = study::summarise(input, result); summary.gap_course)
-        record.gap =
-            study::GapFigures{summary.gap_course->first_hour.change, summary.gap_course->range, summary.warm_up_time};
+    if (result.drift)
+        record.gap = study::gap_figures(input, *result.drift);
     if (result.loads) {
         record.has_loads = true;
         add_bearings(*result.loads, record);

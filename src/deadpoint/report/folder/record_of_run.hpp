@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace deadpoint::casefile {
 struct Case;
 }
@@ -12,6 +14,7 @@ namespace deadpoint::report {
 
 /// The record of a run that was not written into a folder, with the numbers that read_result() would read from it; of
 /// the loads the peaks of the crankshaft's bearings only.
-study::RunRecord record_of(const casefile::Case& input, const study::RunResult& result);
+/// @param hash  case_hash() of the case
+study::RunRecord record_of(const casefile::Case& input, std::string hash, const study::RunResult& result);
 
 }  // namespace deadpoint::report

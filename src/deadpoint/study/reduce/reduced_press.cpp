@@ -201,17 +201,13 @@ ReducedPress read_reduced(const std::filesystem::path& file)
     return press;
 }
 
-std::string fixed_part(const casefile::Case& input)
+casefile::Case fixed_case(const casefile::Case& input)
 {
     auto fixed = input;
     fixed.operation = {};
     fixed.machine.name.clear();
     fixed.machine.description.clear();
     fixed.machine.ambient = fixed.machine.initial_temperature = casefile::MachineSection{}.ambient;
-    for (auto& [name, part] : fixed.parts) {
-        part.step = form_in_file(part.step);
-        part.mesh = form_in_file(part.mesh);
-    }
     for (auto& [name, joint] : fixed.joints) {
         joint.friction.clear();
         joint.oil_temperature = casefile::Joint{}.oil_temperature;
@@ -252,6 +248,16 @@ std::string fixed_part(const casefile::Case& input)
     fixed.numerics.seam_tolerance = given.seam_tolerance;
     fixed.numerics.deformation_size = given.deformation_size;
     fixed.numerics.deformation_order = given.deformation_order;
+    return fixed;
+}
+
+std::string fixed_part(const casefile::Case& input)
+{
+    auto fixed = fixed_case(input);
+    for (auto& [name, part] : fixed.parts) {
+        part.step = form_in_file(part.step);
+        part.mesh = form_in_file(part.mesh);
+    }
     return casefile::write_case(fixed);
 }
 

@@ -57,6 +57,8 @@ struct ReducedPress {
 /// chain, other heat. Operating points, loads, friction, oil, conductances and convection may differ. STEP and mesh
 /// files are in it by name and content. @throws IoError if such a file cannot be read
 std::string fixed_part(const casefile::Case& input);
+/// The same as a case, whose files are told by their paths.
+casefile::Case fixed_case(const casefile::Case& input);
 
 /// The file beside that of a reduced press with the fields of its states: press.rom, press.fields.rom.
 std::filesystem::path fields_file(const std::filesystem::path& file);

@@ -4,7 +4,6 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/parallel/in_parallel.hpp"
-#include "deadpoint/study/pipeline/loads_cache.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
 #include "deadpoint/study/result/run_result.hpp"
@@ -44,7 +43,7 @@ public:
         PointObserver observer(observer_);
         try {
             const auto input = sweep_.read(points_[point]);
-            const auto result = run_reduced(input, press_, {}, ReducedDetail::figures, observer, nullptr, &loads_);
+            const auto result = run_reduced(input, press_, {}, ReducedDetail::figures, observer, nullptr, &shared_);
             if (result.thermal.interrupted)
                 return work;
             work.ended.record = sweep_.record(point, input, result);
@@ -75,7 +74,7 @@ private:
     const ReducedPress& press_;
     const ReducedSweep& sweep_;
     Observer& observer_;
-    LoadsCache loads_;
+    SharedParts shared_;
     std::set<std::string> told_;  // most points warn of the same
 };
 

@@ -1,6 +1,7 @@
 #include "deadpoint/study/reduce/run_reduced.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/syntax/case_bytes.hpp"
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/drift/play.hpp"
 #include "deadpoint/error.hpp"
@@ -19,7 +20,6 @@
 #include "deadpoint/study/fields/field_times.hpp"
 #include "deadpoint/study/fields/lift_fields.hpp"
 #include "deadpoint/study/laws/run_laws.hpp"
-#include "deadpoint/study/pipeline/loads_cache.hpp"
 #include "deadpoint/study/pipeline/run_warnings.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/reduce/outside.hpp"
@@ -246,10 +246,11 @@ std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress
     return result;
 }
 
-void require_fit(const casefile::Case& input, const ReducedPress& press)
+namespace {
+
+void refuse(std::vector<std::string> found, const ReducedPress& press)
 {
     constexpr std::size_t shown = 4;
-    auto found = misfits(input, press);
     if (found.empty())
         return;
     const auto count = found.size();
@@ -261,13 +262,21 @@ void require_fit(const casefile::Case& input, const ReducedPress& press)
                     press.name, fmt::join(found, "\n    "), count > shown ? "\n    ..." : ""));
 }
 
+}  // namespace
+
+void require_fit(const casefile::Case& input, const ReducedPress& press) { refuse(misfits(input, press), press); }
+
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,
-                      ReducedDetail detail, Observer& observer, ReducedStates* states, LoadsCache* loads)
+                      ReducedDetail detail, Observer& observer, ReducedStates* states, SharedParts* shared)
 {
-    require_fit(input, press);
+    if (shared)
+        refuse(*shared->misfits.get(casefile::case_bytes(fixed_case(input)), [&] { return misfits(input, press); }),
+               press);
+    else
+        require_fit(input, press);
     if (large.press)
         require_same(press, *large.press);
-    return ReducedCaseRun(input, press, detail, observer, loads).run(large, states);
+    return ReducedCaseRun(input, press, detail, observer, shared ? &shared->loads : nullptr).run(large, states);
 }
 
 StatedError difference_to_full(const RunResult& reduced, const ReducedPress& press, const RunResult& full)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/study/pipeline/loads_cache.hpp"
+
 #include <string>
 #include <vector>
 
@@ -16,7 +18,6 @@ struct ResidualTerms;
 /// Runs of a case on its reduced model.
 namespace deadpoint::study {
 
-class LoadsCache;
 struct ReducedPress;
 struct ReducedStates;
 struct RunResult;
@@ -33,13 +34,19 @@ struct LargeModel {
     const reduce::ResidualTerms* residual = nullptr;  ///< its residual, for certified bounds; null: none
 };
 
+/// What runs of similar cases on one press share. Any number of threads may use it.
+struct SharedParts {
+    LoadsCache loads;
+    KeptValues<std::string, std::vector<std::string>> misfits{64};  ///< by the bytes of fixed_case()
+};
+
 /// @param states  given those at the times of the fields, for lift_fields(), which then also warns of the frame; null:
 ///                no fields follow
-/// @param loads   those that runs on this press share; null: computed for this run
+/// @param shared  what runs on this press share; null: all is computed for this run
 /// @throws CaseError as a full run; InputError if the model was built for another press
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,
                       ReducedDetail detail, Observer& observer, ReducedStates* states = nullptr,
-                      LoadsCache* loads = nullptr);
+                      SharedParts* shared = nullptr);
 
 /// Difference of a finished reduced run to a full run of the same case, after the first minute.
 StatedError difference_to_full(const RunResult& reduced, const ReducedPress& press, const RunResult& full);

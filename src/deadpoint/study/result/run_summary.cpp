@@ -15,6 +15,23 @@ double rise_at(const casefile::Case& input, const RunResult& result, std::size_t
     return interpolate(result.thermal.time, result.probes[probe].history, time) - input.machine.initial_temperature;
 }
 
+namespace {
+
+std::optional<double> warm_up_time(const casefile::Case& input, const DriftSeries& drift)
+{
+    if (!input.chain || !(input.chain->drift_rate_limit > 0))
+        return std::nullopt;
+    return steady_from(drift.time, drift.gap, input.chain->drift_rate_limit);
+}
+
+}  // namespace
+
+GapFigures gap_figures(const casefile::Case& input, const DriftSeries& drift)
+{
+    const auto course = summarise_course(drift.time, drift.gap);
+    return {course.first_hour.change, course.range, warm_up_time(input, drift)};
+}
+
 RunSummary summarise(const casefile::Case& input, const RunResult& result)
 {
     RunSummary summary;
@@ -60,8 +77,7 @@ RunSummary summarise(const casefile::Case& input, const RunResult& result)
     }
     summary.final_gap = drift.gap.value.back();
     summary.gap_course = summarise_course(drift.time, drift.gap);
-    if (input.chain && input.chain->drift_rate_limit > 0)
-        summary.warm_up_time = steady_from(drift.time, drift.gap, input.chain->drift_rate_limit);
+    summary.warm_up_time = warm_up_time(input, drift);
     return summary;
 }
 

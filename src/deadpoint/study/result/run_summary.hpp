@@ -1,11 +1,15 @@
 #pragma once
 
 #include "deadpoint/study/drift/drift_summary.hpp"
+#include "deadpoint/study/pipeline/run_record.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
+namespace deadpoint {
+struct DriftSeries;
+}
 namespace deadpoint::study {
 struct RunResult;
 }
@@ -38,6 +42,9 @@ struct RunSummary {
     std::vector<CourseSummary> probe_courses;  ///< [K]
 };
 RunSummary summarise(const casefile::Case& input, const RunResult& result);
+
+/// Those of E_SW alone that a record keeps.
+GapFigures gap_figures(const casefile::Case& input, const DriftSeries& drift);
 
 /// Rise of a probe above the start of the case [K]. @param probe  index into RunResult::probes
 double rise_at(const casefile::Case& input, const RunResult& result, std::size_t probe, double time);
