@@ -1,11 +1,16 @@
 #include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/files/case_base.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/casefile/syntax/case_bytes.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/certificate/certificate.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
+#include "deadpoint/report/folder/point_table.hpp"
+#include "deadpoint/report/folder/record_of_run.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/laws/run_laws.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
@@ -31,7 +36,7 @@
 #include <vector>
 
 // How long the stages of a run on a reduced press take: benchmark_reduced_times case.toml press.rom [count
-// [loads|runs|causes|certificate]] Prints the fastest and the median of `count` calls [ms].
+// [loads|runs|points|causes|certificate]] Prints the fastest and the median of `count` calls [ms].
 
 namespace {
 
@@ -56,7 +61,8 @@ void measure(const char* what, int count, const std::function<void(int)>& work)
 class Stages {
 public:
     Stages(const std::string& file, const std::filesystem::path& rom, int count)
-        : case_(casefile::read_case(file).value), press_(study::read_reduced(rom)), rom_(rom), count_(count)
+        : file_(file), case_(casefile::read_case(file).value), press_(study::read_reduced(rom)), rom_(rom),
+          count_(count)
     {
         problem_ = split(heat_problem(case_, nullptr));
     }
@@ -84,10 +90,39 @@ public:
             run(problem);
         });
         measure("run of a heat problem, coefficients as before", count_, [&](int) { run(problem_); });
-        study::LoadsCache cache;
+        study::SharedParts shared;
         measure("run of a case for a study, another speed and force each", count_, [&](int k) {
-            study::run_reduced(at(k), press_, {}, study::ReducedDetail::figures, observer_, nullptr, &cache);
+            study::run_reduced(at(k), press_, {}, study::ReducedDetail::figures, observer_, nullptr, &shared);
         });
+    }
+
+    // A point of a study, with other coefficients each.
+    void points()
+    {
+        const casefile::CaseBase base(file_, casefile::FileAccess::below);
+        const auto settings = [](int k) {
+            return std::vector<std::string>{"oil.crank_bearings=" + std::to_string(300 + 0.1 * k) + " W/m^2/K",
+                                            "friction.crank_pin.scale=" + std::to_string(1 + 1e-3 * k)};
+        };
+        casefile::CaseTexts texts;
+        study::SharedParts shared;
+        const auto point = base.with(settings(0));
+        texts.hash(point);
+        study::RunResult run;
+        measure("point: case", count_, [&](int k) { (void)base.with(settings(k)); });
+        measure("point: hash of its text", count_, [&](int k) { texts.hash(base.with(settings(k))); });
+        measure("point: its fixed part as bytes", count_, [&](int) { casefile::case_bytes(study::fixed_case(point)); });
+        measure("point: known loads", count_,
+                [&](int) { shared.loads.get(point, &press_.machine, 0, study::Vibration::left_out); });
+        measure("point: laws and heat problem", count_, [&](int) { heat_problem(point, &shared.loads); });
+        const auto problem = heat_problem(point, &shared.loads);
+        measure("point: heat problem by part", count_, [&](int) { (void)split(problem); });
+        measure("point: time steps", count_, [&](int) { this->run(problem_); });
+        measure("point: run with all of these but case and text", count_, [&](int k) {
+            run = study::run_reduced(base.with(settings(k)), press_, {}, study::ReducedDetail::figures, observer_,
+                                     nullptr, &shared);
+        });
+        measure("point: record", count_, [&](int) { (void)report::brief(report::record_of(point, "hash", run)); });
     }
 
     void causes()
@@ -159,6 +194,7 @@ private:
     }
 
     Silent observer_;
+    std::string file_;
     casefile::Case case_;
     study::ReducedPress press_;
     std::filesystem::path rom_;
@@ -171,7 +207,8 @@ private:
 int main(int count, char** arguments)
 {
     if (count < 3) {
-        std::fprintf(stderr, "benchmark_reduced_times case.toml press.rom [count [loads|runs|causes|certificate]]\n");
+        std::fprintf(stderr,
+                     "benchmark_reduced_times case.toml press.rom [count [loads|runs|points|causes|certificate]]\n");
         return 1;
     }
     Stages stages(arguments[1], arguments[2], count > 3 ? std::atoi(arguments[3]) : 21);
@@ -180,6 +217,8 @@ int main(int count, char** arguments)
         stages.loads();
     if (only.empty() || only == "runs")
         stages.runs();
+    if (only.empty() || only == "points")
+        stages.points();
     if (only.empty() || only == "causes")
         stages.causes();
     if (only.empty() || only == "certificate")
