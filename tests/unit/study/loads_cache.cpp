@@ -149,6 +149,8 @@ TEST_CASE("friction laws that cases share are those of each case by itself")
                     const auto& heat = shared.heat(row, segment);
                     const auto& own = alone.heat(row, segment);
                     CHECK(heat.heat(310).value == own.heat(310).value);
+                    // The tolerance of the table, and no other law's.
+                    CHECK(shared.table(row, segment)(310).value == doctest::Approx(own.heat(310).value).epsilon(1e-9));
                     CHECK(heat.load_part == own.load_part);
                     CHECK(heat.load_ratio == own.load_ratio);
                     CHECK(heat.joints == own.joints);
