@@ -7,7 +7,6 @@
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/schema/schema.hpp"
 #include "deadpoint/study/learn/forward.hpp"
-#include "deadpoint/study/pipeline/loads_cache.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/reduced_sweep.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
@@ -110,7 +109,7 @@ struct Rom {
 
     fs::path file;
     study::ReducedPress press;
-    study::LoadsCache loads;
+    study::SharedParts shared;
 };
 
 std::shared_ptr<RunData> run_reduced(const std::shared_ptr<Rom>& rom, const CasePointer& of,
@@ -126,7 +125,7 @@ std::shared_ptr<RunData> run_reduced(const std::shared_ptr<Rom>& rom, const Case
         const auto detail = figures_only ? study::ReducedDetail::figures : study::ReducedDetail::all;
         run->result = casefile::with_places(of->value(), [&] {
             return study::run_reduced(of->value(), rom->press, {large ? &large->press : nullptr, nullptr}, detail,
-                                      observer, nullptr, &rom->loads);
+                                      observer, nullptr, &rom->shared);
         });
         run->result.reduced->file = rom->file.filename().string();
         run->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
