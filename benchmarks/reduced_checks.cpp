@@ -40,9 +40,10 @@
 // Coefficients are drawn from the box. With "cycles" the operation is one of work at other heat and rest in turn.
 // With "keep" full runs are kept in a folder, and read from there for other reduced models of the same case, mesh and
 // box. With "bounds" there are no full runs. Columns are then: number; certified bound [um]; processor time of the
-// large model's run and of its certificate [s]. Columns: number; largest errors after the first minute of the large and
-// of the small model [K, um]; the small model to the large one [K, um]; error of the large model at the end [um] and
-// its certified bound [um].
+// large model's run and of its certificate [s].
+//
+// Columns: number; largest errors after the first minute of the large and of the small model [K, um]; the small model
+// to the large one [K, um]; error of the large model at the end [um] and its certified bound [um].
 
 namespace {
 
@@ -136,7 +137,7 @@ private:
     [[nodiscard]] HeatProblem drawn(int number, bool cycles) const
     {
         reduce::Draws draws(seed + static_cast<unsigned long long>(number));
-        auto problem = reduce::drawn_problem(nominal_, small_.box, draws);
+        auto problem = reduce::drawn_problem({nominal_}, small_.box, draws);
         if (cycles)
             make_cycle(problem, draws);
         return problem;

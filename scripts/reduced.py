@@ -21,10 +21,12 @@ DOCUMENT = os.path.join(ROOT, "docs", "validation", "reduced.md")
 CASES = [("jl75g-60/oil", 1), ("jl75g-60/case", 2), ("jl75g-60/physics", 2), ("jl75g-60/environment", 2),
          ("jl75g-60/working-day", 2), ("knuckle-joint/case", 1), ("slider-crank/case", 1), ("starter/case", 1),
          ("starter-by-laws/case", 1), ("starter-step/case", 1)]
+HELD = ["reduce.film=[1, 1]", "reduce.conductance=[1, 1]", "reduce.oil=[1, 1]"]
 # Ranges of the shipped press with oil that are narrower than the default ones, and the largest number of states.
 NARROW = [("as in the case: films, conductances and oil each as a whole", 200, ["reduce.together=true"]),
-          ("operation, heat, ambient and oil temperature only", 120,
-           ["reduce.film=[1, 1]", "reduce.conductance=[1, 1]", "reduce.oil=[1, 1]"])]
+          ("heat of each friction law, ambient and oil temperature only", 120, HELD),
+          ("speed (0.5 to 1.2 times), force (0 to 1.2 times), ambient and oil temperature only", 120,
+           HELD + ["reduce.friction=[1, 1]", "reduce.speed=[0.5, 1.2]", "reduce.force=[0, 1.2]"])]
 NARROW_SIZE = 3
 CHECKED, FIRST_CYCLE = "jl75g-60-oil", 1000
 HEAD = """<!-- Written by scripts/reduced.py. Do not edit. -->

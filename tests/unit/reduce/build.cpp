@@ -33,7 +33,7 @@ ThermalHistory run_on(const Terms& terms, const HeatProblem& problem)
 BuiltModels built(rods::RodModel& full)
 {
     lumps::Quiet observer;
-    return build(full, rods::problem(), rods::box(), rods::options(), {}, observer).value();
+    return build(full, {rods::problem()}, rods::box(), rods::options(), {}, observer).value();
 }
 
 /// Cancelled after so many reports of progress.
@@ -52,7 +52,7 @@ std::vector<HeatProblem> new_problems()
     Draws draws(99);
     std::vector<HeatProblem> result{rods::problem()};
     for (int k = 0; k < 8; ++k)
-        result.push_back(drawn_problem(rods::problem(), rods::box(), draws));
+        result.push_back(drawn_problem({rods::problem()}, rods::box(), draws));
     return result;
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("a build that is stopped anywhere goes on to the same model bit by bit
         rods::RodModel full;
         StoppingObserver observer(until);
         const BuildCheckpoint kept(folder.path, "this build", true, [](const std::string& text) { FAIL(text); });
-        return build(full, rods::problem(), rods::box(), rods::options(), kept, observer);
+        return build(full, {rods::problem()}, rods::box(), rods::options(), kept, observer);
     };
     const auto pieces = [&] { return std::distance(std::filesystem::directory_iterator(folder.path), {}); };
     CHECK_FALSE(attempt(5).has_value());
@@ -109,7 +109,7 @@ TEST_CASE("a build that is stopped anywhere goes on to the same model bit by bit
     const BuildCheckpoint other(folder.path, "another build", true, {});
     rods::RodModel full;
     lumps::Quiet observer;
-    CHECK_THROWS_AS(build(full, rods::problem(), rods::box(), rods::options(), other, observer), InputError);
+    CHECK_THROWS_AS(build(full, {rods::problem()}, rods::box(), rods::options(), other, observer), InputError);
     std::filesystem::resize_file(folder.path / "training.bin", 100);
     CHECK_THROWS_AS(attempt(1 << 20), IoError);
 }
@@ -120,7 +120,7 @@ TEST_CASE("the small model is the smallest that is accurate enough")
     auto options = rods::options();
     lumps::Quiet observer;
     options.temperature = options.gap = 0;
-    const auto finest = build(full, rods::problem(), rods::box(), options, {}, observer).value();
+    const auto finest = build(full, {rods::problem()}, rods::box(), options, {}, observer).value();
     CHECK(finest.small.terms->terms.uniform.size() == 20);
     CHECK(full.basis.cols() == 20);
     CHECK((full.basis.transpose() * full.basis - Eigen::MatrixXd::Identity(20, 20)).norm() < 1e-9);

@@ -31,7 +31,7 @@ struct Certified {
         options.sets = 8;
         options.certificate = true;
         options.largest = 6;
-        models = build(full, rods::problem(), rods::box(), options, {}, observer).value();
+        models = build(full, {rods::problem()}, rods::box(), options, {}, observer).value();
     }
     rods::RodModel full;
     BuiltModels models;
@@ -150,7 +150,7 @@ TEST_CASE("bounds hold, with coefficients that the build never saw")
     Draws draws(41);
     double largest = 0;
     for (int k = 0; k < 20; ++k) {
-        const auto problem = drawn_problem(rods::problem(), rods::box(), draws);
+        const auto problem = drawn_problem({rods::problem()}, rods::box(), draws);
         const auto large = run_on(models.large, problem), exact = run_on(terms, problem);
         const auto certificate = certify(models.large, *models.residual, problem, large.time, outputs());
         REQUIRE(certificate.refused.empty());
@@ -259,7 +259,7 @@ TEST_CASE("what the vectors of the terms leave out is in the remainder")
     options.certificate = true;
     options.residual.left = 1e-3;
     options.largest = 6;
-    const auto models = build(full, rods::problem(), rods::box(), options, {}, observer).value();
+    const auto models = build(full, {rods::problem()}, rods::box(), options, {}, observer).value();
     const auto& residual = *models.residual;
     const auto& reduced = models.large->terms;
     CHECK(residual.factors.cols() < reduced.uniform.size() / 2);
@@ -313,7 +313,7 @@ TEST_CASE("the bound vanishes as the basis comes to span the full system")
     options.sets = 24;
     options.certificate = true;
     options.largest = 6;
-    const auto models = build(full, rods::problem(), rods::box(), options, {}, observer).value();
+    const auto models = build(full, {rods::problem()}, rods::box(), options, {}, observer).value();
     const auto large = run_on(models.large, rods::problem());
     const auto certificate = certify(models.large, *models.residual, rods::problem(), large.time, outputs());
     CHECK(certificate.bounds[1] < 2e-10);  // rounding and Newton's tolerance: 1e-5 of the heat, whose E_SW is 20 um

@@ -9,6 +9,7 @@
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/reduce/free_coefficients.hpp"
+#include "deadpoint/study/reduce/operating_points.hpp"
 #include "deadpoint/study/reduce/outside.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
@@ -223,6 +224,29 @@ TEST_CASE("laws of convection count in each segment, and the box is as wide as t
     const auto widest = std::ranges::max_element(
         both, {}, [](const auto& c) { return c.kind == reduce::FreeCoefficient::Kind::film ? c.to : 0.0; });
     CHECK(widest->to == Approx(45));  // nine times five
+}
+
+TEST_CASE("a range of speeds brings their friction heat, and the box is as wide as that")
+{
+    study::FreeRanges ranges;
+    ranges.film = ranges.side = ranges.oil = ranges.heat = {1, 1};
+    const Observer observer;
+    CHECK(study::other_operation(press(), machine(), ranges, observer).empty());
+    ranges.speed = {0.5, 1};
+    const auto split = nominal();
+    const auto others = study::other_operation(press(), machine(), ranges, observer);
+    REQUIRE(others.size() == 24);  // four corners and twenty drawn
+    const auto slow = nominal({"operation.0.speed=30 rpm"});
+    const auto points = study::with_heat_of(split.problem, others);
+    REQUIRE(points.size() == 25);
+    for (std::size_t source = 0; source < split.problem.sources.size(); ++source) {
+        const auto heat = [&](const HeatProblem& of) { return of.segments[0].heat[source](300).value; };
+        CHECK(heat(points[1]) == Approx(heat(slow.problem)).epsilon(1e-12));
+        CHECK(heat(points[1]) < 0.6 * heat(points[0]));  // of Coulomb friction half, of viscous a quarter
+    }
+    const auto box = study::free_coefficients(split, machine(), ranges, 293.15, others);
+    CHECK_FALSE(study::outside_of(box, slow, 293.15).empty());
+    CHECK(study::outside_of(study::with_heat_of(box, others, 293.15), slow, 293.15).empty());
 }
 
 TEST_CASE("only what a model cannot change makes a case another press")

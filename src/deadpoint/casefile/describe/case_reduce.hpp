@@ -12,6 +12,8 @@ struct Reduce {
     std::array<double, 2> conductance{0.1, 10};
     std::array<double, 2> oil{0, 5};
     std::array<double, 2> friction{0.3, 3};
+    std::array<double, 2> speed{1, 1};
+    std::array<double, 2> force{1, 1};
     std::array<double, 2> oil_temperature{-10, 20};  ///< [K]
     std::array<double, 2> ambient{-10, 10};          ///< [K]
     bool together = false;      ///< films of a surface and conductances of an interface change together

@@ -561,7 +561,10 @@ void describe(Visitor& v, Reduce& r)
     range({"film", "convection, of each surface on each part"}, r.film, D::none, 0);
     range({"conductance", "contact conductance of each side of each interface"}, r.conductance, D::none, 0);
     range({"oil", "oil coefficient of each interface; where the case has none, of 500 W/m2/K"}, r.oil, D::none, 0);
-    range({"friction", "friction heat of each friction law; it covers speed and force too"}, r.friction, D::none, 0);
+    range({"friction", "friction heat of each friction law; where it is wide it covers speed and force too"},
+          r.friction, D::none, 0);
+    range({"speed", "speed of the whole operation, as the friction laws see it"}, r.speed, D::none, 0);
+    range({"force", "process force of the whole operation, as the friction laws see it"}, r.force, D::none, 0);
     range({"oil_temperature", "difference of all oil temperatures"}, r.oil_temperature, D::temperature_difference, any);
     range({"ambient", "difference of all ambient temperatures"}, r.ambient, D::temperature_difference, any);
     v.flag({"together", "one range for each surface and each interface, instead of one for each part and side"},

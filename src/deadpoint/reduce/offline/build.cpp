@@ -32,13 +32,13 @@ Terms large_terms(FullModel& full, const BuildOptions& options, const BuildCheck
     return std::make_shared<const PreparedTerms>(std::move(terms));
 }
 
-std::optional<Training> training_of(const Terms& large, const HeatProblem& base, const Box& box,
+std::optional<Training> training_of(const Terms& large, const std::vector<HeatProblem>& points, const Box& box,
                                     const BuildOptions& options, const BuildCheckpoint& kept, const Ranks& ranks,
                                     Observer& observer)
 {
     if (const auto known = read_matrices(kept, "training"); known.size() == 2)
         return Training{Moments(known[0]), Moments(known[1])};
-    auto training = train(large, base, box, options, ranks, observer);
+    auto training = train(large, points, box, options, ranks, observer);
     if (training)
         write_matrices(kept, "training", {training->states.sum(), training->duals.sum()});
     return training;
@@ -76,9 +76,10 @@ Eigen::MatrixXd typical_states(const DenseTerms& terms, const Training& training
 
 }  // namespace
 
-std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
-                                 const BuildCheckpoint& kept, Observer& observer)
+std::optional<BuiltModels> build(FullModel& full, const std::vector<HeatProblem>& points, const Box& box,
+                                 const BuildOptions& options, const BuildCheckpoint& kept, Observer& observer)
 {
+    const auto& base = points.front();
     const auto& ranks = full.ranks();
     observer.stage("basis");
     if (!add_fields(full, base, box, options, kept, observer))
@@ -87,7 +88,7 @@ std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const
     observer.stage("projection");
     const auto large = large_terms(full, options, kept);
     observer.stage("training runs");
-    const auto training = training_of(large, base, box, options, kept, ranks, observer);
+    const auto training = training_of(large, points, box, options, kept, ranks, observer);
     if (!training)
         return std::nullopt;
     observer.stage("small model");
@@ -97,7 +98,7 @@ std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const
                              {terms.uniform, error_norm(terms, options.readings), options.dual_share},
                              static_cast<Eigen::Index>(options.largest));
     });
-    auto small = choose_small(large, combinations, base, box, options, ranks, observer);
+    auto small = choose_small(large, combinations, points, box, options, ranks, observer);
     if (!small)
         return std::nullopt;
     BuiltModels models{large, *std::move(small), {}};

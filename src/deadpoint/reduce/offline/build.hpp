@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace deadpoint {
 class Observer;
@@ -31,10 +32,11 @@ struct BuiltModels {
 ///    dual problem of E_SW.
 /// The basis of the full model is that of the small model afterwards.
 /// Pieces that were kept are not computed again; on one rank the result is the same bit by bit.
-/// @param base  with constant convection coefficients; its operation is trained, half of the runs with a pause
+/// @param points  of operation, the case's own first, with constant convection coefficients. They differ in friction
+///                heat. Each is trained alike, half of the runs with a pause
 /// @param kept  where finished pieces are kept
 /// @return nothing after Observer::cancelled()
-std::optional<BuiltModels> build(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
-                                 const BuildCheckpoint& kept, Observer& observer);
+std::optional<BuiltModels> build(FullModel& full, const std::vector<HeatProblem>& points, const Box& box,
+                                 const BuildOptions& options, const BuildCheckpoint& kept, Observer& observer);
 
 }  // namespace deadpoint::reduce

@@ -84,12 +84,12 @@ Terms small_of(const DenseTerms& large, const Eigen::MatrixXd& combinations, con
 
 }  // namespace
 
-std::optional<SmallModel> choose_small(const Terms& large, const Eigen::MatrixXd& combinations, const HeatProblem& base,
-                                       const Box& box, const BuildOptions& options, const Ranks& ranks,
-                                       Observer& observer)
+std::optional<SmallModel> choose_small(const Terms& large, const Eigen::MatrixXd& combinations,
+                                       const std::vector<HeatProblem>& points, const Box& box,
+                                       const BuildOptions& options, const Ranks& ranks, Observer& observer)
 {
-    auto tests = drawn_problems(base, box, test_seed, options.test_runs);
-    tests.insert(tests.begin(), base);
+    auto tests = drawn_problems(points, box, test_seed, options.test_runs);
+    tests.insert(tests.begin(), points.front());
     const Comparison comparison(large, std::move(tests), options, ranks);
     SmallModel model;
     for (const auto size : sizes_up_to(static_cast<std::size_t>(combinations.cols()))) {

@@ -31,8 +31,10 @@ struct SmallModel {
 /// The smallest of a series of sizes that is accurate enough in warm-ups that were not used for training, else the
 /// largest. Collective. @return nothing after Observer::cancelled()
 /// @param combinations  of states of the large model, most important first, a column for each
+/// @param points  of operation, the case's own first
 std::optional<SmallModel> choose_small(const std::shared_ptr<const PreparedTerms>& large,
-                                       const Eigen::MatrixXd& combinations, const HeatProblem& base, const Box& box,
-                                       const BuildOptions& options, const Ranks& ranks, Observer& observer);
+                                       const Eigen::MatrixXd& combinations, const std::vector<HeatProblem>& points,
+                                       const Box& box, const BuildOptions& options, const Ranks& ranks,
+                                       Observer& observer);
 
 }  // namespace deadpoint::reduce

@@ -181,9 +181,10 @@ std::optional<Moments> moments_of(Eigen::Index states, const std::vector<HeatPro
 
 }  // namespace
 
-HeatProblem drawn_problem(const HeatProblem& base, const Box& box, Draws& draws)
+HeatProblem drawn_problem(const std::vector<HeatProblem>& points, const Box& box, Draws& draws)
 {
-    auto problem = base;
+    const auto count = static_cast<double>(points.size());
+    auto problem = points[count > 1 ? static_cast<std::size_t>(draws.next() * count) : 0];
     set_values(problem, box, draws.values(box));
     add_swing(problem, draws.next());
     const double place = draws.next();
@@ -192,20 +193,21 @@ HeatProblem drawn_problem(const HeatProblem& base, const Box& box, Draws& draws)
     return problem;
 }
 
-std::vector<HeatProblem> drawn_problems(const HeatProblem& base, const Box& box, unsigned long long seed, int count)
+std::vector<HeatProblem> drawn_problems(const std::vector<HeatProblem>& points, const Box& box, unsigned long long seed,
+                                        int count)
 {
     Draws draws(seed);
     std::vector<HeatProblem> problems;
     for (int k = 0; k < count; ++k)
-        problems.push_back(drawn_problem(base, box, draws));
+        problems.push_back(drawn_problem(points, box, draws));
     return problems;
 }
 
-std::optional<Training> train(const Terms& large, const HeatProblem& base, const Box& box, const BuildOptions& options,
-                              const Ranks& ranks, Observer& observer)
+std::optional<Training> train(const Terms& large, const std::vector<HeatProblem>& points, const Box& box,
+                              const BuildOptions& options, const Ranks& ranks, Observer& observer)
 {
     const auto states = large->terms.uniform.size();
-    const auto problems = drawn_problems(base, box, training_seed, options.training_runs);
+    const auto problems = drawn_problems(points, box, training_seed, options.training_runs);
     const auto moments = [&](const std::vector<HeatProblem>& of, const auto& columns) {
         return moments_of(states, of, ranks, options.threads, observer,
                           [&](const HeatProblem& problem) { return columns(large, problem, options); });

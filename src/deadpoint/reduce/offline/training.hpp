@@ -25,14 +25,16 @@ struct Training {
 };
 
 /// Computes the training runs of the large model, shared out over ranks and threads. Collective.
-/// @param base  with constant convection coefficients
+/// @param points  of operation, with constant convection coefficients
 /// @return nothing after Observer::cancelled()
-std::optional<Training> train(const std::shared_ptr<const PreparedTerms>& large, const HeatProblem& base,
+std::optional<Training> train(const std::shared_ptr<const PreparedTerms>& large, const std::vector<HeatProblem>& points,
                               const Box& box, const BuildOptions& options, const Ranks& ranks, Observer& observer);
 
-/// A problem with values drawn from the box, and its operation: half of them with a pause of half an hour.
-HeatProblem drawn_problem(const HeatProblem& base, const Box& box, Draws& draws);
+/// A problem with values drawn from the box, at one of the points of operation: half of them with a pause of half an
+/// hour.
+HeatProblem drawn_problem(const std::vector<HeatProblem>& points, const Box& box, Draws& draws);
 /// Several of them. The same seed draws the same ones.
-std::vector<HeatProblem> drawn_problems(const HeatProblem& base, const Box& box, unsigned long long seed, int count);
+std::vector<HeatProblem> drawn_problems(const std::vector<HeatProblem>& points, const Box& box, unsigned long long seed,
+                                        int count);
 
 }  // namespace deadpoint::reduce

@@ -63,19 +63,25 @@ bool is_bond(const Contact& contact) { return contact.name.find('|') != std::str
 
 bool is_free(const Span& span) { return span.from < span.to; }
 
-// Segments may have other coefficients than the first one; a draw multiplies each segment's own.
-void widen_by_segments(reduce::FreeCoefficient& coefficient, const HeatProblem& problem, double start)
+// Segments may have other coefficients than the first one, and so may other points of operation; a draw multiplies each
+// segment's own.
+void widen_by_segments(reduce::FreeCoefficient& coefficient, const HeatProblem& problem,
+                       const std::vector<SplitProblem>& others, double start)
 {
     if (coefficient.kind != Kind::film && coefficient.kind != Kind::side && coefficient.kind != Kind::oil)
         return;
     double least = 1, most = 1;
-    for (std::size_t segment = 0; segment < problem.segments.size(); ++segment)
-        for (std::size_t k = 0; k < coefficient.members.size(); ++k)
-            if (const auto value = value_of(coefficient, k, problem, segment, start);
-                value && coefficient.base[k] > 0) {
-                least = std::min(least, *value);
-                most = std::max(most, *value);
-            }
+    const auto widen = [&](const HeatProblem& by) {
+        for (std::size_t segment = 0; segment < by.segments.size(); ++segment)
+            for (std::size_t k = 0; k < coefficient.members.size(); ++k)
+                if (const auto value = value_of(coefficient, k, by, segment, start); value && coefficient.base[k] > 0) {
+                    least = std::min(least, *value);
+                    most = std::max(most, *value);
+                }
+    };
+    widen(problem);
+    for (const auto& other : others)
+        widen(other.problem);
     coefficient.from *= least;
     coefficient.to *= most;
 }
@@ -156,7 +162,8 @@ void add_ambients(Collector& box, const HeatProblem& problem, const FreeRanges& 
 
 }  // namespace
 
-reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges, double start)
+reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges, double start,
+                              const std::vector<SplitProblem>& others)
 {
     Collector box;
     add_films(box, split, machine, ranges, start);
@@ -168,8 +175,25 @@ reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine,
     add_ambients(box, split.problem, ranges);
     auto result = box.take();
     for (auto& coefficient : result)
-        widen_by_segments(coefficient, split.problem, start);
+        widen_by_segments(coefficient, split.problem, others, start);
     return result;
+}
+
+reduce::Box with_heat_of(reduce::Box box, const std::vector<SplitProblem>& others, double start)
+{
+    for (auto& coefficient : box) {
+        if (coefficient.kind != Kind::heat || !(coefficient.base.front() > 0))
+            continue;
+        double least = 1, most = 1;
+        for (const auto& other : others) {
+            const double factor = heat_at(other.problem, coefficient.members.front(), start) / coefficient.base.front();
+            least = std::min(least, factor);
+            most = std::max(most, factor);
+        }
+        coefficient.from *= least;
+        coefficient.to *= most;
+    }
+    return box;
 }
 
 std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::size_t member,

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace deadpoint {
 struct HeatProblem;
@@ -28,6 +29,8 @@ struct FreeRanges {
     Span side{0.1, 10};
     Span oil{0, 5};
     Span heat{0.3, 3};
+    Span speed{1, 1};  ///< of the whole operation
+    Span force{1, 1};
     Span oil_temperature{-10, 20};  ///< [K]
     Span ambient{-10, 10};          ///< [K]
     bool by_piece = true;  ///< films per part and conductances per side; else films per surface, joints as a whole
@@ -38,9 +41,14 @@ inline constexpr double assumed_oil = 500;
 
 /// The box of a problem. Held coefficients are in it too, with a range of no width. Films that follow the temperature
 /// count by nominal_film() of the first segment.
-/// @param start  temperature at the start [K]
-reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges,
-                              double start);
+/// @param start   temperature at the start [K]
+/// @param others  the case at other points of operation, whose films, conductances and oil the box holds too
+reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges, double start,
+                              const std::vector<SplitProblem>& others = {});
+
+/// The box, as wide as the friction heat of other points of operation is: for these a model is trained that has seen
+/// them with values from the box.
+reduce::Box with_heat_of(reduce::Box box, const std::vector<SplitProblem>& others, double start);
 
 /// A coefficient's value in a segment: a factor on its base, or a difference to it.
 /// @param member  of the coefficient

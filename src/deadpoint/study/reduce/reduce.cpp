@@ -20,6 +20,8 @@
 #include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/pipeline/model_parts.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
+#include "deadpoint/study/reduce/operating_points.hpp"
+#include "deadpoint/study/reduce/silent.hpp"
 #include "deadpoint/study/reduce/split.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 #include "deadpoint/study/translate/materials.hpp"
@@ -78,16 +80,6 @@ fem::Attribution attribution_of(const ModelParts& parts)
 {
     return parts.chain ? fem::Attribution(drift::gap, 1 + parts.chain->bearings()) : fem::Attribution(-1);
 }
-
-/// Passes on nothing but the wish to stop.
-class Silent : public Observer {
-public:
-    explicit Silent(const Observer& to) : to_(to) {}
-    [[nodiscard]] bool cancelled() const override { return to_.cancelled(); }
-
-private:
-    const Observer& to_;
-};
 
 struct FullRunErrors {
     reduce::RunDifference large, small;
@@ -157,9 +149,12 @@ void add_errors(const std::string& of, const FullRunErrors& errors, Reduction& r
 struct Problems {
     HeatProblem whole;
     SplitProblem split, nominal;
+    std::vector<SplitProblem> others;  ///< at other speeds and forces
+    std::vector<HeatProblem> points;   ///< of operation, with constant films
 };
 
-Problems problems_of(const HeatProblem& problem, const ModelParts& parts, const casefile::Case& input)
+Problems problems_of(const HeatProblem& problem, const ModelParts& parts, const casefile::Case& input,
+                     const FreeRanges& ranges, const Observer& observer)
 {
     Problems result;
     result.whole = problem;
@@ -167,12 +162,14 @@ Problems problems_of(const HeatProblem& problem, const ModelParts& parts, const 
     result.split = split_by_part(result.whole, parts.machine);
     result.nominal = result.split;
     result.nominal.problem = with_nominal_films(result.nominal.problem, input.machine.initial_temperature);
+    result.others = other_operation(input, parts.machine, ranges, observer);
+    result.points = with_heat_of(result.nominal.problem, result.others);
     return result;
 }
 
 // Errors to full runs: of the case, and of drawn coefficients. Returns false if they were interrupted.
-bool compare_with_full_runs(FullRuns& runs, const Problems& problems, const ReduceOptions& options, Reduction& result,
-                            Observer& observer)
+bool compare_with_full_runs(FullRuns& runs, const Problems& problems, const reduce::Box& box,
+                            const ReduceOptions& options, Reduction& result, Observer& observer)
 {
     observer.stage("full runs");
     const auto own = runs.compare(0, problems.whole, problems.split.problem, options.run);
@@ -182,7 +179,7 @@ bool compare_with_full_runs(FullRuns& runs, const Problems& problems, const Redu
     reduce::Draws draws(full_seed);
     FullRunErrors drawn;
     for (int k = 1; k < options.full_runs; ++k) {
-        const auto problem = reduce::drawn_problem(problems.nominal.problem, result.small.box, draws);
+        const auto problem = reduce::drawn_problem(problems.points, box, draws);
         const auto errors = runs.compare(k, problem, problem, nullptr);
         if (!errors)
             return false;
@@ -241,8 +238,14 @@ ReduceOptions reduce_options(const casefile::Case& input)
     const auto wanted = input.reduce.value_or(casefile::Reduce{});
     const auto span = [](const std::array<double, 2>& range) { return Span{range[0], range[1]}; };
     ReduceOptions options;
-    options.ranges = {span(wanted.film),     span(wanted.conductance),     span(wanted.oil),
-                      span(wanted.friction), span(wanted.oil_temperature), span(wanted.ambient),
+    options.ranges = {span(wanted.film),
+                      span(wanted.conductance),
+                      span(wanted.oil),
+                      span(wanted.friction),
+                      span(wanted.speed),
+                      span(wanted.force),
+                      span(wanted.oil_temperature),
+                      span(wanted.ambient),
                       !wanted.together};
     options.build.temperature = wanted.temperature;
     options.build.gap = wanted.gap;
@@ -268,7 +271,7 @@ std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& in
     parts.need_model(input, watch, observer);
     parts.model->release_elasticity();  // all functionals are there
 
-    const auto problems = problems_of(problem, parts, input);
+    const auto problems = problems_of(problem, parts, input, options.ranges, observer);
     const auto full = parts.model->projector(problems.nominal.problem, parts.adjoints, attribution_of(parts));
     if (options.build.certificate)
         full->require_residual();
@@ -280,9 +283,10 @@ std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& in
     const auto build_options = complete(options.build, parts, input);
     Reduction result;
     result.small = press_without_terms(parts, input, build_options);
-    result.small.box =
-        free_coefficients(problems.split, parts.machine, options.ranges, input.machine.initial_temperature);
-    auto models = reduce::build(*full, problems.nominal.problem, result.small.box, build_options, kept, observer);
+    const double start = input.machine.initial_temperature;
+    const auto box = free_coefficients(problems.split, parts.machine, options.ranges, start, problems.others);
+    result.small.box = with_heat_of(box, problems.others, start);
+    auto models = reduce::build(*full, problems.points, box, build_options, kept, observer);
     if (!models)
         return std::nullopt;
     result.large = result.small;
@@ -290,7 +294,7 @@ std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& in
     if (!options.fields_file.empty())
         full->write_fields(options.fields_file, reduce::mark_of(models->small.terms->terms));
     FullRuns runs(parts, build_options, *models, kept, observer);
-    if (options.full_runs > 0 && !compare_with_full_runs(runs, problems, options, result, observer))
+    if (options.full_runs > 0 && !compare_with_full_runs(runs, problems, box, options, result, observer))
         return std::nullopt;
     give_terms(result.small, std::move(models->small.terms));
     give_terms(result.large, std::move(models->large));
