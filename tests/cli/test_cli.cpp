@@ -874,7 +874,8 @@ TEST_CASE("a certificate is made by one process, and more of them are refused be
     REQUIRE(deadpoint("init " + (folder / "press")).code == 0);
     const auto press = folder / "press/case.toml";
     const auto model = folder / "press.rom";
-    for (const std::string& command : {"reduce " + press + " -o " + model, "run " + press + " --reduce " + model}) {
+    for (const std::string& command :
+         {"reduce " + press + " -o " + model, "run " + press + " --reduce " + model + " -o " + (folder / "run")}) {
         const auto refused = deadpoint(command + " --certify --ranks 2");
         CHECK(refused.code == 2);
         CHECK(has(refused.err, "a certificate is made by one process, and 2 are wanted\n  help: use --ranks 1"));
