@@ -32,14 +32,16 @@ std::string mark_of_study(const std::vector<std::string>& marks)
 /// Claims the folder. Shards begin at the same time, and each holds the claim for a moment.
 FolderClaim claim(const fs::path& folder, bool patient)
 {
+    bool was_locked = true;  // the lock that refused a claim may be gone when it is looked for
     for (const auto start = std::chrono::steady_clock::now();;) {
         try {
             return FolderClaim(folder);
         } catch (const IoError&) {
-            if (!patient || !fs::exists(folder.string() + ".lock") ||
-                std::chrono::steady_clock::now() - start > longest_wait) {
+            const bool locked = fs::exists(folder.string() + ".lock");
+            if (!patient || !(locked || was_locked) || std::chrono::steady_clock::now() - start > longest_wait) {
                 throw;
             }
+            was_locked = locked;
         }
         std::this_thread::sleep_for(50ms);
     }
