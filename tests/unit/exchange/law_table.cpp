@@ -1,7 +1,6 @@
 #include "deadpoint/exchange/laws/law_table.hpp"
 
 #include "deadpoint/error.hpp"
-#include "deadpoint/exchange/laws/affine_table.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -100,7 +99,7 @@ TEST_CASE("a formula is data: printed with all digits, hashed, compared")
 
 TEST_CASE("a table times a factor, plus an offset, is that of the law times the factor, plus the offset")
 {
-    const LawTable table = affine(LawTable(falling), 0.25, 30);
+    const LawTable table = LawTable(falling).affine(0.25, 30);
     CHECK(largest_error(table, [](double t) { return 30 + 0.25 * falling(t).value; }) < 1e-10);
     CHECK(table(300).slope == doctest::Approx(0.25 * falling(300).slope).epsilon(1e-7));
     CHECK(table.points() == LawTable(falling).points());

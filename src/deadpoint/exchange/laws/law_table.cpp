@@ -129,6 +129,16 @@ void LawTable::tabulate(const Law& law, const LawTableRange& range)
     tested_to_ = sound == points.end() ? -INFINITY : edge(sound->at, to, tested);
 }
 
+LawTable LawTable::affine(double factor, double offset) const
+{
+    auto result = *this;
+    for (auto& value : result.value_)
+        value = offset + factor * value;
+    for (auto& slope : result.slope_)
+        slope *= factor;
+    return result;
+}
+
 LawValue LawTable::operator()(double at) const
 {
     const bool tested = at >= tested_from_ && at <= tested_to_;

@@ -45,6 +45,8 @@ public:
     [[nodiscard]] explicit operator bool() const { return !at_.empty(); }
     /// Flagged as out of range beyond the table, and where the law was out of range.
     [[nodiscard]] LawValue operator()(double at) const;
+    /// The table of offset + factor times this law, at the same points.
+    [[nodiscard]] LawTable affine(double factor, double offset) const;
 
     /// Ascending.
     [[nodiscard]] const std::vector<double>& points() const { return at_; }

@@ -5,7 +5,6 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/exchange/cycle.hpp"
-#include "deadpoint/exchange/laws/affine_table.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/laws/friction_physics.hpp"
@@ -367,7 +366,7 @@ LawTable FrictionLaws::calibrated_table(const std::string& row, const casefile::
     const auto table = kept_->shapes->get(casefile::case_bytes(std::move(inputs)), [&] {
         return LawTable(tribology::viscous_shape(at.law, viscosity_law(input_, lubricant), segment.speed));
     });
-    return affine(*table, parts.viscous, parts.load);
+    return table->affine(parts.viscous, parts.load);
 }
 
 std::shared_ptr<const FrictionHeat> FrictionLaws::unscaled_heat(const std::string& row,
@@ -413,7 +412,7 @@ LawTable FrictionLaws::physical_table(const std::string& row, const casefile::Se
     const auto& friction = input_.friction.at(row);
     const auto table = kept_->tables.get({inputs_of(row, friction), {{segment.speed, segment.force}, false, 0}},
                                          [&] { return LawTable(unscaled_heat(row, segment)->heat); });
-    return affine(*table, friction.scale, 0);
+    return table->affine(friction.scale, 0);
 }
 
 const FrictionHeat& FrictionLaws::heat(const std::string& row, const casefile::Segment& segment)
