@@ -45,13 +45,33 @@ TEST_CASE("orthonormal combinations of fields")
     Eigen::MatrixXd fields = columns_of(40, 8);
     fields.col(5) = 2 * fields.col(3) - fields.col(1);  // nothing new
     fields.col(2) *= 1e-9;                              // small, but new
-    const auto combinations = orthonormal_combinations(fields.transpose() * fields, 1e-6);
+    const auto combinations =
+        orthonormal_combinations(fields.transpose() * fields, {1e-6, 8, std::vector<double>(8, 1)});
     CHECK(combinations.cols() == 7);
     const Eigen::MatrixXd basis = fields * combinations;
     CHECK((basis.transpose() * basis - Eigen::MatrixXd::Identity(7, 7)).norm() < 1e-9);  // one pass of a Gram matrix
     CHECK(std::abs(basis.col(0).dot(fields.col(0))) == Approx(fields.col(0).norm()));
     const Eigen::VectorXd rest = fields.col(2) - basis * (basis.transpose() * fields.col(2));
     CHECK(rest.norm() < 1e-9 * fields.col(2).norm());
+}
+
+TEST_CASE("where a basis has no room for all fields, the largest weight times what is new decides")
+{
+    const Eigen::MatrixXd fields{
+        {1, 0.8, 0.6, 0}, {0, 0.6, 0, 0}, {0, 0, 0.8, 0}, {0, 0, 0, 1}};  // new: 1, 0.6, 0.8, 1
+    const Eigen::MatrixXd gram = fields.transpose() * fields;
+    const auto chosen = [&](std::vector<double> weights) {
+        const auto combinations = orthonormal_combinations(gram, {1e-6, 2, std::move(weights)});
+        CHECK(combinations.cols() == 2);
+        Eigen::Index largest = 0;
+        combinations.col(1).cwiseAbs().maxCoeff(&largest);
+        return largest;
+    };
+    CHECK(chosen({1, 1, 1, 1}) == 3);
+    CHECK(chosen({1, 1, 1.26, 1}) == 2);  // 1.26 * 0.8 > 1
+    CHECK(chosen({1, 1, 1.24, 1}) == 3);
+    CHECK(chosen({1, 1.68, 1.26, 1}) == 2);  // 1.68 * 0.6 > 1, but less than 1.26 * 0.8
+    CHECK(chosen({1, INFINITY, 9, 9}) == 1);
 }
 
 TEST_CASE("factors of low rank leave out what is below the tolerance")

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -29,6 +30,13 @@ double shift_of(int k)
     constexpr double slowest = 1e-5, fastest = 0.5, steady = 1e-7;
     const double place = std::fmod((k + 1) * (std::numbers::phi - 1), 1.0);
     return k % 8 == 7 ? steady : slowest * std::pow(fastest / slowest, place);
+}
+
+// A slow field is a state that lasts, and one of E_SW a state of its dual problem, on which the bound of an error
+// rests: both count for more than their new part.
+double weight_of(double shift, bool is_dual, const BuildOptions& options)
+{
+    return (is_dual ? options.dual_weight : 1) * std::pow(shift, -options.slow_weight);
 }
 
 std::vector<std::size_t> shuffled_loads(const FullModel& full, Draws& draws)
@@ -67,12 +75,14 @@ void keep(const FullModel& full, const BuildCheckpoint& kept, int set, std::size
 
 }  // namespace
 
-bool add_fields(FullModel& full, const HeatProblem& base, const Box& box, const BuildOptions& options,
-                const BuildCheckpoint& kept, Observer& observer)
+std::optional<std::vector<double>> add_fields(FullModel& full, const HeatProblem& base, const Box& box,
+                                              const BuildOptions& options, const BuildCheckpoint& kept,
+                                              Observer& observer)
 {
     Draws draws(solve_seed);
     const auto loads = shuffled_loads(full, draws);
     const std::size_t gap = full.geometry().layout.count() + options.dual_row;
+    std::vector<double> weights(full.field_count(), std::numeric_limits<double>::infinity());
     std::size_t next = 0;
     for (int set = 0; set < options.sets; ++set) {
         auto problem = base;
@@ -89,25 +99,28 @@ bool add_fields(FullModel& full, const HeatProblem& base, const Box& box, const 
             full.add_solutions(problem, shift_of(set), chosen);
             keep(full, kept, set, first);
         }
+        for (const auto load : chosen)
+            weights.push_back(weight_of(shift_of(set), options.has_dual && load == gap, options));
         observer.progress((set + 1.0) / options.sets, fmt::format("{} fields", full.field_count()));
         if (any(full.ranks(), observer.cancelled()))
-            return false;
+            return std::nullopt;
     }
-    return true;
+    return weights;
 }
 
 // Twice, since the first inner products do not resolve what fields add to each other.
-void orthonormalise(FullModel& full, double least, const BuildCheckpoint& kept)
+void orthonormalise(FullModel& full, const FieldChoice& choice, const BuildCheckpoint& kept)
 {
-    const auto found = [&](double smallest) {
+    const auto found = [&](const FieldChoice& fields) {
         const Eigen::MatrixXd gram = full.gram();
-        return on_first(full.ranks(), [&] { return orthonormal_combinations(gram, smallest); });
+        return on_first(full.ranks(), [&] { return orthonormal_combinations(gram, fields); });
     };
+    const auto all = [&] { return FieldChoice{0, full.field_count(), std::vector<double>(full.field_count(), 1)}; };
     const auto known = read_matrices(kept, "basis");
     const bool is_known = known.size() == 2;
-    const auto first = is_known ? known[0] : found(least);
+    const auto first = is_known ? known[0] : found(choice);
     full.combine(first);
-    const auto second = is_known ? known[1] : found(0);
+    const auto second = is_known ? known[1] : found(all());
     full.correct(second);
     if (!is_known)
         write_matrices(kept, "basis", {first, second});

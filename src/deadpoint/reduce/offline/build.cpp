@@ -7,6 +7,7 @@
 #include "deadpoint/reduce/kept/build_checkpoint.hpp"
 #include "deadpoint/reduce/kept/matrix_pieces.hpp"
 #include "deadpoint/reduce/offline/basis.hpp"
+#include "deadpoint/reduce/offline/gram.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
 #include "deadpoint/reduce/parallel/ranks.hpp"
@@ -82,9 +83,10 @@ std::optional<BuiltModels> build(FullModel& full, const std::vector<HeatProblem>
     const auto& base = points.front();
     const auto& ranks = full.ranks();
     observer.stage("basis");
-    if (!add_fields(full, base, box, options, kept, observer))
+    const auto weights = add_fields(full, base, box, options, kept, observer);
+    if (!weights)
         return std::nullopt;
-    orthonormalise(full, options.least, kept);
+    orthonormalise(full, {options.least, options.largest_basis, *weights}, kept);
     observer.stage("projection");
     const auto large = large_terms(full, options, kept);
     observer.stage("training runs");

@@ -275,7 +275,9 @@ std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& in
     const auto full = parts.model->projector(problems.nominal.problem, parts.adjoints, attribution_of(parts));
     if (options.build.certificate)
         full->require_residual();
-    const reduce::BuildCheckpoint kept(options.checkpoint, build_text(input) + ' ' + full->mesh(), fem::rank() == 0,
+    const auto mark = fmt::format("{} {} {} sets {} fields", build_text(input), full->mesh(), options.build.sets,
+                                  options.build.largest_basis);
+    const reduce::BuildCheckpoint kept(options.checkpoint, mark, fem::rank() == 0,
                                        [&](const std::string& text) { observer.warn(text); });
     if (!starts_uniform(problem, parts.machine.parts.size()))
         for (std::size_t p = 0; p < parts.machine.parts.size(); ++p)
