@@ -114,7 +114,7 @@ study::RunResult compute_reduced(const casefile::Case& input, const study::Reduc
     if (press.large_file.empty()) {
         console.warn("this is the large model itself, so the error of this run is not estimated");
     } else if (std::filesystem::exists(large)) {
-        other = study::read_reduced(large);
+        other = study::read_reduced_for_few_runs(large);
     } else {
         console.warn(fmt::format("'{}' is missing, so the error of this run is not estimated", large.string()));
     }

@@ -136,12 +136,15 @@ TEST_CASE("equal sums of terms share one matrix, others do not")
 {
     const SymmetricMatrix start(any_symmetric(5)), term(any_symmetric(5));
     reduce::Conductions sums;
-    const auto first = sums.sum(start, {{2, &term}});
-    CHECK(sums.sum(start, {{2, &term}}) == first);
-    CHECK(sums.sum(start, {{3, &term}}) != first);
+    const auto sum_with = [&](double weight) {
+        return sums.get({{0, weight}}, [&] { return start.plus({{weight, &term}}); });
+    };
+    const auto first = sum_with(2);
+    CHECK(sum_with(2) == first);
+    CHECK(sum_with(3) != first);
     for (int k = 4; k < 20; ++k)
-        sums.sum(start, {{static_cast<double>(k), &term}});
-    const auto again = sums.sum(start, {{2, &term}});
+        sum_with(k);
+    const auto again = sum_with(2);
     CHECK(again != first);  // forgotten since
     CHECK(again->matrix().lower() == first->matrix().lower());
     CHECK(again->form() == again->form());

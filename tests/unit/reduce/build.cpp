@@ -9,6 +9,7 @@
 #include "rods.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <doctest/doctest.h>
 #include <filesystem>
 #include <iterator>
@@ -143,6 +144,19 @@ TEST_CASE("heat is conserved, and causes sum to the gap")
         };
         const double all = sum(causes.friction) + sum(causes.oil) + sum(causes.surfaces) + causes.start;
         CHECK(all == Approx(history.functionals[0].value.back()).epsilon(1e-9).scale(1e-6));
+    }
+}
+
+TEST_CASE("a run whose conduction is summed of factors is that of sums of matrices")
+{
+    rods::RodModel full;
+    const auto models = built(full);
+    const auto few = std::make_shared<const PreparedTerms>(models.small.terms->terms, Sums::of_factors);
+    for (const auto& problem : new_problems()) {
+        const auto one = run_on(few, problem), other = run_on(models.small.terms, problem);
+        const auto off = difference(one, other, 0);
+        CHECK(off.temperature < 1e-9);  // 300 K times rounding, some thousand times
+        CHECK(off.gap < 1e-9 * std::abs(other.functionals[0].value.back()));
     }
 }
 

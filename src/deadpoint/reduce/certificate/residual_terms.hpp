@@ -34,7 +34,7 @@ UniformLoads uniform_loads(const DenseTerms& terms);
 struct ResidualTerms {
     Eigen::Index states = 0;
     std::vector<Eigen::Index> first;      ///< column of each term's first f_j in `factors`, and the end
-    Eigen::MatrixXd factors;              ///< the f_j of all terms, in the order of PreparedTerms::packed, then K_0
+    Eigen::MatrixXd factors;              ///< the f_j of all terms, in the order of PreparedTerms::each, then K_0
     std::vector<double> lowest, highest;  ///< the coefficient of each term in K', and in the box at most [W/m2/K]
     /// D with |remainder of x in K^-1|^2 <= max_q (coefficient / highest) |D x|^2
     Eigen::MatrixXd remainder;
@@ -63,7 +63,7 @@ struct ResidualTask {
 /// Sets ResidualTerms::products from the root.
 void set_products(ResidualTerms& terms);
 
-/// Coefficient of each term in the conduction matrix of a segment, in the order of PreparedTerms::packed [W/m2/K], and
+/// Coefficient of each term in the conduction matrix of a segment, in the order of PreparedTerms::each [W/m2/K], and
 /// 1 for K_0. Films that follow the temperature have their constant one.
 std::vector<double> coefficients_of(const HeatProblem& problem, const HeatSegment& segment);
 /// True if no coefficient is below that of K', and none is of a term that the box has not.

@@ -16,27 +16,33 @@ std::shared_ptr<const TridiagonalForm> Conduction::form() const
     return form_;
 }
 
-std::shared_ptr<const Conduction> Conductions::find(const std::vector<SymmetricMatrix::Term>& terms)
+std::shared_ptr<const Conduction> Conductions::find(const TermWeights& weights)
 {
     const std::scoped_lock lock(mutex_);
-    const auto found = std::ranges::find(entries_, terms, &Entry::terms);
+    const auto found = std::ranges::find(entries_, weights, &Entry::weights);
     if (found == entries_.end())
         return nullptr;
     std::rotate(entries_.begin(), found, found + 1);
     return entries_.front().conduction;
 }
 
-std::shared_ptr<const Conduction> Conductions::sum(const SymmetricMatrix& start,
-                                                   const std::vector<SymmetricMatrix::Term>& terms)
+std::shared_ptr<const Conduction> Conductions::get(const TermWeights& weights,
+                                                   const std::function<SymmetricMatrix()>& sum)
 {
-    if (auto found = find(terms))
+    if (auto found = find(weights))
         return found;
-    auto result = std::make_shared<const Conduction>(start.plus(terms));
+    auto result = std::make_shared<const Conduction>(sum());
     const std::scoped_lock lock(mutex_);
-    entries_.push_front({terms, result});
+    entries_.push_front({weights, result});
     if (entries_.size() > most_kept)
         entries_.pop_back();
     return result;
+}
+
+std::size_t Conductions::count()
+{
+    const std::scoped_lock lock(mutex_);
+    return entries_.size();
 }
 
 }  // namespace deadpoint::reduce

@@ -3,9 +3,12 @@
 #include "deadpoint/reduce/dense/symmetric_matrix.hpp"
 #include "deadpoint/reduce/dense/tridiagonal.hpp"
 
+#include <cstddef>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 /// Internal to reduce/, since it shows Eigen.
@@ -24,20 +27,25 @@ private:
     mutable std::shared_ptr<const TridiagonalForm> form_;
 };
 
+/// Index of a term of PreparedTerms and its coefficient in a sum.
+using TermWeights = std::vector<std::pair<std::size_t, double>>;
+
 /// The matrices of the last sums, so that runs and segments with the same coefficients share one: most runs that differ
 /// in operation or in media only. Several threads may ask.
 class Conductions {
 public:
-    /// start + the sum of terms.
-    std::shared_ptr<const Conduction> sum(const SymmetricMatrix& start,
-                                          const std::vector<SymmetricMatrix::Term>& terms);
+    /// @param sum  computes the matrix where it is not there
+    std::shared_ptr<const Conduction> get(const TermWeights& weights, const std::function<SymmetricMatrix()>& sum);
+
+    /// Of the matrices that are kept.
+    [[nodiscard]] std::size_t count();
 
 private:
     struct Entry {
-        std::vector<SymmetricMatrix::Term> terms;
+        TermWeights weights;
         std::shared_ptr<const Conduction> conduction;
     };
-    [[nodiscard]] std::shared_ptr<const Conduction> find(const std::vector<SymmetricMatrix::Term>& terms);
+    [[nodiscard]] std::shared_ptr<const Conduction> find(const TermWeights& weights);
 
     std::mutex mutex_;
     std::deque<Entry> entries_;  ///< the last used first

@@ -14,7 +14,7 @@ namespace deadpoint::reduce {
 
 /// K less that of the solids: joints by their laws, and films of constant coefficient.
 /// @throws InputError if a joint turns fully that did not when its terms were made, or the reverse
-std::vector<SymmetricMatrix::Term> conduction_terms(const PreparedTerms& prepared, const HeatProblem& problem,
-                                                    const std::vector<InterfaceLaw>& laws);
+TermWeights conduction_terms(const DenseTerms& terms, const HeatProblem& problem,
+                             const std::vector<InterfaceLaw>& laws);
 
 }  // namespace deadpoint::reduce

@@ -184,7 +184,7 @@ void DenseSystem::widen(const Vector& temperature, std::vector<double>& lowest, 
 
 void DenseSystem::set_laws(const std::vector<InterfaceLaw>& laws, const std::vector<heat::Loads>& source_loads)
 {
-    auto conduction = prepared_->conductions.sum(prepared_->solid, conduction_terms(*prepared_, *problem_, laws));
+    auto conduction = prepared_->conduction(conduction_terms(terms_, *problem_, laws));
     if (conduction != conduction_) {
         conduction_ = std::move(conduction);
         reduced_ = false;
@@ -304,7 +304,7 @@ SymmetricMatrix DenseSystem::with_slopes(const std::vector<double>& slopes) cons
 {
     std::vector<SymmetricMatrix::Term> terms;
     for (const std::size_t s : following_)
-        terms.push_back({slopes[s], &prepared_->packed[4 * terms_.joints.size() + s]});
+        terms.push_back({slopes[s], &prepared_->film(s).matrix()});
     return conduction_->matrix().plus(terms);
 }
 

@@ -13,6 +13,8 @@ namespace {
 // Share of a term's size that it may conduct at a uniform temperature where it should conduct nothing: above the
 // rounding of numbers of 32 bits, below any wrong coefficient.
 constexpr double largest_leak = 1e-4;
+// The terms' matrices cost about as much as two sums of factors.
+constexpr std::size_t few_sums = 2;
 
 void require_sizes(const DenseTerms& terms)
 {
@@ -73,13 +75,11 @@ void with_mean(LowRankTerm& term, const Eigen::VectorXd& uniform, const Eigen::V
     term.factor.col(0) = integral / std::sqrt(area);
 }
 
-SymmetricMatrix packed_of(const LowRankTerm& term)
+// To the lower triangle. Eigen divides by the number of columns.
+void add_term(Eigen::MatrixXd& lower, const LowRankTerm& term, double weight)
 {
-    if (term.is_missing())
-        return {};
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(term.factor.rows(), term.factor.rows());
-    matrix.selfadjointView<Eigen::Lower>().rankUpdate(term.factor);
-    return SymmetricMatrix(matrix);
+    if (term.factor.cols() > 0)
+        lower.selfadjointView<Eigen::Lower>().rankUpdate(term.factor, weight);
 }
 
 double largest_eigenvalue(const LowRankTerm& term)
@@ -114,16 +114,26 @@ void conserve_heat(DenseTerms& terms)
                   "surface " + std::to_string(s));
 }
 
-PreparedTerms::PreparedTerms(DenseTerms given) : terms(std::move(given))
+const SymmetricMatrix& TermMatrix::matrix() const
+{
+    std::call_once(once_, [&] {
+        Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(term_.factor.rows(), term_.factor.rows());
+        add_term(lower, term_, 1);
+        matrix_ = SymmetricMatrix(lower);
+    });
+    return matrix_;
+}
+
+PreparedTerms::PreparedTerms(DenseTerms given, Sums sums) : terms(std::move(given)), sums_(sums)
 {
     conserve_heat(terms);
-    solid = SymmetricMatrix(terms.solid);
+    solid_ = SymmetricMatrix(terms.solid);
     for (const auto& joint : terms.joints)
         for (const auto* term : {&joint.aa, &joint.bb, &joint.between, &joint.turning})
-            packed.push_back(packed_of(*term));
+            each.emplace_back(*term);
     first_deviation.push_back(0);
     for (const auto& film : terms.films) {
-        packed.push_back(packed_of(film));
+        each.emplace_back(film);
         stiffest_film.push_back(largest_eigenvalue(film));
         first_deviation.push_back(first_deviation.back() + std::max<Eigen::Index>(film.factor.cols() - 1, 0));
     }
@@ -133,6 +143,30 @@ PreparedTerms::PreparedTerms(DenseTerms given) : terms(std::move(given))
         if (count > 0)
             deviations.middleRows(first_deviation[s], count) = terms.films[s].factor.rightCols(count).transpose();
     }
+}
+
+SymmetricMatrix PreparedTerms::sum_of_matrices(const TermWeights& weights) const
+{
+    std::vector<SymmetricMatrix::Term> matrices;
+    for (const auto& [term, weight] : weights)
+        matrices.push_back({weight, &each[term].matrix()});
+    return solid_.plus(matrices);
+}
+
+SymmetricMatrix PreparedTerms::sum_of_factors(const TermWeights& weights) const
+{
+    Eigen::MatrixXd lower = terms.solid;
+    for (const auto& [term, weight] : weights)
+        add_term(lower, each[term].term(), weight);
+    return SymmetricMatrix(lower);
+}
+
+std::shared_ptr<const Conduction> PreparedTerms::conduction(const TermWeights& weights) const
+{
+    return conductions_.get(weights, [&] {
+        const bool few = sums_ == Sums::of_factors && conductions_.count() < few_sums;
+        return few ? sum_of_factors(weights) : sum_of_matrices(weights);
+    });
 }
 
 }  // namespace deadpoint::reduce

@@ -6,6 +6,9 @@
 #include "deadpoint/reduce/online/conduction.hpp"
 
 #include <Eigen/Dense>
+#include <deque>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 /// Internal to reduce/, since it shows Eigen: the matrices of a small system of temperatures.
@@ -52,23 +55,52 @@ struct DenseTerms {
 ///         a term with an area has no mean
 void conserve_heat(DenseTerms& terms);
 
-/// Terms that conserve heat, and what a run's coefficients multiply; many runs can share it. It takes about n^2/2
-/// numbers per term, since a sum of such matrices costs fewer operations than products with their factors.
+/// The matrix of a term, made when first asked for. Several threads may ask.
+class TermMatrix {
+public:
+    explicit TermMatrix(const LowRankTerm& term) : term_(term) {}
+    [[nodiscard]] const LowRankTerm& term() const { return term_; }
+    [[nodiscard]] const SymmetricMatrix& matrix() const;
+
+private:
+    const LowRankTerm& term_;
+    mutable std::once_flag once_;
+    mutable SymmetricMatrix matrix_;
+};
+
+/// How the conduction matrix is summed for a run's coefficients.
+enum class Sums {
+    /// Of the terms' matrices, which are kept: for many runs. They take about n^2/2 numbers per term, and a sum of them
+    /// costs far fewer operations than products of the factors.
+    of_matrices,
+    of_factors  ///< of the factors, until a third sum is asked for: for a run or two
+};
+
+/// Terms that conserve heat, and what a run's coefficients multiply; many runs can share it.
 struct PreparedTerms {
     /// @throws InputError as conserve_heat()
-    explicit PreparedTerms(DenseTerms given);
+    explicit PreparedTerms(DenseTerms given, Sums sums = Sums::of_matrices);
+
+    /// K of the solids and of terms with their coefficients.
+    [[nodiscard]] std::shared_ptr<const Conduction> conduction(const TermWeights& weights) const;
+    [[nodiscard]] const TermMatrix& film(std::size_t surface) const { return each[4 * terms.joints.size() + surface]; }
 
     DenseTerms terms;
-    SymmetricMatrix solid;
-    /// Matrix of each term, without rows where there is none. First aa, bb, between and turning of each joint, then the
-    /// films.
-    std::vector<SymmetricMatrix> packed;
+    /// First aa, bb, between and turning of each joint, then the films.
+    std::deque<TermMatrix> each;
     /// The columns of the films' factors after the first, as rows: what differs from the surface's mean. Those of film
     /// s are [first_deviation[s], first_deviation[s + 1]).
     RowMatrix deviations;
     std::vector<Eigen::Index> first_deviation;
     std::vector<double> stiffest_film;  ///< largest eigenvalue of each film's matrix [m2 K/J]
-    mutable Conductions conductions;    ///< sums of solid and packed
+
+private:
+    [[nodiscard]] SymmetricMatrix sum_of_matrices(const TermWeights& weights) const;
+    [[nodiscard]] SymmetricMatrix sum_of_factors(const TermWeights& weights) const;
+
+    SymmetricMatrix solid_;
+    Sums sums_;
+    mutable Conductions conductions_;
 };
 
 }  // namespace deadpoint::reduce

@@ -12,12 +12,12 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 
 // Off its diagonal a matrix that is diagonal but for rounding has at most this share of its largest entry.
-constexpr double rounding = 1e-14;
+constexpr double off_diagonal_rounding = 1e-14;
 
 bool is_diagonal(const Matrix& matrix)
 {
     const Matrix others = matrix - Matrix(matrix.diagonal().asDiagonal());
-    return others.lpNorm<Eigen::Infinity>() <= rounding * matrix.lpNorm<Eigen::Infinity>();
+    return others.lpNorm<Eigen::Infinity>() <= off_diagonal_rounding * matrix.lpNorm<Eigen::Infinity>();
 }
 
 std::vector<double> entries_of(const Matrix& matrix)

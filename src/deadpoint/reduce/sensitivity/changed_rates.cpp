@@ -123,7 +123,7 @@ void ChangedRates::finish(std::vector<double>& sums)
         for (const auto& [term, change] : lasting.terms) {
             const auto [found, is_new] = by_term.try_emplace(term);
             if (is_new)
-                found->second = heat_->prepared().packed[term].product(symmetric);
+                found->second = heat_->prepared().each[term].matrix().product(symmetric);
             lasting.weight -= change * found->second;
         }
     for (std::size_t k = 0; k < sums.size(); ++k)

@@ -42,8 +42,7 @@ void LinearisedHeat::set_basis(std::shared_ptr<const TridiagonalForm> form, cons
     if (is_linear && form) {
         form_ = std::move(form);
     } else {
-        const auto conduction =
-            prepared_->conductions.sum(prepared_->solid, conduction_terms(*prepared_, *problem_, joints_.laws()));
+        const auto conduction = prepared_->conduction(conduction_terms(terms, *problem_, joints_.laws()));
         if (is_linear)
             form_ = conduction->form();
         else
@@ -289,7 +288,7 @@ void LinearisedHeat::evaluate_films(LinearisedState& state) const
                                          problem_->surfaces[surface].emissivity, inside >= 0,
                                          state.values[geometry().layout.surface(surface)] / area,
                                          bent.dot(state.states) / area, state.faced[surface]));
-        slopes.push_back({state.films.back().slope, &prepared_->packed[4 * prepared_->terms.joints.size() + surface]});
+        slopes.push_back({state.films.back().slope, &prepared_->film(surface).matrix()});
     }
     state.stiffness = stiffness_.plus(slopes);
 }

@@ -358,7 +358,7 @@ std::vector<std::pair<std::size_t, double>> term_changes(std::size_t scalar, con
     const auto& prepared = heat.prepared();
     std::vector<std::pair<std::size_t, double>> result;
     const auto add = [&](std::size_t term, double change) {
-        if (change != 0 && prepared.packed[term].rows() > 0)
+        if (change != 0 && !prepared.each[term].term().is_missing())
             result.emplace_back(term, change);
     };
     if (scalar < layout.film(0)) {

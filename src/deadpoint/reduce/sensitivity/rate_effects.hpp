@@ -29,7 +29,7 @@ struct RateEffect {
 /// source's heat that enters this one, and F = (h_a T_a + h_b T_b + g T_oil) / S.
 RateEffect effect_of(std::size_t scalar, const LinearisedHeat& heat, const LinearisedState& at);
 
-/// Derivatives of K's coefficients by a scalar: index of a term in PreparedTerms::packed, and the change of its
+/// Derivatives of K's coefficients by a scalar: index of a term in PreparedTerms::each, and the change of its
 /// coefficient. They hold throughout a segment. d(x y / S) = dx s_y + x ds_y.
 std::vector<std::pair<std::size_t, double>> term_changes(std::size_t scalar, const LinearisedHeat& heat);
 

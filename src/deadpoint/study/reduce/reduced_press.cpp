@@ -164,6 +164,26 @@ bool is_sound(const ReducedPress& press)
            std::ranges::all_of(press.box, [&](const auto& one) { return coefficient_fits(one, layout); });
 }
 
+ReducedPress read(const std::filesystem::path& file, reduce::Sums sums)
+{
+    BinaryReader reader(file, kind, help);
+    ReducedPress press;
+    std::apply([&](auto... member) { reader(press.*member...); }, head(&press));
+    reduce::StoredTerms kept;
+    reduce::DenseTerms terms;
+    reader(terms.geometry, kept);
+    try {
+        reduce::restore(kept, terms);
+        press.terms = std::make_shared<const reduce::PreparedTerms>(std::move(terms), sums);
+    } catch (const InputError& error) {
+        reader.refuse(error.what());
+    }
+    if (!is_sound(press))
+        reader.refuse("its numbers do not fit each other");
+    press.states = static_cast<std::size_t>(press.terms->terms.uniform.size());
+    return press;
+}
+
 }  // namespace
 
 std::filesystem::path fields_file(const std::filesystem::path& file)
@@ -181,24 +201,11 @@ void write_reduced(const std::filesystem::path& file, const ReducedPress& press)
     });
 }
 
-ReducedPress read_reduced(const std::filesystem::path& file)
+ReducedPress read_reduced(const std::filesystem::path& file) { return read(file, reduce::Sums::of_matrices); }
+
+ReducedPress read_reduced_for_few_runs(const std::filesystem::path& file)
 {
-    BinaryReader reader(file, kind, help);
-    ReducedPress press;
-    std::apply([&](auto... member) { reader(press.*member...); }, head(&press));
-    reduce::StoredTerms kept;
-    reduce::DenseTerms terms;
-    reader(terms.geometry, kept);
-    try {
-        reduce::restore(kept, terms);
-        press.terms = std::make_shared<const reduce::PreparedTerms>(std::move(terms));
-    } catch (const InputError& error) {
-        reader.refuse(error.what());
-    }
-    if (!is_sound(press))
-        reader.refuse("its numbers do not fit each other");
-    press.states = static_cast<std::size_t>(press.terms->terms.uniform.size());
-    return press;
+    return read(file, reduce::Sums::of_factors);
 }
 
 casefile::Case fixed_case(const casefile::Case& input)

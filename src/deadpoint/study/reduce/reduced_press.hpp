@@ -67,5 +67,7 @@ std::filesystem::path fields_file(const std::filesystem::path& file);
 void write_reduced(const std::filesystem::path& file, const ReducedPress& press);
 /// @throws IoError if the file cannot be read, is of another format, was cut short or changed
 ReducedPress read_reduced(const std::filesystem::path& file);
+/// The same for a run or two, without what many runs share: that of a large model takes half a gigabyte.
+ReducedPress read_reduced_for_few_runs(const std::filesystem::path& file);
 
 }  // namespace deadpoint::study
