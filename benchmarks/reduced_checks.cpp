@@ -95,7 +95,7 @@ public:
         const auto problem = parts_.translate(input, watch, unused, observer);
         if (with_full)
             parts_.need_model(input, watch, observer);
-        mark_ = casefile::case_hash(input);
+        mark_ = casefile::case_hash(input) + " " + std::to_string(small_.unknowns);
         auto split = study::split_by_part(problem, machine);
         split.problem.field_times.clear();
         nominal_ = study::with_nominal_films(split.problem, input.machine.initial_temperature);
@@ -152,7 +152,8 @@ private:
         if (std::filesystem::exists(file)) {
             BinaryReader(file, kind, "remove it")(mark, history);
             if (mark != mark_)
-                throw IoError("'" + file.string() + "' is of another case\n  help: keep its runs in another folder");
+                throw IoError("'" + file.string() +
+                              "' is of another case or mesh\n  help: keep its runs in another folder");
             return history;
         }
         history = full_run(problem);
@@ -193,7 +194,7 @@ private:
     study::ReducedPress small_, large_;
     std::shared_ptr<const reduce::ResidualTerms> residual_;
     HeatProblem nominal_;
-    std::string mark_;  ///< of the case
+    std::string mark_;  ///< of the case and its mesh
     std::filesystem::path folder_;
 };
 

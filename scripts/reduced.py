@@ -123,7 +123,7 @@ def checks(options, name, first, count, *more):
             out.flush()
             subprocess.run([options.checks, os.path.join(ROOT, "cases", "jl75g-60", "oil.toml"),
                             os.path.join(options.scratch, CHECKED + ".rom"), "1", str(first + len(done)), str(count - len(done)),
-                            *more], stdout=out, check=True, env=dict(os.environ, OMP_NUM_THREADS="1"))
+                            *more, "keep=" + os.path.join(options.scratch, "full-runs")], stdout=out, check=True, env=dict(os.environ, OMP_NUM_THREADS="1"))
     return [[float(word) for word in line.split()] for line in rows_of(file)]
 
 
