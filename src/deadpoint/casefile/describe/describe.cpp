@@ -563,8 +563,13 @@ void describe(Visitor& v, Reduce& r)
     range({"oil", "oil coefficient of each interface; where the case has none, of 500 W/m2/K"}, r.oil, D::none, 0);
     range({"friction", "friction heat of each friction law; where it is wide it covers speed and force too"},
           r.friction, D::none, 0);
-    range({"speed", "speed of the whole operation, as the friction laws see it"}, r.speed, D::none, 0);
-    range({"force", "process force of the whole operation, as the friction laws see it"}, r.force, D::none, 0);
+    const auto around_case = [&](const Key& key, std::array<double, 2>& value) {
+        range(key, value, D::none, 0);
+        v.expect(value[0] <= 1 && value[1] >= 1, key.name, "the range does not hold 1, which is the case itself",
+                 "write factors on what the case states, like [0.5, 1.2]");
+    };
+    around_case({"speed", "speed of the whole operation, as the friction laws see it"}, r.speed);
+    around_case({"force", "process force of the whole operation, as the friction laws see it"}, r.force);
     range({"oil_temperature", "difference of all oil temperatures"}, r.oil_temperature, D::temperature_difference, any);
     range({"ambient", "difference of all ambient temperatures"}, r.ambient, D::temperature_difference, any);
     v.flag({"together", "one range for each surface and each interface, instead of one for each part and side"},
