@@ -98,10 +98,29 @@ TEST_CASE("a factor keeps the load of the uniform field exactly")
     const auto factor = low_rank_factor(product, load, uniform, 0.05);
     CHECK(factor.cols() < 45);
     CHECK((factor * (factor.transpose() * uniform) - load).norm() < 1e-9 * load.norm());
-    const auto shorter = cut_behind_first(factor, 0.2);
+    const auto moments = with_falling_eigenvalues(60);
+    const auto shorter = cut(factor, 1, moments, 1e-3);
     CHECK(shorter.cols() < factor.cols());
     CHECK((shorter * (shorter.transpose() * uniform) - load).norm() < 1e-9 * load.norm());
-    CHECK((cut(root, 1e-12) * cut(root, 1e-12).transpose() - matrix).norm() < 1e-9 * matrix.norm());
+    const auto whole = cut(root, 0, Eigen::MatrixXd::Identity(60, 60), 0);
+    CHECK((whole * whole.transpose() - matrix).norm() < 1e-9 * matrix.norm());
+}
+
+TEST_CASE("a cut leaves out the directions in which the states give off little heat")
+{
+    const Eigen::MatrixXd factor{{5, 0, 0}, {0, 3, 0}, {0, 0, 0.1}, {0, 0, 0}};
+    const Eigen::VectorXd squares{{1, 1e-4, 1, 1}};  // heat of the columns: 25, 9e-4, 0.01
+    const Eigen::MatrixXd moments = squares.asDiagonal();
+    const auto heat = [&](const Eigen::MatrixXd& of) { return of.cwiseProduct(moments * of).sum(); };
+    const auto one = cut(factor, 0, moments, 0.02), two = cut(factor, 0, moments, 1e-3);
+    REQUIRE(one.cols() == 1);
+    CHECK(heat(one) == Approx(25));  // the first, and not the second, which is large where no states are
+    REQUIRE(two.cols() == 2);
+    CHECK(heat(two) == Approx(25.01));
+    CHECK(cut(factor, 1, moments, 100).cols() == 1);
+    CHECK(cut(factor, 0, moments, 100).cols() == 0);
+    const Eigen::MatrixXd left = factor * factor.transpose() - two * two.transpose();
+    CHECK(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(left).eigenvalues().minCoeff() > -1e-12);
 }
 
 TEST_CASE("the most frequent states hold the uniform field and what runs did")

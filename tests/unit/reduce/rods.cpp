@@ -106,7 +106,7 @@ deadpoint::heat::HeatGeometry RodModel::geometry() const { return terms_.geometr
 
 Eigen::MatrixXd RodModel::gram() { return basis.transpose() * basis; }
 
-DenseTerms RodModel::project(const Truncation& truncation) { return combined(terms_, basis, truncation); }
+DenseTerms RodModel::project(const Truncation& /*truncation*/) { return combined(terms_, basis); }
 
 ResidualTerms RodModel::residual(const ResidualTask& task)
 {

@@ -10,6 +10,7 @@
 #include "deadpoint/reduce/offline/gram.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
+#include "deadpoint/reduce/offline/typical_heat.hpp"
 #include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include <utility>
@@ -26,7 +27,7 @@ Terms large_terms(FullModel& full, const BuildOptions& options, const BuildCheck
         terms.geometry = full.geometry();
         take_matrices(known, terms);
     } else {
-        terms = full.project(options.large);
+        terms = full.project(options.projection);
         share(full.ranks(), terms);
         write_matrices(kept, "terms", matrices_of(terms));
     }
@@ -45,34 +46,17 @@ std::optional<Training> training_of(const Terms& large, const std::vector<HeatPr
     return training;
 }
 
-// The heat that states give off, summed over their moments.
-double heat_of(const DenseTerms& terms, const std::vector<double>& coefficients, const Eigen::MatrixXd& moments)
+// The directions that are left out cost a run time, and its file room.
+Terms cut_large(const PreparedTerms& whole, const TypicalHeat& typical, double least, const Ranks& ranks)
 {
-    double sum = terms.solid.cwiseProduct(moments).sum();
-    auto coefficient = coefficients.begin();
-    const auto add = [&](const LowRankTerm& term) {
-        if (const double c = *coefficient++; !term.is_missing())
-            sum += c * term.factor.cwiseProduct(moments * term.factor).sum();
-    };
-    for (const auto& joint : terms.joints)
-        for (const auto* term : {&joint.aa, &joint.bb, &joint.between, &joint.turning})
-            add(*term);
-    for (const auto& film : terms.films)
-        add(film);
-    return sum;
-}
-
-// Of runs and dual problems, each with the heat 1.
-Eigen::MatrixXd typical_states(const DenseTerms& terms, const Training& training, const std::vector<double>& highest)
-{
-    const Eigen::VectorXd unit = terms.uniform.normalized();
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(unit.size(), unit.size());
-    for (const auto* moments : {&training.states, &training.duals}) {
-        const Eigen::MatrixXd away = deviations(*moments, unit);
-        if (const double heat = heat_of(terms, highest, away); heat > 0)
-            sum += away / heat;
+    DenseTerms terms;
+    terms.geometry = whole.terms.geometry;
+    if (ranks.rank() == 0) {
+        terms = whole.terms;
+        cut_terms(terms, typical, least);
     }
-    return sum;
+    share(ranks, terms);
+    return std::make_shared<const PreparedTerms>(std::move(terms));
 }
 
 }  // namespace
@@ -88,11 +72,13 @@ std::optional<BuiltModels> build(FullModel& full, const std::vector<HeatProblem>
         return std::nullopt;
     orthonormalise(full, {options.least, options.largest_basis, *weights}, kept);
     observer.stage("projection");
-    const auto large = large_terms(full, options, kept);
+    auto whole = large_terms(full, options, kept);
     observer.stage("training runs");
-    const auto training = training_of(large, points, box, options, kept, ranks, observer);
+    const auto training = training_of(whole, points, box, options, kept, ranks, observer);
     if (!training)
         return std::nullopt;
+    const auto typical = typical_heat(whole->terms, *training, highest_conduction(base, box));
+    const auto large = cut_large(*std::exchange(whole, nullptr), typical, options.least_heat.of_large, ranks);
     observer.stage("small model");
     const auto combinations = on_first(ranks, [&] {
         const auto& terms = large->terms;
@@ -100,16 +86,14 @@ std::optional<BuiltModels> build(FullModel& full, const std::vector<HeatProblem>
                              {terms.uniform, error_norm(terms, options.readings), options.dual_share},
                              static_cast<Eigen::Index>(options.largest));
     });
-    auto small = choose_small(large, combinations, points, box, options, ranks, observer);
+    auto small = choose_small(large, combinations, typical, points, box, options, ranks, observer);
     if (!small)
         return std::nullopt;
     BuiltModels models{large, *std::move(small), {}};
     if (options.certificate) {
         observer.stage("certificate");
-        const auto lowest = lowest_conduction(base, box);
-        const auto highest = highest_conduction(base, box);
         models.residual = std::make_shared<const ResidualTerms>(
-            full.residual({lowest, highest, typical_states(large->terms, *training, highest), options.residual}));
+            full.residual({lowest_conduction(base, box), typical.highest, typical.moments, options.residual}));
     }
     full.combine(models.small.combinations);
     return models;

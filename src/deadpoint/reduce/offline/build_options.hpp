@@ -4,10 +4,16 @@
 
 namespace deadpoint::reduce {
 
-/// Largest error of a term that is cut to low rank, of its largest eigenvalue over the states.
+/// Largest error of a term that is projected to low rank, of its largest eigenvalue over the states.
 struct Truncation {
-    double joints = 1e-5;  ///< conduction between the sides of a joint, whose coefficients are large
-    double others = 1e-3;  ///< films, and conduction from a joint's sides to its oil
+    double joints = 1e-6;  ///< conduction between the sides of a joint, whose coefficients are large
+    double others = 1e-4;  ///< films, and conduction from a joint's sides to its oil
+};
+
+/// A direction of a term is left out of a model if it takes at most this share of all heat from typical states.
+struct LeastHeat {
+    double of_large = 1e-9;
+    double of_small = 1e-7;
 };
 
 /// What certificates keep of the terms (reduce/certificate/directions.hpp).
@@ -41,8 +47,8 @@ struct BuildOptions {
     double reference = 293.15;         ///< temperature without deformation [K]
     int threads = 1;
     bool certificate = false;  ///< makes ResidualTerms of the large model
-    Truncation large{1e-6, 1e-4};
-    Truncation small{};
+    Truncation projection{};
+    LeastHeat least_heat{};
     ResidualCut residual{};
 };
 

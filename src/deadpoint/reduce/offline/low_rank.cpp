@@ -95,22 +95,15 @@ Eigen::MatrixXd low_rank_factor(const SymmetricProduct& product, const Eigen::Ve
     return factor;
 }
 
-Eigen::MatrixXd cut(const Eigen::MatrixXd& factor, double tolerance)
+Eigen::MatrixXd cut(const Eigen::MatrixXd& factor, Eigen::Index kept, const Eigen::MatrixXd& moments, double least)
 {
-    if (factor.cols() == 0)
+    if (factor.cols() <= kept)
         return factor;
-    const auto pairs = eigenpairs(factor, 0);
-    return scaled(pairs, tolerance * pairs.values[0]);
-}
-
-Eigen::MatrixXd cut_behind_first(const Eigen::MatrixXd& factor, double tolerance)
-{
-    if (factor.cols() < 2)
-        return factor;
-    const auto pairs = eigenpairs(factor.rightCols(factor.cols() - 1), 0);
-    const auto behind = scaled(pairs, tolerance * std::max(pairs.values[0], factor.col(0).squaredNorm()));
-    Eigen::MatrixXd result(factor.rows(), 1 + behind.cols());
-    result << factor.col(0), behind;
+    const auto others = factor.rightCols(factor.cols() - kept);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(others.transpose() * moments * others);
+    const Eigen::Index count = (solver.eigenvalues().array() > least).count();
+    Eigen::MatrixXd result(factor.rows(), kept + count);
+    result << factor.leftCols(kept), others * solver.eigenvectors().rightCols(count).rowwise().reverse();
     return result;
 }
 

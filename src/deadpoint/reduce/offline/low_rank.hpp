@@ -24,9 +24,10 @@ Eigen::MatrixXd factor_of(const Eigen::MatrixXd& matrix, double tolerance);
 Eigen::MatrixXd low_rank_factor(const SymmetricProduct& product, const Eigen::VectorXd& load,
                                 const Eigen::VectorXd& uniform, double tolerance);
 
-/// V with fewer columns: eigenvalues of V V^T below `tolerance` times the largest are left out.
-Eigen::MatrixXd cut(const Eigen::MatrixXd& factor, double tolerance);
-/// The same with the first column kept, as above; the tolerance is that of all of V V^T.
-Eigen::MatrixXd cut_behind_first(const Eigen::MatrixXd& factor, double tolerance);
+/// V with fewer columns: after the first `kept` ones, the directions in which states with these second moments
+/// give off the most heat, eigenvectors of V^T moments V; those with `least` or less are left out. What is left out
+/// of V V^T is positive semidefinite.
+/// @param moments  symmetric
+Eigen::MatrixXd cut(const Eigen::MatrixXd& factor, Eigen::Index kept, const Eigen::MatrixXd& moments, double least);
 
 }  // namespace deadpoint::reduce

@@ -1,7 +1,5 @@
 #include "deadpoint/reduce/offline/pod.hpp"
 
-#include "deadpoint/reduce/offline/build_options.hpp"
-#include "deadpoint/reduce/offline/low_rank.hpp"
 #include "deadpoint/reduce/parallel/ranks.hpp"
 
 #include <algorithm>
@@ -17,12 +15,9 @@ Eigen::MatrixXd weighted(const Moments& moments, const Eigen::VectorXd& unit)
     return trace > 0 ? Eigen::MatrixXd(full / trace) : full;
 }
 
-LowRankTerm combined(const LowRankTerm& term, const Eigen::MatrixXd& combinations, double tolerance, bool keep_first)
+LowRankTerm combined(const LowRankTerm& term, const Eigen::MatrixXd& combinations)
 {
-    if (term.is_missing())
-        return {};
-    const Eigen::MatrixXd factor = combinations.transpose() * term.factor;
-    return {keep_first ? cut_behind_first(factor, tolerance) : cut(factor, tolerance)};
+    return term.is_missing() ? LowRankTerm{} : LowRankTerm{combinations.transpose() * term.factor};
 }
 
 }  // namespace
@@ -84,18 +79,16 @@ Eigen::MatrixXd by_conduction(const DenseTerms& terms, const Eigen::MatrixXd& co
     return result;
 }
 
-DenseTerms combined(const DenseTerms& terms, const Eigen::MatrixXd& combinations, const Truncation& truncation)
+DenseTerms combined(const DenseTerms& terms, const Eigen::MatrixXd& combinations)
 {
     DenseTerms result;
     result.geometry = terms.geometry;
     result.solid = combinations.transpose() * terms.solid * combinations;
     for (const auto& joint : terms.joints)
-        result.joints.push_back({combined(joint.aa, combinations, truncation.others, true),
-                                 combined(joint.bb, combinations, truncation.others, true),
-                                 combined(joint.between, combinations, truncation.joints, false),
-                                 combined(joint.turning, combinations, truncation.joints, false)});
+        result.joints.push_back({combined(joint.aa, combinations), combined(joint.bb, combinations),
+                                 combined(joint.between, combinations), combined(joint.turning, combinations)});
     for (const auto& film : terms.films)
-        result.films.push_back(combined(film, combinations, truncation.others, true));
+        result.films.push_back(combined(film, combinations));
     result.functionals = terms.functionals * combinations;
     result.observed = terms.observed * combinations;
     result.uniform = combinations.transpose() * terms.uniform;

@@ -45,7 +45,7 @@ Eigen::MatrixXd most_frequent(const Moments& moments, const Moments& duals, cons
 /// slowest first. The first has to be uniform, whose row and column of K are zero.
 Eigen::MatrixXd by_conduction(const DenseTerms& terms, const Eigen::MatrixXd& combinations);
 
-/// The terms on combinations of the states, cut to lower rank.
-DenseTerms combined(const DenseTerms& terms, const Eigen::MatrixXd& combinations, const Truncation& truncation);
+/// The terms on combinations of the states.
+DenseTerms combined(const DenseTerms& terms, const Eigen::MatrixXd& combinations);
 
 }  // namespace deadpoint::reduce

@@ -5,6 +5,7 @@
 #include "deadpoint/reduce/offline/build_options.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
+#include "deadpoint/reduce/offline/typical_heat.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "deadpoint/reduce/parallel/in_parallel.hpp"
 #include "deadpoint/reduce/parallel/ranks.hpp"
@@ -18,8 +19,6 @@ namespace {
 constexpr unsigned long long test_seed = 3;
 
 using Terms = std::shared_ptr<const PreparedTerms>;
-
-class Silent : public Observer {};
 
 /// Runs of both models with the same problems.
 class Comparison {
@@ -50,7 +49,7 @@ private:
     {
         std::vector<ThermalHistory> histories(problems_.size());
         in_parallel(ranks_, options_.threads, problems_.size(), [&](std::size_t k) {
-            Silent observer;
+            Observer observer;
             histories[k] = ReducedRun(terms, problems_[k], options_.adjoints, options_.reference).go({}, observer);
         });
         return histories;
@@ -71,13 +70,16 @@ std::vector<std::size_t> sizes_up_to(std::size_t largest)
     return sizes;
 }
 
-Terms small_of(const DenseTerms& large, const Eigen::MatrixXd& combinations, const BuildOptions& options,
+Terms small_of(const DenseTerms& large, const Eigen::MatrixXd& combinations, const TypicalHeat& typical, double least,
                const Ranks& ranks)
 {
     DenseTerms terms;
     terms.geometry = large.geometry;
-    if (ranks.rank() == 0)
-        terms = combined(large, combinations, options.small);
+    if (ranks.rank() == 0) {
+        const Eigen::MatrixXd moments = combinations.transpose() * typical.moments * combinations;
+        terms = combined(large, combinations);
+        cut_terms(terms, {moments, typical.highest}, least);
+    }
     share(ranks, terms);
     return std::make_shared<const PreparedTerms>(std::move(terms));
 }
@@ -85,8 +87,9 @@ Terms small_of(const DenseTerms& large, const Eigen::MatrixXd& combinations, con
 }  // namespace
 
 std::optional<SmallModel> choose_small(const Terms& large, const Eigen::MatrixXd& combinations,
-                                       const std::vector<HeatProblem>& points, const Box& box,
-                                       const BuildOptions& options, const Ranks& ranks, Observer& observer)
+                                       const TypicalHeat& typical, const std::vector<HeatProblem>& points,
+                                       const Box& box, const BuildOptions& options, const Ranks& ranks,
+                                       Observer& observer)
 {
     auto tests = drawn_problems(points, box, test_seed, options.test_runs);
     tests.insert(tests.begin(), points.front());
@@ -97,7 +100,7 @@ std::optional<SmallModel> choose_small(const Terms& large, const Eigen::MatrixXd
             return std::nullopt;
         model.combinations = on_first(
             ranks, [&] { return by_conduction(large->terms, combinations.leftCols(static_cast<Eigen::Index>(size))); });
-        model.terms = small_of(large->terms, model.combinations, options, ranks);
+        model.terms = small_of(large->terms, model.combinations, typical, options.least_heat.of_small, ranks);
         const auto found = comparison.to(model.terms);
         model.at_base = found.front();
         model.in_box = {};

@@ -19,6 +19,7 @@ namespace deadpoint::reduce {
 
 struct BuildOptions;
 struct PreparedTerms;
+struct TypicalHeat;
 class Ranks;
 
 struct SmallModel {
@@ -31,10 +32,11 @@ struct SmallModel {
 /// The smallest of a series of sizes that is accurate enough in warm-ups that were not used for training, else the
 /// largest. Collective. @return nothing after Observer::cancelled()
 /// @param combinations  of states of the large model, most important first, a column for each
+/// @param typical  by what the terms are cut
 /// @param points  of operation, the case's own first
 std::optional<SmallModel> choose_small(const std::shared_ptr<const PreparedTerms>& large,
-                                       const Eigen::MatrixXd& combinations, const std::vector<HeatProblem>& points,
-                                       const Box& box, const BuildOptions& options, const Ranks& ranks,
-                                       Observer& observer);
+                                       const Eigen::MatrixXd& combinations, const TypicalHeat& typical,
+                                       const std::vector<HeatProblem>& points, const Box& box,
+                                       const BuildOptions& options, const Ranks& ranks, Observer& observer);
 
 }  // namespace deadpoint::reduce
