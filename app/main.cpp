@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "deadpoint/core/suggest.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/fem/algebra/product_kernels.hpp"
 #include "errors.hpp"
 #include "interrupt.hpp"
 #include "manual.hpp"
@@ -122,6 +123,7 @@ int run(int argc, char** argv)
 int run_and_explain(int argc, char** argv)
 {
     try {
+        deadpoint::fem::choose_product_kernels();
         return run(argc, argv);
     } catch (...) {
         return explain(std::current_exception());

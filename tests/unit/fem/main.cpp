@@ -12,6 +12,6 @@ int main(int argc, char** argv)
 {
     if (argc == 3 && std::string(argv[1]) == "--embed")
         return embedded(argv[2]);
-    const deadpoint::fem::Session session;
+    const deadpoint::fem::Session session(argc, argv);
     return doctest::Context(argc, argv).run();
 }

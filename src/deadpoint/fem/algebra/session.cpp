@@ -3,6 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/algebra/huge_pages.hpp"
 #include "deadpoint/fem/algebra/petsc.hpp"
+#include "deadpoint/fem/algebra/product_kernels.hpp"
 
 #include <cstddef>
 #include <cstdlib>
@@ -86,6 +87,7 @@ void require_same_ranks(MPI_Comm wanted)
 
 Session::Session(int& argc, char**& argv)
 {
+    choose_product_kernels();
     start_mpi(&argc, &argv);
     start_petsc();
     count_ranks();

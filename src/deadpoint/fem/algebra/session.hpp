@@ -14,10 +14,11 @@ struct FortranCommunicator {
 /// of this folder works on the ranks of PETSC_COMM_WORLD. Works without mpirun too (one rank).
 class Session {
 public:
-    /// On all ranks, or on those of a PETSc that already runs.
+    /// On all ranks, or on those of a PETSc that already runs; with choose_product_kernels().
     /// @throws InputError if the limit of memory leaves no room for the smallest case
     Session(int& argc, char**& argv);
-    /// The same without a command line.
+    /// The same without a command line, for a program that is not ours: its products may run meanwhile, and keep their
+    /// kernels.
     Session();
     /// On the ranks of a communicator. @throws InputError if MPI does not run, if there is no such communicator, or if
     /// PETSc already runs on other ranks; as above

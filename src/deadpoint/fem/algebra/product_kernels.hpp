@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Dense products by OpenBLAS, which has kernels for each kind of processor.
+namespace deadpoint::fem {
+
+/// What a processor can do.
+struct Instructions {
+    bool avx2 = false;    ///< with fused multiplications
+    bool avx512 = false;  ///< of servers since Skylake
+};
+
+/// OpenBLAS before 0.3.25 takes its oldest kernels, those of the Prescott, on Intel processors that it does not know,
+/// and products then take up to eight times as long.
+/// @param chosen  the kernels that OpenBLAS took
+/// @return the kernels to take instead; empty: those are right
+std::string_view better_kernels(std::string_view chosen, const Instructions& processor);
+
+/// Makes OpenBLAS take better_kernels(). Does nothing where OPENBLAS_CORETYPE is set, and with another BLAS. Call it in
+/// main() before any product: one that runs at the same time would be wrong.
+void choose_product_kernels();
+
+/// The kernels that OpenBLAS takes now; empty with another BLAS.
+std::string product_kernels();
+
+}  // namespace deadpoint::fem
