@@ -30,7 +30,7 @@ TermSum between(const JointTerm& joint, const SparseTerm& across)
     return across.entries() > 0 ? TermSum{{1, &joint.aa}, {1, &joint.bb}, {-1, &across}} : TermSum{};
 }
 
-// In the order of reduce::PreparedTerms::packed; empty where there is no such term.
+// In the order of reduce::PreparedTerms::each; empty where there is no such term.
 std::vector<TermSum> all_terms(const HeatMatrices& matrices)
 {
     std::vector<TermSum> result;
@@ -55,7 +55,7 @@ struct SparseColumns {
     }
     [[nodiscard]] MatrixXd times(const MatrixXd& columns) const
     {
-        return values.transpose() * columns(rows, Eigen::all);
+        return product_of_transposed(values, columns(rows, Eigen::all));
     }
 };
 
