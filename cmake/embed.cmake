@@ -13,5 +13,7 @@ function(deadpoint_embed target header namespace)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/${target}_embedded.cpp)
     file(CONFIGURE OUTPUT ${source} CONTENT
         "#include \"${header}\"\n\nnamespace ${namespace} {\n\n@body@}  // namespace ${namespace}\n" @ONLY)
+    # By itself, so that a test may link other texts in its place.
+    set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     target_sources(${target} PRIVATE ${source})
 endfunction()

@@ -11,7 +11,9 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 add_library(deadpoint_options INTERFACE)
 target_compile_options(deadpoint_options INTERFACE -fno-semantic-interposition)
-target_compile_options(deadpoint_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+target_compile_options(deadpoint_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion)
+# In one unit with other sources, a local name may be that of something global in another of them.
+target_compile_options(deadpoint_options INTERFACE $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wshadow=local,-Wshadow>)
 # At each final link: a shared library shows its public functions only, a module of Python its entry, a program keeps Eigen's to
 # itself.
 set(type $<TARGET_PROPERTY:TYPE>)

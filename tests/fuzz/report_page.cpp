@@ -28,6 +28,11 @@ std::string_view page_gaps_script() { return {}; }
 std::string_view page_sections_script() { return {}; }
 std::string_view page_main_script() { return {}; }
 std::string_view page_sweep_script() { return {}; }
+std::string_view page_sensitivity_script() { return {}; }
+std::string_view page_plan_script() { return {}; }
+std::string_view page_optimise_script() { return {}; }
+std::string_view page_check_script() { return {}; }
+std::string_view page_calibration_script() { return {}; }
 
 }  // namespace deadpoint::report
 

@@ -26,5 +26,6 @@ constexpr Vec2 operator-(const Vec2& a, const Vec2& b) { return {a[0] - b[0], a[
 constexpr Vec2 operator*(double s, const Vec2& a) { return {s * a[0], s * a[1]}; }
 constexpr double dot(const Vec2& a, const Vec2& b) { return a[0] * b[0] + a[1] * b[1]; }
 inline double norm(const Vec2& a) { return std::sqrt(dot(a, a)); }
+inline bool is_finite(const Vec2& a) { return std::isfinite(a[0]) && std::isfinite(a[1]); }
 
 }  // namespace deadpoint

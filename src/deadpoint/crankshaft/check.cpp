@@ -12,7 +12,6 @@
 namespace deadpoint::crankshaft {
 namespace {
 
-constexpr double same_place = 1e-6;  ///< of the shaft's length
 constexpr double thick = 3.0;        ///< ratio of diameters beyond which a section does not bend like a beam
 constexpr double heavy_share = 0.5;  ///< of a disk's mass in its section beyond which it is taken to count twice
 

@@ -12,6 +12,8 @@ namespace deadpoint::crankshaft {
 struct Section;
 struct Shaft;
 
+inline constexpr double same_place = 1e-6;  ///< places that are nearer are one; relative to the length of the shaft
+
 /// Checks that the description is valid.
 /// @throws CaseError with every wrong section, disk and bearing: sizes or moduli not positive or not finite, a bore not
 /// less

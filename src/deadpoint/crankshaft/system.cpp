@@ -13,8 +13,6 @@
 namespace deadpoint::crankshaft {
 namespace {
 
-constexpr double same_place = 1e-6;  ///< relative to the shaft's length
-
 /// Unknowns x, y, ty, tz of a node among those of a beam element.
 constexpr std::array<int, 8> lateral{1, 2, 3, 4, 6, 7, 8, 9};
 

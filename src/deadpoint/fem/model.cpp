@@ -26,9 +26,7 @@
 
 namespace deadpoint::fem {
 
-namespace {
-
-// A separate mesh of the deformation, and the transfers to it and back.
+/// A separate mesh of the deformation, and the transfers to it and back.
 struct OwnMesh {
     OwnMesh(const Machine& machine, std::vector<int> orders, const Discretisation& heat)
         : space(machine, std::move(orders)), values(heat, space), back(space, heat), to(heat, space, values, back)
@@ -38,8 +36,6 @@ struct OwnMesh {
     Transfer back;
     FittedTransfer to;
 };
-
-}  // namespace
 
 struct Model::Implementation {
     Implementation(const Machine& machine_, std::vector<Material> materials_, std::vector<int> orders,

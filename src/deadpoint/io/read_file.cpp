@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason)
+[[noreturn]] void fail_reading(const fs::path& path, const std::string& reason)
 {
     throw IoError(fmt::format("cannot read '{}': {}\n  help: check that it is a file and that you may read it",
                               path.string(), reason));
@@ -29,13 +29,13 @@ public:
         // Without O_NONBLOCK, opening a pipe would wait for a writer.
         file_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
         if (file_ < 0) {
-            fail(path_, std::strerror(errno));
+            fail_reading(path_, std::strerror(errno));
         }
         struct stat status {};
         const bool known = fstat(file_, &status) == 0;
         if (!known || !S_ISREG(status.st_mode)) {
             close(file_);
-            fail(path_, known ? "it is not a regular file" : std::strerror(errno));
+            fail_reading(path_, known ? "it is not a regular file" : std::strerror(errno));
         }
         size_ = static_cast<std::uintmax_t>(status.st_size);
     }
@@ -53,7 +53,7 @@ public:
             here = read(file_, room, count);
         } while (here < 0 && errno == EINTR);
         if (here < 0) {
-            fail(path_, fmt::format("{} after {} of {} bytes", std::strerror(errno), done_, size_));
+            fail_reading(path_, fmt::format("{} after {} of {} bytes", std::strerror(errno), done_, size_));
         }
         done_ += static_cast<std::uintmax_t>(here);
         return static_cast<std::size_t>(here);
@@ -63,8 +63,8 @@ public:
     void require_all() const
     {
         if (done_ != size_) {
-            fail(path_, fmt::format("{} bytes came of {}; the file changes while it is read, or its disk fails", done_,
-                                    size_));
+            fail_reading(path_, fmt::format("{} bytes came of {}; the file changes while it is read, or its disk fails",
+                                            done_, size_));
         }
     }
 

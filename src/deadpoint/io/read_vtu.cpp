@@ -67,9 +67,9 @@ std::string_view section(std::string_view text, std::string_view name)
 }
 
 /// The appended section of a file.
-class Appended {
+class AppendedReader {
 public:
-    Appended(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+    AppendedReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
     template <class T>
     std::vector<T> read(std::string_view element) const
@@ -127,7 +127,7 @@ private:
     const std::string& file_;
 };
 
-VtuValues values_of(std::string_view element, const Appended& data, const std::string& file)
+VtuValues values_of(std::string_view element, const AppendedReader& data, const std::string& file)
 {
     const auto type = attribute(element, "type");
     if (type == "Float32") {
@@ -142,7 +142,7 @@ VtuValues values_of(std::string_view element, const Appended& data, const std::s
     refuse(file);
 }
 
-void add_arrays(std::string_view text, VtuArray::Place place, const Appended& data, const std::string& file,
+void add_arrays(std::string_view text, VtuArray::Place place, const AppendedReader& data, const std::string& file,
                 VtuContents& contents)
 {
     const std::size_t places =
@@ -158,7 +158,7 @@ void add_arrays(std::string_view text, VtuArray::Place place, const Appended& da
     }
 }
 
-VtuGrid grid_of(std::string_view head, const Appended& data, const std::string& file)
+VtuGrid grid_of(std::string_view head, const AppendedReader& data, const std::string& file)
 {
     const auto points = elements(section(head, "Points"), "DataArray");
     const auto cells = elements(section(head, "Cells"), "DataArray");
@@ -221,7 +221,7 @@ VtuContents parse_vtu(std::string_view text, const std::string& file)
         refuse(file);
     }
     const auto head = text.substr(0, mark);
-    const Appended data(text.substr(mark + data_mark.size()), file);
+    const AppendedReader data(text.substr(mark + data_mark.size()), file);
     VtuContents contents{grid_of(head, data, file), {}};
     if (!is_sound(contents.grid)) {
         refuse(file);

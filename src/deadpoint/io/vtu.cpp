@@ -69,7 +69,7 @@ constexpr const char* type_name()
 }
 
 /// The appended section: data of arrays in the order in which their elements were written.
-class Appended {
+class AppendedWriter {
 public:
     template <class T>
     std::string element(const std::string& name, int components, const T* data, std::size_t count)
@@ -143,7 +143,7 @@ std::string time_field(const VtuNotes& notes)
                       : std::string{};
 }
 
-std::string arrays_at(VtuArray::Place place, std::span<const VtuArray> arrays, Appended& data)
+std::string arrays_at(VtuArray::Place place, std::span<const VtuArray> arrays, AppendedWriter& data)
 {
     std::string result;
     for (const auto& array : arrays) {
@@ -175,7 +175,7 @@ void write_vtu(const std::filesystem::path& path, const VtuGrid& grid, std::span
                const VtuNotes& notes)
 {
     check(grid, arrays);
-    Appended data;
+    AppendedWriter data;
     std::string head = opening("UnstructuredGrid", notes) + "<UnstructuredGrid>\n" + time_field(notes);
     head += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(), grid.types.size());
     head += "<Points>\n";

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason)
+[[noreturn]] void fail_writing(const fs::path& path, const std::string& reason)
 {
     throw IoError(fmt::format("cannot write '{}': {}\n  help: check that the folder exists, that you may write to it, "
                               "and that the disk has room",
@@ -50,7 +50,7 @@ fs::path make_part(const fs::path& path)
             return part;
         }
         if (errno != EEXIST) {
-            fail(path, system_reason());
+            fail_writing(path, system_reason());
         }
     }
 }
@@ -69,7 +69,7 @@ void name_it(const fs::path& part, const fs::path& path, IfThere if_there)
                                   path.string()));
     }
     if (error) {
-        fail(path, error.message());
+        fail_writing(path, error.message());
     }
 }
 
@@ -99,17 +99,17 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
     errno = 0;
     std::ofstream out(unfinished.path, std::ios::binary | std::ios::trunc);
     if (!out) {
-        fail(path, system_reason());
+        fail_writing(path, system_reason());
     }
     fill(out);
     out.close();
     if (!out || (durability == Durability::synced && !sync_to_disk(unfinished.path))) {
-        fail(path, system_reason());
+        fail_writing(path, system_reason());
     }
     name_it(unfinished.path, path, if_there);
     unfinished.kept = true;
     if (durability == Durability::synced && !sync_to_disk(folder_of(path))) {
-        fail(path, system_reason());
+        fail_writing(path, system_reason());
     }
 }
 

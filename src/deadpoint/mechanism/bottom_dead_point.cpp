@@ -1,5 +1,6 @@
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
 #include "deadpoint/mechanism/slide_motion.hpp"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -15,19 +15,18 @@ namespace deadpoint::mechanism {
 namespace {
 
 constexpr int steps = 180;
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double same_height = 1e-12;  // [m]
 
 std::vector<PlanarPosition> scan(const PlanarSystem& system)
 {
     std::vector<PlanarPosition> positions{system.position(system.assembled())};
     for (int i = 1; i <= steps; ++i)
-        positions.push_back(system.moved(positions.back(), i * turn / steps));
+        positions.push_back(system.moved(positions.back(), i * full_turn / steps));
 
     const Linkage& linkage = system.linkage();
     for (std::size_t body = 0; body < linkage.bodies.size(); ++body) {
         const PlanarPose& end = positions.back().poses[body];
-        if (norm(end.translation) > 1e-6 || std::abs(std::remainder(end.angle, turn)) > 1e-6)
+        if (norm(end.translation) > 1e-6 || std::abs(std::remainder(end.angle, full_turn)) > 1e-6)
             throw InputError(
                 fmt::format("after one turn of the driver '{}' is not where it was: the linkage changed its way "
                             "of closing\n  help: check its lengths",
@@ -36,7 +35,7 @@ std::vector<PlanarPosition> scan(const PlanarSystem& system)
     return positions;
 }
 
-double from_assembled(const PlanarPosition& position) { return std::abs(std::remainder(position.angle, turn)); }
+double from_assembled(const PlanarPosition& position) { return std::abs(std::remainder(position.angle, full_turn)); }
 
 PlanarPosition lowest(const SlideMotion& slide, const std::vector<PlanarPosition>& positions)
 {
@@ -54,7 +53,7 @@ PlanarPosition lowest(const SlideMotion& slide, const std::vector<PlanarPosition
     for (int i = 0; i < steps; ++i) {
         if (heights[i] > heights[i == 0 ? steps - 1 : i - 1] || heights[i] >= heights[i + 1])
             continue;
-        PlanarPosition low = slide.extremum(SlideMotion::Extremum::lowest, positions[i], turn / steps);
+        PlanarPosition low = slide.extremum(SlideMotion::Extremum::lowest, positions[i], full_turn / steps);
         const double above = best ? slide.height(low) - slide.height(*best) : -1.0;
         const bool same = std::abs(above) < same_height;
         if (same ? from_assembled(low) < from_assembled(*best) : above < 0)
@@ -66,11 +65,11 @@ PlanarPosition lowest(const SlideMotion& slide, const std::vector<PlanarPosition
 /// The same position, reached by turning the driver the shorter way.
 void turn_back(PlanarPosition& position, const PlanarPosition& whole_turn)
 {
-    if (position.angle <= turn / 2)
+    if (position.angle <= full_turn / 2)
         return;
-    position.angle -= turn;
+    position.angle -= full_turn;
     for (std::size_t body = 0; body < position.poses.size(); ++body)
-        position.poses[body].angle -= turn * std::round(whole_turn.poses[body].angle / turn);
+        position.poses[body].angle -= full_turn * std::round(whole_turn.poses[body].angle / full_turn);
 }
 
 }  // namespace

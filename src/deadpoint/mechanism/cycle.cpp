@@ -1,6 +1,8 @@
 #include "deadpoint/mechanism/cycle.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/units.hpp"
+#include "deadpoint/core/vec.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
 #include "deadpoint/mechanism/slide_motion.hpp"
@@ -9,18 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace deadpoint::mechanism {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double degrees = 360.0 / turn;
-
-bool is_finite(const Vec2& v) { return std::isfinite(v[0]) && std::isfinite(v[1]); }
-
 /// An angle since bottom dead point, 0..2 pi, as an angle past it, -pi..pi.
-double past_bottom(double since) { return since > 0.5 * turn * (1 + 1e-15) ? since - turn : since; }
+double past_bottom(double since) { return since > 0.5 * full_turn * (1 + 1e-15) ? since - full_turn : since; }
 
 void check_mass(const std::string& name, const BodyMass& mass)
 {
@@ -133,11 +129,11 @@ double Cycle::duration(double from, double to) const
                                          0.1012285362903763};
     std::vector<double> ends{from, to};
     for (const double place : request_.speed_breaks) {
-        const double since = std::fmod(std::fmod(place, turn) + turn, turn);
+        const double since = std::fmod(std::fmod(place, full_turn) + full_turn, full_turn);
         if (since > from && since < to)
             ends.push_back(since);
     }
-    const double longest = turn / 180;
+    const double longest = full_turn / 180;
     const int pieces = static_cast<int>(std::ceil((to - from) / longest));
     for (int i = 1; i < pieces; ++i)
         ends.push_back(from + i * longest);
@@ -254,10 +250,10 @@ CycleHistory Cycle::run(const Turn& along)
     history_.joints.resize(linkage_.joints.size());
     double time = 0;
     for (int i = 0; i < request_.positions; ++i) {
-        const double since = turn * i / request_.positions;
+        const double since = full_turn * i / request_.positions;
         record(along.positions[static_cast<std::size_t>(i)], past_bottom(since));
         history_.time.push_back(time);
-        time += duration(since, turn * (i + 1) / request_.positions);
+        time += duration(since, full_turn * (i + 1) / request_.positions);
     }
     history_.period = time;
     check_inertias(linkage_, request_.masses, history_);
@@ -276,7 +272,7 @@ Turn turn_of(const Linkage& linkage, int positions)
     position.angle = bottom.crank_angle;
     for (int i = 0; i < positions; ++i) {
         if (i > 0)
-            position = system.moved(position, bottom.crank_angle + turn * i / positions);
+            position = system.moved(position, bottom.crank_angle + full_turn * i / positions);
         result.positions.push_back(position);
     }
     return result;

@@ -1,3 +1,4 @@
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
@@ -5,17 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace deadpoint::mechanism {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-
 /// Positions of the linkage at and between the samples of its history.
-class Turn {
+class TurnFigures {
 public:
-    Turn(const SlideMotion& slide, const CycleHistory& history) : slide_(slide), history_(history) {}
+    TurnFigures(const SlideMotion& slide, const CycleHistory& history) : slide_(slide), history_(history) {}
 
     [[nodiscard]] int samples() const { return static_cast<int>(history_.angle.size()); }
     [[nodiscard]] PlanarPosition at(int sample) const
@@ -31,7 +29,7 @@ public:
     {
         const double level = slide_.height(at(0)) + height;
         const auto over = [&](const PlanarPosition& p) { return slide_.height(p) - level; };
-        const double step = turn / samples();
+        const double step = full_turn / samples();
         double sum = 0;
         for (int i = 0; i < samples(); ++i) {
             const double here = history_.height[i] - height;
@@ -45,7 +43,7 @@ public:
             const double crossing = slide_.zero(over, first, second).angle - first.angle;
             sum += here < 0 ? crossing : step - crossing;
         }
-        return sum / turn;
+        return sum / full_turn;
     }
 
     /// Maximum of a function of the position near its largest sample (golden section).
@@ -55,8 +53,8 @@ public:
         const double section = 0.5 * (std::sqrt(5.0) - 1);
         const PlanarPosition start = at(sample);
         const auto value = [&](double angle) { return of(slide_.system().moved(start, angle)); };
-        double low = start.angle - turn / samples();
-        double high = start.angle + turn / samples();
+        double low = start.angle - full_turn / samples();
+        double high = start.angle + full_turn / samples();
         double left = high - section * (high - low);
         double right = low + section * (high - low);
         double at_left = value(left);
@@ -108,9 +106,9 @@ StrokeFigures stroke_figures(const Linkage& linkage, const CycleRequest& request
 {
     const PlanarSystem system(linkage);
     const SlideMotion slide(system);
-    const Turn cycle(slide, history);
+    const TurnFigures cycle(slide, history);
     const double bottom = history.angle.at(0);
-    const auto past = [bottom](const PlanarPosition& p) { return std::remainder(p.angle - bottom, turn); };
+    const auto past = [bottom](const PlanarPosition& p) { return std::remainder(p.angle - bottom, full_turn); };
     const auto speed = [&](const PlanarPosition& p) { return std::abs(slide.slope(p)) * request.speed(past(p)); };
     const auto acceleration = [&](const PlanarPosition& p) {
         const double w = request.speed(past(p));
@@ -120,7 +118,7 @@ StrokeFigures stroke_figures(const Linkage& linkage, const CycleRequest& request
 
     StrokeFigures result;
     const PlanarPosition top = slide.extremum(
-        SlideMotion::Extremum::highest, cycle.at(index_of_largest(history.height, false)), turn / cycle.samples());
+        SlideMotion::Extremum::highest, cycle.at(index_of_largest(history.height, false)), full_turn / cycle.samples());
     result.stroke = slide.height(top) - slide.height(cycle.at(0));
     result.bottom_dead_point = bottom;
     result.top_dead_point = top.angle;
@@ -134,7 +132,7 @@ StrokeFigures stroke_figures(const Linkage& linkage, const CycleRequest& request
 DriveFigures drive_figures(const CycleHistory& history)
 {
     // Integrals over the turn: d theta for work, dt = d theta / w for means over time.
-    const double step = turn / static_cast<double>(history.angle.size());
+    const double step = full_turn / static_cast<double>(history.angle.size());
     DriveFigures result;
     double square = 0;
     for (std::size_t i = 0; i < history.angle.size(); ++i) {
@@ -163,7 +161,7 @@ std::vector<ForceRatio> force_ratios(const Linkage& linkage, const CycleHistory&
         const double by_angle = std::abs(history.slide_speed[i]) / history.speed[i];
         if (by_angle < 1e-9 * radius)
             continue;
-        const double past = std::remainder(history.angle[i] - history.angle[0], turn);
+        const double past = std::remainder(history.angle[i] - history.angle[0], full_turn);
         result.push_back({past, history.height[i], 1 / by_angle, radius / by_angle});
     }
     return result;

@@ -1,5 +1,6 @@
 #include "deadpoint/mechanism/force_tip.hpp"
 
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
@@ -7,12 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace deadpoint::mechanism {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double met = 1 - 1e-3;  // share of the largest force that counts as met
 constexpr int most_often = 4;     // as many positions as asked for
 constexpr double beside = 1e-6;   // distance to a corner at which the force may jump [rad]
@@ -24,7 +23,7 @@ public:
     ForceOverTurn(const CycleHistory& history, const CycleRequest& request) : history_(history), request_(request) {}
 
     [[nodiscard]] int positions() const { return static_cast<int>(history_.height.size()); }
-    [[nodiscard]] double step() const { return turn / positions(); }
+    [[nodiscard]] double step() const { return full_turn / positions(); }
 
     [[nodiscard]] double height(double since) const
     {
@@ -36,7 +35,7 @@ public:
     }
     [[nodiscard]] double magnitude(double since) const
     {
-        const double past = std::remainder(since, turn);
+        const double past = std::remainder(since, full_turn);
         const auto [i, s] = find(since);
         const auto k = (i + 1) % history_.height.size();
         const double speed = (1 - s) * history_.slide_speed[i] + s * history_.slide_speed[k];
@@ -44,7 +43,7 @@ public:
         if (!std::isfinite(force))
             throw DomainError(fmt::format("the process force is {} N at {:.3f} degrees past bottom dead point\n  help: "
                                           "check its law",
-                                          force, past * 360 / turn));
+                                          force, past * 360 / full_turn));
         return std::abs(force);
     }
     /// Angles since bottom dead point at which the slide passes a height.
@@ -66,7 +65,7 @@ public:
 private:
     [[nodiscard]] std::pair<std::size_t, double> find(double since) const
     {
-        const double place = (since - turn * std::floor(since / turn)) / step();
+        const double place = (since - full_turn * std::floor(since / full_turn)) / step();
         const auto i = std::min(static_cast<std::size_t>(place), history_.height.size() - 1);
         return {i, place - static_cast<double>(i)};
     }
@@ -93,7 +92,7 @@ std::vector<double> places_of(const ForceOverTurn& force, const ForceCorners& co
 
 double largest_near(const ForceOverTurn& force, const std::vector<double>& tips, int positions)
 {
-    const double step = turn / positions;
+    const double step = full_turn / positions;
     double largest = 0;
     for (const double tip : tips)
         for (const double place : {std::floor(tip / step), std::ceil(tip / step)})

@@ -1,6 +1,7 @@
 #include "deadpoint/mechanism/planar_system.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/vec.hpp"
 #include "deadpoint/mechanism/planar_algebra.hpp"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace deadpoint::mechanism {
 namespace {
-
-bool is_finite(const Vec2& v) { return std::isfinite(v[0]) && std::isfinite(v[1]); }
 
 void check_indices(const Linkage& linkage)
 {

@@ -1,3 +1,4 @@
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/planar_algebra.hpp"
 #include "deadpoint/mechanism/planar_layout.hpp"
@@ -13,8 +14,6 @@ namespace {
 
 constexpr double longest_step = 2.0 * std::numbers::pi / 180.0;
 constexpr double shortest_step = longest_step / 64.0;
-constexpr double degrees = 180.0 / std::numbers::pi;
-constexpr double turn = 2 * std::numbers::pi;
 
 void add(std::vector<PlanarPose>& poses, double factor, const std::vector<PlanarPose>& change)
 {
@@ -167,8 +166,8 @@ std::string PlanarWalk::obstacle(const PlanarPosition& last, double to) const
     double end = last.angle;
     if (shifts.empty()) {
         try {  // from the assembled position in the other direction
-            const PlanarPosition other = furthest(located(layout.assembled()), last.angle - way * turn);
-            end = other.angle + way * turn;
+            const PlanarPosition other = furthest(located(layout.assembled()), last.angle - way * full_turn);
+            end = other.angle + way * full_turn;
         } catch (const InputError&) {
             // Singular in that direction: state only where it stops in this one.
         }

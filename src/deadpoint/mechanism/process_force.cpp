@@ -1,6 +1,7 @@
 #include "deadpoint/mechanism/process_force.hpp"
 
 #include "deadpoint/core/table.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 namespace deadpoint::mechanism {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double same_angle = 1e-9;
 
 void require(bool holds, const char* what, double value, const char* help)
@@ -23,20 +23,19 @@ void require(bool holds, const char* what, double value, const char* help)
 void check_window(const AngleWindow& window)
 {
     const char* help = "give an end after the start, at most one turn later";
-    constexpr double degrees = 180 / std::numbers::pi;
     require(true, "the start of the window in degrees", degrees * window.start, help);
     require(window.end > window.start, "the end of the window in degrees", degrees * window.end, help);
-    require(window.end - window.start <= turn * (1 + 1e-12), "the length of the window in degrees",
+    require(window.end - window.start <= full_turn * (1 + 1e-12), "the length of the window in degrees",
             degrees * (window.end - window.start), help);
 }
 
 /// Angle since the start of the window, within 0..2 pi, or slightly negative at the start itself.
 double into(const AngleWindow& window, double past_bottom)
 {
-    double angle = std::fmod(past_bottom - window.start, turn);
+    double angle = std::fmod(past_bottom - window.start, full_turn);
     if (angle < -same_angle)
-        angle += turn;
-    return angle > turn - same_angle ? angle - turn : angle;
+        angle += full_turn;
+    return angle > full_turn - same_angle ? angle - full_turn : angle;
 }
 
 void check_table(const std::vector<double>& places, const std::vector<double>& forces, const char* what)
@@ -89,7 +88,7 @@ ProcessForceLaw rectangle(double force, const AngleWindow& window, double at_edg
     require(true, "the force", force, "give a finite force [N]");
     require(at_edges >= 0 && at_edges <= 1, "the share at the edges", at_edges, "give a share within 0..1");
     const double length = window.end - window.start;
-    if (length > turn - same_angle)
+    if (length > full_turn - same_angle)
         return [=](double, double, double) { return force; };
     return [=](double past_bottom, double, double) {
         const double angle = into(window, past_bottom);
@@ -103,16 +102,16 @@ ProcessForceLaw force_over_angle(std::vector<double> past_bottom, std::vector<do
 {
     check_table(past_bottom, force, "angles");
     const double first = past_bottom.front();
-    if (!(past_bottom.back() - first < turn))
+    if (!(past_bottom.back() - first < full_turn))
         throw InputError(
             fmt::format("process force: the angles span {} rad\n  help: give less than one turn; the table "
                         "is closed by running back to its first point",
                         past_bottom.back() - first));
-    past_bottom.push_back(first + turn);
+    past_bottom.push_back(first + full_turn);
     force.push_back(force.front());
     return [first, angles = std::move(past_bottom), forces = std::move(force)](double angle, double, double) {
-        const double since = std::fmod(angle - first, turn);
-        return interpolate_linear(angles, forces, first + (since < 0 ? since + turn : since)).value;
+        const double since = std::fmod(angle - first, full_turn);
+        return interpolate_linear(angles, forces, first + (since < 0 ? since + full_turn : since)).value;
     };
 }
 

@@ -13,8 +13,8 @@
 namespace deadpoint::casefile {
 namespace {
 
-constexpr double aligned = 1e-3;     // directions whose angle has a smaller sine count as the same
-constexpr double same_place = 1e-4;  // [m]
+constexpr double nearly_aligned = 1e-3;  // directions whose angle has a smaller sine count as the same
+constexpr double same_place = 1e-4;      // [m]
 
 class Belonging : private Findings {
 public:
@@ -147,7 +147,7 @@ private:
             const Vec3 normal = normal_of(surface);
             const double length = norm(joint.direction) * norm(normal);
             if (length > 0 &&
-                std::abs(normal[0] * joint.direction[0] + normal[1] * joint.direction[1]) > aligned * length)
+                std::abs(normal[0] * joint.direction[0] + normal[1] * joint.direction[1]) > nearly_aligned * length)
                 warn("geometry", path,
                      fmt::format("surface '{}' lies across the travel of joint '{}', [{:.4g}, {:.4g}]: it would not "
                                  "slide but lift off",

@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/check/check_elastic.hpp"
 
+#include "deadpoint/casefile/check/directions.hpp"
 #include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/case_elastic.hpp"
@@ -11,8 +12,6 @@
 namespace deadpoint::casefile {
 
 namespace {
-
-constexpr double aligned = 1e-6;  // directions whose angle has a smaller sine are the same
 
 bool is_held_sideways(const Foundation& foundation)
 {

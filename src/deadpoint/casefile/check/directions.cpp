@@ -14,7 +14,6 @@ namespace deadpoint::casefile {
 namespace {
 
 constexpr double standard_gravity = 9.81;  // [m/s2]
-constexpr double aligned = 1e-6;           // directions whose angle has a smaller sine are the same
 
 std::string slide_of(const Case& c)
 {

@@ -12,6 +12,8 @@ namespace deadpoint::casefile {
 
 struct Case;
 
+inline constexpr double aligned = 1e-6;  ///< directions whose angle has a smaller sine are the same
+
 /// Unit direction of the slide's stroke, from the table towards the slide:
 /// `mechanism.stroke_direction`; without it along the guide that holds the slide on the ground,
 /// against gravity; without such a guide straight against gravity. Returns a finding if these are

@@ -22,8 +22,6 @@ namespace {
 using D = Dimension;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double rpm = std::numbers::pi / 30;
-constexpr double hour = 3600;
 
 /// A value with six digits at most in the unit that the case file prefers.
 std::string shown(double value, D dimension)
@@ -322,7 +320,7 @@ private:
     // Mechanical presses run at up to 2500 strokes a minute and press with up to 165 MN.
     void check_segment(const std::string& path, const Segment& segment)
     {
-        expect(path + ".speed", segment.speed, D::angular_velocity, {0, 4000 * rpm, "cranks of presses turn with"},
+        expect(path + ".speed", segment.speed, D::angular_velocity, {0, 4000 / rpm, "cranks of presses turn with"},
                "check the unit: rpm or rad/s");
         expect(path + ".force", segment.force, D::force, {0, 2e8, "the largest presses have"}, "check the unit");
         if (segment.speed == 0 && segment.force > 0)
@@ -350,7 +348,7 @@ private:
             warn("implausible", path,
                  fmt::format("{:.6g} rpm is {:.3g} times the speed at which friction.{} was fitted, {:.6g} rpm: the "
                              "heat of {} is extrapolated",
-                             speed / rpm, speed / reference, laws.back(), reference / rpm, fmt::join(laws, ", ")),
+                             speed * rpm, speed / reference, laws.back(), reference * rpm, fmt::join(laws, ", ")),
                  "check the unit (60 rpm are 6.28 rad/s), or state the heat at this speed");
     }
     [[nodiscard]] double length_of_run() const

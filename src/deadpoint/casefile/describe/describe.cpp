@@ -11,7 +11,6 @@ namespace deadpoint::casefile {
 namespace {
 
 using D = Dimension;
-constexpr Need required = Need::required;
 constexpr Need optional = Need::optional;
 constexpr Range absolute_temperature = positive;
 constexpr double everywhere = 1e3;  ///< half width of an unlimited window [m]

@@ -7,7 +7,6 @@ namespace deadpoint::casefile {
 namespace {
 
 using D = Dimension;
-constexpr Need required = Need::required;
 
 void expect_settings(Visitor& v, const std::vector<std::string>& set)
 {

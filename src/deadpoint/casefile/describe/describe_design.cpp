@@ -8,7 +8,6 @@
 namespace deadpoint::casefile {
 namespace {
 
-constexpr Need required = Need::required;
 constexpr std::array<std::string_view, 2> methods{"sobol", "morris"};
 constexpr std::array<std::string_view, 3> objectives{"drift", "warm-up", "ambient"};
 constexpr std::array<std::string_view, 3> optimisers{"slsqp", "ccsa", "cobyla"};

@@ -9,7 +9,6 @@ namespace deadpoint::casefile {
 namespace {
 
 using D = Dimension;
-constexpr Need of_law = Need::of_law;
 
 const LawTable<Conductance>& conductance_laws()
 {

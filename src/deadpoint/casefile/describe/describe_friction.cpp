@@ -8,8 +8,6 @@ namespace deadpoint::casefile {
 namespace {
 
 using D = Dimension;
-constexpr Need required = Need::required;
-constexpr Need of_law = Need::of_law;
 
 const LawTable<FrictionLaw>& friction_laws()
 {

@@ -4,7 +4,6 @@ namespace deadpoint::casefile {
 namespace {
 
 using D = Dimension;
-constexpr auto required = Need::required;
 
 }  // namespace
 

@@ -8,7 +8,6 @@ namespace deadpoint::casefile {
 namespace {
 
 using D = Dimension;
-constexpr Need required = Need::required;
 
 bool within_a_turn(const Table& table)
 {

@@ -10,7 +10,6 @@ namespace deadpoint::casefile {
 namespace {
 
 using D = Dimension;
-constexpr Need required = Need::required;
 
 void describe_note(Visitor& v, ReferenceNote& n)
 {

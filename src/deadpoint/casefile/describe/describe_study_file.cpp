@@ -5,12 +5,6 @@
 #include <fmt/format.h>
 
 namespace deadpoint::casefile {
-namespace {
-
-constexpr Need required = Need::required;
-
-}  // namespace
-
 void describe(Visitor& v, StudyFile& f)
 {
     v.about("The study file says which runs `deadpoint sweep` makes of a case, and what `deadpoint sensitivity` "

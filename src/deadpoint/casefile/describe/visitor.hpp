@@ -20,6 +20,8 @@ enum class Need {
     required,
     of_law  ///< required if the law of the key is chosen
 };
+inline constexpr Need required = Need::required;
+inline constexpr Need of_law = Need::of_law;
 
 /// One key of a table in the case file.
 struct Key {

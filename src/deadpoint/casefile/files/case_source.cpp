@@ -74,6 +74,12 @@ std::vector<deadpoint::Diagnostic> as_data(const Diagnostics& found)
     return result;
 }
 
+void stop_at_errors(const Diagnostics& found, std::string_view outcome)
+{
+    if (found.error_count() > 0)
+        throw CaseError(found.render_errors(outcome), as_data(found));
+}
+
 std::vector<std::string> placed_warnings(const Case& input, const std::vector<Finding>& found)
 {
     if (found.empty())

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Errors that are found after reading, with file, line and caret as those found while reading.
@@ -25,6 +26,10 @@ struct Finding;
 
 /// What was found, as the public headers have it.
 std::vector<deadpoint::Diagnostic> as_data(const Diagnostics& found);
+
+/// @param outcome  as of Diagnostics::render_errors
+/// @throws CaseError with all errors if there are any
+void stop_at_errors(const Diagnostics& found, std::string_view outcome);
 
 /// The error with the place of each of its diagnostics, the lines and carets. It stays as it is where it has them
 /// already, where the case was not read from files, and where those are no longer what they were.

@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::array<std::string_view, 5> dimensions{"E_SW", "E_BG", "E_WG", "E_CS", "E_BC"};
 constexpr double planned_interval = 600;  // [s]
-constexpr double same_time = 1e-9;        // relative
 
 double end_of(const Case& input)
 {

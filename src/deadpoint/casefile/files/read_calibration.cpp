@@ -328,12 +328,6 @@ private:
     std::set<std::size_t> used_;
 };
 
-void stop_at_errors(const Diagnostics& diagnostics)
-{
-    if (diagnostics.error_count() > 0)
-        throw CaseError(diagnostics.render_errors("the calibration file; nothing was computed"), as_data(diagnostics));
-}
-
 }  // namespace
 
 CalibrationFile read_calibration(const std::filesystem::path& path, const CalibratedCase& of, bool plan)
@@ -343,12 +337,12 @@ CalibrationFile read_calibration(const std::filesystem::path& path, const Calibr
     if (diagnostics.error_count() == 0) {
         require_kind(document, KindOfFile::calibration, diagnostics);
     }
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the calibration file; nothing was computed");
     CalibrationFile file;
     Reader(document, diagnostics, nullptr).read(file);
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the calibration file; nothing was computed");
     CalibrationChecker(file, document, diagnostics, of, plan).run();
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the calibration file; nothing was computed");
     return file;
 }
 

@@ -156,7 +156,7 @@ private:
 };
 
 // Names of outputs that a case states; corners of the slide are known only with its geometry.
-std::vector<std::string> outputs_of(const Case& base)
+std::vector<std::string> output_names(const Case& base)
 {
     std::vector<std::string> names;
     for (const auto& [name, probe] : base.probes)
@@ -196,7 +196,7 @@ void check_profile(const OptimiseSection& section, const Case& base, VariedReade
 
 void read_limit(OptimiseLimit& limit, const std::string& at, const Case& base, VariedReader& reader)
 {
-    const auto names = outputs_of(base);
+    const auto names = output_names(base);
     if (std::ranges::find(names, limit.output) == names.end() && !limit.output.starts_with("corner "))
         return reader.report("unknown-name", at + ".output", fmt::format("the case has no output '{}'", limit.output),
                              fmt::format("outputs are {}", fmt::join(names, ", ")));
@@ -222,7 +222,7 @@ void check_sensitivity(SensitivitySection& section, const Case& base, const Docu
 {
     complete_varied(section.parameters, "sensitivity.parameters", base, document, diagnostics);
     VariedReader reader(base, document, diagnostics);
-    const auto names = outputs_of(base);
+    const auto names = output_names(base);
     for (std::size_t k = 0; k < section.outputs.size(); ++k) {
         const auto& wanted = section.outputs[k];
         const bool known = std::ranges::any_of(names, [&](const auto& name) { return matches(wanted, name); });

@@ -18,8 +18,6 @@
 namespace deadpoint::casefile {
 namespace {
 
-constexpr double same_time = 1e-9;  ///< relative; with it "3 h" is the end of a run of 10800 s
-
 Dimension measured_dimension(ReferenceCurve::Measures measures)
 {
     using enum ReferenceCurve::Measures;
@@ -297,13 +295,6 @@ void require_point(const ReferenceFile& file, const std::string& path, const std
                                                  : fmt::format("it has: {}", fmt::join(names, ", "))));
 }
 
-void stop_at_errors(const Diagnostics& diagnostics)
-{
-    if (diagnostics.error_count() > 0) {
-        throw CaseError(diagnostics.render_errors("the reference file; nothing was compared"), as_data(diagnostics));
-    }
-}
-
 /// Everything the file says, not yet held against a result; its curves are not read yet.
 ReferenceFile parse_reference(const std::filesystem::path& path, Document& document, Diagnostics& diagnostics)
 {
@@ -311,10 +302,10 @@ ReferenceFile parse_reference(const std::filesystem::path& path, Document& docum
     if (diagnostics.error_count() == 0) {
         require_kind(document, KindOfFile::reference, diagnostics);
     }
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the reference file; nothing was compared");
     ReferenceFile file;
     Reader(document, diagnostics, nullptr).read(file);
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the reference file; nothing was compared");
     return file;
 }
 
@@ -351,7 +342,7 @@ ReferenceFile read_reference(const std::filesystem::path& path, const std::strin
     ReferenceFile file = parse_reference(path, document, diagnostics);
     require_point(file, path.string(), point);
     ReferenceChecker(file, document, diagnostics, result).run(point);
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the reference file; nothing was compared");
     if (is_empty(file)) {
         const auto names = names_of(file.points);
         throw InputError(point.empty() ? fmt::format("{}: all values belong to operating points\n  help: name one with "

@@ -356,13 +356,6 @@ private:
     std::set<std::vector<std::string>> known_good_;  ///< overrides with which the base case could be read
 };
 
-void stop_at_errors(const Diagnostics& diagnostics)
-{
-    if (diagnostics.error_count() > 0) {
-        throw CaseError(diagnostics.render_errors("the study file; nothing was computed"), as_data(diagnostics));
-    }
-}
-
 }  // namespace
 
 std::optional<NumberAndUnit> number_and_unit(std::string_view text)
@@ -396,13 +389,13 @@ StudyFile read_study(const std::filesystem::path& path, FileAccess files)
     if (diagnostics.error_count() == 0) {
         require_kind(document, KindOfFile::study, diagnostics);
     }
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the study file; nothing was computed");
     StudyFile file;
     file.files = files;
     Reader(document, diagnostics, nullptr).read(file);
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the study file; nothing was computed");
     StudyChecker(file, document, diagnostics).run();
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the study file; nothing was computed");
     if (file.sensitivity || file.optimise) {
         const auto base = read_case(file.base, file.set, file.files).value;
         if (file.sensitivity) {
@@ -412,7 +405,7 @@ StudyFile read_study(const std::filesystem::path& path, FileAccess files)
             check_optimise(*file.optimise, base, document, diagnostics);
         }
     }
-    stop_at_errors(diagnostics);
+    stop_at_errors(diagnostics, "the study file; nothing was computed");
     return file;
 }
 

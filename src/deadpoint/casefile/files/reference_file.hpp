@@ -17,6 +17,8 @@ namespace deadpoint::casefile {
 
 class Visitor;
 
+inline constexpr double same_time = 1e-9;  ///< relative; with it "3 h" is the end of a run of 10800 s
+
 /// Keys that every value and claim of a reference file may have.
 struct ReferenceNote {
     std::string point;  ///< operating point it belongs to; empty: the case as it stands

@@ -13,8 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double two_pi = 2 * std::numbers::pi;
-
 }  // namespace
 
 std::vector<std::complex<double>> harmonic_response(const ShaftSystem& system, double speed, double omega,
@@ -27,7 +25,7 @@ std::vector<std::complex<double>> harmonic_response(const ShaftSystem& system, d
     const Eigen::VectorXcd q = dynamic_stiffness(system, velocity_matrix(system, speed), omega).partialPivLu().solve(f);
     if (!q.allFinite())
         throw DomainError(fmt::format("crankshaft: undamped resonance at {:.6g} Hz\n  help: give a modal damping ratio",
-                                      omega / two_pi));
+                                      omega / (2 * std::numbers::pi)));
     return {q.begin(), q.end()};
 }
 

@@ -15,14 +15,12 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double two_pi = 2 * std::numbers::pi;
-
 /// exp(i 2 pi n / N), so that k n is reduced exactly.
 std::vector<Complex> unit_circle(int samples)
 {
     std::vector<Complex> circle;
     for (int n = 0; n < samples; ++n)
-        circle.push_back(std::polar(1.0, two_pi * n / samples));
+        circle.push_back(std::polar(1.0, 2 * std::numbers::pi * n / samples));
     return circle;
 }
 
@@ -56,7 +54,7 @@ Matrix harmonic_balance_response(const ShaftSystem& system, double speed, const 
     const std::vector<Complex> circle = unit_circle(samples);
     Matrix result(samples, readings.displacement.rows);
     for (int k = 0; k <= settings.harmonics; ++k) {
-        const double omega = two_pi * k / load.period;
+        const double omega = 2 * std::numbers::pi * k / load.period;
         const Eigen::VectorXcd force = view(load.patterns).cast<Complex>() * harmonic_of(load.histories, k, circle);
         const Eigen::VectorXcd q = dynamic_stiffness(system, velocity, omega).partialPivLu().solve(force);
         const Eigen::RowVectorXcd y = ((view(readings.displacement).cast<Complex>() +

@@ -53,6 +53,14 @@ using OwnedPc = Owned<PC, PCDestroy>;
 using OwnedScatter = Owned<VecScatter, VecScatterDestroy>;
 using OwnedNullSpace = Owned<MatNullSpace, MatNullSpaceDestroy>;
 
+/// The matrix of the solver's equations, which it keeps.
+inline Mat matrix_of(KSP solver)
+{
+    Mat matrix = nullptr;
+    DEADPOINT_PETSC(KSPGetOperators(solver, nullptr, &matrix));
+    return matrix;
+}
+
 /// Solves, checks that it converged, and returns the number of iterations.
 /// @throws ConvergenceError with the reason; NotFinite if a value is not finite
 int solve(KSP solver, Vec rhs, Vec solution, const char* what);

@@ -29,13 +29,6 @@ std::vector<KSP> solvers_of_levels(PC multigrid)
     return solvers;
 }
 
-Mat matrix_of(KSP level)
-{
-    Mat matrix = nullptr;
-    DEADPOINT_PETSC(KSPGetOperators(level, nullptr, &matrix));
-    return matrix;
-}
-
 // With values in which all eigenvectors occur, the same at every call, so that a resumed run finds the same bounds.
 void fill_unevenly(Vec vector)
 {

@@ -47,13 +47,6 @@ void to_doubles(const std::vector<float>& from, double factor, Vec to)
         values[i] = factor * static_cast<double>(from[static_cast<std::size_t>(i)]);
 }
 
-Mat matrix_of(KSP solver)
-{
-    Mat matrix = nullptr;
-    DEADPOINT_PETSC(KSPGetOperators(solver, nullptr, &matrix));
-    return matrix;
-}
-
 }  // namespace
 
 FloatCycle::Transfer::Transfer(Mat matrix) : matrix_(matrix)

@@ -23,7 +23,7 @@
 namespace deadpoint::fem {
 namespace {
 
-constexpr std::string_view kind = "deadpoint-checkpoint-3\n";
+constexpr std::string_view checkpoint_kind = "deadpoint-checkpoint-3\n";
 constexpr const char* remedy = "start the run anew without --resume, with --force to replace what is there";
 // The time between two checkpoints is at least this many times the duration of the last one.
 constexpr double least_pause = 50;
@@ -69,7 +69,7 @@ double RunMark::end() const { return std::accumulate(durations.begin(), duration
 
 BinaryReader open_checkpoint(const std::string& file, const RunMark& run, CheckpointHead& head)
 {
-    BinaryReader reader(file, kind, remedy);
+    BinaryReader reader(file, checkpoint_kind, remedy);
     reader(head);
     if (head.version != version)
         throw InputError(fmt::format("'{}' is a checkpoint of version {}; this is {}\n  help: {}", file, head.version,
@@ -174,7 +174,7 @@ void HeatCheckpoint::write_field(BinaryWriter& writer, std::span<const Value> ow
 
 void HeatCheckpoint::write(std::ostream& out) const
 {
-    BinaryWriter writer(out, kind);
+    BinaryWriter writer(out, checkpoint_kind);
     const auto state = run_.state();
     writer(CheckpointHead{std::string(version), plan_.run, mesh_text(space_), start_, state.place.time, plan_.fields});
     writer(state);

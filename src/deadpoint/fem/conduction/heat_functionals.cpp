@@ -12,9 +12,9 @@
 namespace deadpoint::fem {
 namespace {
 
-using Entries = std::vector<std::pair<PetscInt, double>>;
+using PointFunctional = std::vector<std::pair<PetscInt, double>>;
 
-void append(Entries& entries, const PointShape& shape, double factor)
+void append(PointFunctional& entries, const PointShape& shape, double factor)
 {
     for (int i = 0; i < shape.count; ++i)
         entries.emplace_back(shape.dof[i], factor * shape.value[i]);
@@ -69,7 +69,7 @@ void HeatFunctionals::adopt(const HeatProblem& problem) { prepare_probes(problem
 void HeatFunctionals::prepare_parts()
 {
     const std::size_t count = geometry_.layout.parts;
-    std::vector<Entries> means(count);
+    std::vector<PointFunctional> means(count);
     std::vector<PetscInt> unknowns;
     CellValues v(space_);
     const auto is_owned = [&](PetscInt unknown) { return space_.owns(unknown); };
@@ -102,7 +102,7 @@ void HeatFunctionals::prepare_interfaces()
         const auto& contact = space_.machine.interfaces[i];
         geometry_.interface_names.push_back(contact.name);
         geometry_.interface_area.push_back(contact.area);
-        Entries a, b;
+        PointFunctional a, b;
         PointShape shape_a, shape_b;
         for (const auto& point : contact.points) {
             space_.evaluate(point.face_a, point.position_a, false, shape_a);
@@ -124,7 +124,7 @@ void HeatFunctionals::prepare_surfaces(const HeatProblem& problem)
         const auto& condition = problem.surfaces[s];
         if (condition.kind == SurfaceCondition::Kind::temperature)
             continue;
-        Entries entries;
+        PointFunctional entries;
         for (const auto& [index, fraction, central] : faces_of(machine, condition))
             for (const auto& point : face_points(machine, machine.faces[index])) {
                 space_.evaluate(index, point.position, false, shape);
@@ -147,7 +147,7 @@ void HeatFunctionals::prepare_bodies(const HeatProblem& problem)
         for (const int part : heat.parts)
             add(load, all_[geometry_.layout.part(static_cast<std::size_t>(part))], part_volume_[part] / whole);
         if (heat.surface >= 0) {
-            Entries entries;
+            PointFunctional entries;
             PointShape shape;
             for (const auto& [index, fraction, central] : machine.surfaces[heat.surface].faces)
                 for (const auto& point : face_points(machine, machine.faces[index])) {
@@ -170,7 +170,7 @@ void HeatFunctionals::prepare_probes(const HeatProblem& problem)
     PointShape shape;
     for (std::size_t k = 0; k < problem.probes.size(); ++k) {
         space_.evaluate_in_part(problem.probes[k].part, problem.probes[k].position, shape);
-        Entries entries;
+        PointFunctional entries;
         append(entries, shape, 1);
         all_[layout.probe(k)] = space_.functional(entries);
     }
@@ -225,7 +225,7 @@ void HeatFunctionals::require_zone(std::size_t i, double whole) const
 
 void HeatFunctionals::prepare_volume_zone(std::size_t i, const InterfaceLaw& law)
 {
-    Entries entries;
+    PointFunctional entries;
     double whole = 0;
     for_each_point(law.heat_part, [&](const Vec3& position, double weight, const PointShape& shape) {
         const double density = weight * law.load_zone(position);
@@ -240,7 +240,7 @@ void HeatFunctionals::prepare_volume_zone(std::size_t i, const InterfaceLaw& law
 
 void HeatFunctionals::prepare_film_zone(std::size_t i, const InterfaceLaw& law)
 {
-    Entries of_a, of_b;
+    PointFunctional of_a, of_b;
     double whole = 0;
     PointShape shape;
     for (const auto& point : space_.machine.interfaces[i].points) {

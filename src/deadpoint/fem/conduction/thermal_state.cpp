@@ -15,8 +15,8 @@
 namespace deadpoint::fem {
 namespace {
 
-constexpr std::string_view kind = "deadpoint-thermal-state-2\n";
-constexpr const char* help = "name the folder of a finished run with --from, or compute that run again";
+constexpr std::string_view state_kind = "deadpoint-thermal-state-2\n";
+constexpr const char* state_help = "name the folder of a finished run with --from, or compute that run again";
 
 std::string heading(const Discretisation& space, const ThermalState& like)
 {
@@ -32,8 +32,8 @@ std::vector<double> read(BinaryReader& in, std::size_t count, const std::string&
         in.refuse(fmt::format("it holds {} temperatures where {} are due", values.size(), count));
     for (const double value : values)
         if (!std::isfinite(value) || value <= 0)
-            throw DomainError(
-                fmt::format("{} holds a temperature of {} K, which no part can have\n  help: {}", file, value, help));
+            throw DomainError(fmt::format("{} holds a temperature of {} K, which no part can have\n  help: {}", file,
+                                          value, state_help));
     return values;
 }
 
@@ -49,7 +49,7 @@ void write_thermal_state(const std::string& file, const Discretisation& space, c
             for (const auto unknown : order_of_file(space))
                 ordered.push_back(all[unknown]);
             write_file(file, [&](std::ostream& out) {
-                BinaryWriter writer(out, kind);
+                BinaryWriter writer(out, state_kind);
                 writer(heading(space, state), state.sumps, state.enclosures, ordered);
                 writer.finish();
             });
@@ -64,7 +64,7 @@ void write_thermal_state(const std::string& file, const Discretisation& space, c
 
 ThermalState read_thermal_state(const std::string& file, const Discretisation& space, const ThermalState& like)
 {
-    BinaryReader in(file, kind, help);
+    BinaryReader in(file, state_kind, state_help);
     const auto wanted = heading(space, like);
     std::string found;
     in(found);

@@ -16,7 +16,7 @@
 namespace deadpoint::fem {
 namespace {
 
-constexpr double relative_tolerance = 1e-10;
+constexpr double elastic_tolerance = 1e-10;
 constexpr std::size_t block = 32;  ///< loads that are solved for together
 
 void set_column(Mat dense, PetscInt k, Vec from)
@@ -95,7 +95,7 @@ void ElasticSolver::choose_solver(PetscInt size)
     DEADPOINT_PETSC(KSPCreate(PETSC_COMM_WORLD, solver_.out()));
     DEADPOINT_PETSC(KSPSetType(solver_, KSPCG));
     DEADPOINT_PETSC(KSPSetInitialGuessNonzero(solver_, PETSC_TRUE));
-    DEADPOINT_PETSC(KSPSetTolerances(solver_, relative_tolerance, 1e-300, 1e12, 2000));
+    DEADPOINT_PETSC(KSPSetTolerances(solver_, elastic_tolerance, 1e-300, 1e12, 2000));
     PC preconditioner = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
     if (direct) {
@@ -146,7 +146,7 @@ void ElasticSolver::solve_free(const char* what)
     } else if (factor_) {
         const auto right = free_columns(1), solution = free_columns(1);
         set_column(right, 0, free_rhs_);
-        const bool solved = factor_solver_.solve(*upper_half_, *factor_, right, solution, relative_tolerance);
+        const bool solved = factor_solver_.solve(*upper_half_, *factor_, right, solution, elastic_tolerance);
         take_column(solution, 0, free_solution_);
         iterations_ += solved ? 1 : solve(solver_, free_rhs_, free_solution_, what);
     } else {
@@ -190,7 +190,7 @@ void ElasticSolver::solve_block(std::size_t first, std::size_t last, const char*
         take_free_load();
         set_column(right, k, free_rhs_);
     }
-    const bool solved = factor_solver_.solve(*upper_half_, *factor_, right, solution, relative_tolerance);
+    const bool solved = factor_solver_.solve(*upper_half_, *factor_, right, solution, elastic_tolerance);
     for (PetscInt k = 0; k < count; ++k) {
         take_column(solution, k, free_solution_);
         if (solved) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int rounds = 3;
 // Of the expected change: residuals of other loads may be less favourable than those with which the gain was measured.
-constexpr double caution = 10;
+constexpr double residual_caution = 10;
 
 PetscInt columns_of(Mat dense)
 {
@@ -80,7 +80,7 @@ bool FactorSolver::is_sharp(SparseFactor& factor, Mat residual, Mat solution, do
             gain_ = column_norms(change)[0] / size;
     }
     for (std::size_t k = 0; k < sizes.size(); ++k)
-        if (!(caution * gain_ * residuals[k] <= tolerance * sizes[k]))
+        if (!(residual_caution * gain_ * residuals[k] <= tolerance * sizes[k]))
             return false;
     return true;
 }

@@ -15,7 +15,7 @@
 namespace deadpoint::fem {
 namespace {
 
-constexpr double largest_continuation = 0.1;
+constexpr double largest_tie_continuation = 0.1;
 constexpr double negligible = 1e-12;
 
 using Weights = std::map<PetscInt, double>;
@@ -136,7 +136,7 @@ private:
 
     std::optional<Tie> follow_at_its_place(PetscInt node, const std::map<std::uint32_t, int>& cells) const
     {
-        double least = largest_continuation;
+        double least = largest_tie_continuation;
         PointShape shape, best;
         int followed = -1;
         for (const auto& [cell, bond] : cells) {

@@ -26,8 +26,8 @@ constexpr auto members(const FieldFileHead*)
 
 namespace {
 
-constexpr std::string_view kind = "deadpoint fields of a reduced press 1\n";
-constexpr const char* help = "make it again with 'deadpoint reduce CASE --fields -o FILE', or remove it";
+constexpr std::string_view fields_kind = "deadpoint fields of a reduced press 1\n";
+constexpr const char* fields_help = "make it again with 'deadpoint reduce CASE --fields -o FILE', or remove it";
 
 /// Passes fields on to the first rank, one after the other, in the order of a file.
 class OneByOne {
@@ -59,12 +59,12 @@ void require_own(const FieldFileHead& found, const std::string& file, const Disc
                  const std::string& model)
 {
     if (found.model != model)
-        throw InputError(
-            fmt::format("the fields in '{}' belong to another reduced press than this one\n  help: {}", file, help));
+        throw InputError(fmt::format("the fields in '{}' belong to another reduced press than this one\n  help: {}",
+                                     file, fields_help));
     if (const auto wanted = mesh_text(space); found.mesh != wanted)
         throw InputError(fmt::format("the fields in '{}' belong to another mesh than that of this case\n  it is:  "
                                      "{}\n  wanted: {}\n  help: {}",
-                                     file, found.mesh, wanted, help));
+                                     file, found.mesh, wanted, fields_help));
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ void write_fields(const std::string& file, const Discretisation& space, const st
     try {
         if (rank() == 0)
             write_file(file, [&](std::ostream& out) {
-                BinaryWriter writer(out, kind);
+                BinaryWriter writer(out, fields_kind);
                 writer(head, std::uint64_t{count});
                 while (!fields.at_end())
                     writer(fields.next());
@@ -105,7 +105,7 @@ void write_fields(const std::string& file, const Discretisation& space, const st
 StateFields read_fields(const std::string& file, const Discretisation& space, const std::string& model,
                         std::size_t states)
 {
-    BinaryReader in(file, kind, help);
+    BinaryReader in(file, fields_kind, fields_help);
     FieldFileHead head;
     std::uint64_t count = 0;
     in(head, count);

@@ -25,7 +25,7 @@ double cell_volume(const Machine& machine, const Cell& cell)
            tetrahedron(2, 7, 5, 6);
 }
 
-double face_area(const Machine& machine, const Face& face)
+double flat_area(const Machine& machine, const Face& face)
 {
     const auto& x = machine.nodes;
     const Vec3 first = cross(x[face.nodes[1]] - x[face.nodes[0]], x[face.nodes[2]] - x[face.nodes[0]]);
@@ -113,7 +113,7 @@ Discretisation::Discretisation(const Machine& machine_, std::vector<int> orders_
     number_neighbours_alike();
     depth_.reserve(machine.faces.size());
     for (const auto& face : machine.faces)
-        depth_.push_back(cell_volume(machine, machine.cells[face.cell]) / face_area(machine, face));
+        depth_.push_back(cell_volume(machine, machine.cells[face.cell]) / flat_area(machine, face));
 }
 
 namespace {

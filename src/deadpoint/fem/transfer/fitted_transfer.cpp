@@ -10,7 +10,7 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr double regularisation = 1e-3;
-constexpr double relative_tolerance = 1e-13;
+constexpr double fit_tolerance = 1e-13;
 
 // This rank's unknowns' shares of their cells' volumes [m3].
 std::vector<double> volumes(const Discretisation& space)
@@ -42,7 +42,7 @@ FittedTransfer::FittedTransfer(const Discretisation& fine, const Discretisation&
     PC preconditioner = nullptr;
     DEADPOINT_PETSC(KSPGetPC(solver_, &preconditioner));
     DEADPOINT_PETSC(PCSetType(preconditioner, PCJACOBI));
-    DEADPOINT_PETSC(KSPSetTolerances(solver_, relative_tolerance, 1e-300, 1e12, 5000));
+    DEADPOINT_PETSC(KSPSetTolerances(solver_, fit_tolerance, 1e-300, 1e12, 5000));
     DEADPOINT_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
 }
 

@@ -32,7 +32,7 @@ BoxShape bounds_of(const std::vector<Vec3>& nodes)
     return box;
 }
 
-void measure(MeshPart& part, const PartMesh& mesh, double density)
+void measure_cells(MeshPart& part, const PartMesh& mesh, double density)
 {
     part.min_quality = 1;
     for (const Cell& cell : mesh.cells) {
@@ -42,12 +42,6 @@ void measure(MeshPart& part, const PartMesh& mesh, double density)
         part.mean_quality += own / static_cast<double>(mesh.cells.size());
     }
     part.mass = density * part.volume;
-}
-
-double millimetres(double length)
-{
-    const double rounded = std::round(length * 1e7) / 1e4;
-    return rounded == 0 ? 0.0 : rounded;
 }
 
 /// The index of the coordinate axis a unit vector lies along, or -1.
@@ -128,6 +122,12 @@ void take_groups(Assembly& assembly, const NextNumbers& next, PartMesh& mesh)
 
 }  // namespace
 
+double millimetres(double length)
+{
+    const double rounded = std::round(length * 1e7) / 1e4;
+    return rounded == 0 ? 0.0 : rounded;
+}
+
 void append(Assembly& assembly, const PartDescription& description, PartMesh mesh)
 {
     Machine& machine = assembly.machine;
@@ -141,7 +141,7 @@ void append(Assembly& assembly, const PartDescription& description, PartMesh mes
     part.first_cell = next.cell;
     part.cell_count = static_cast<std::uint32_t>(mesh.cells.size());
     part.kind = mesh.kind;
-    measure(part, mesh, description.density);
+    measure_cells(part, mesh, description.density);
     number_faces(assembly, next, mesh, part);
     number_cells(next, mesh);
     take_groups(assembly, next, mesh);

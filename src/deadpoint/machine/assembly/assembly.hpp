@@ -25,6 +25,9 @@ struct Assembly {
 /// Appends the mesh of a part: renumbers, measures, flags the symmetry plane.
 void append(Assembly& assembly, const PartDescription& part, PartMesh mesh);
 
+/// A length in millimetres to a tenth of a micrometre, as messages state it; never -0.
+double millimetres(double length);
+
 /// "plane x = -480 mm", "bore of diameter 91 mm along z about (0, -25) mm", "freeform surface".
 std::string describe(const FaceGeometry& geometry);
 

@@ -19,7 +19,7 @@ namespace deadpoint::machine {
 namespace {
 
 /// Shares of a face smaller than this are noise of the clipping.
-constexpr double least_share = 1e-10;
+constexpr double least_overlap_share = 1e-10;
 
 struct Rectangle {
     Vec2 low{};
@@ -130,7 +130,7 @@ FacesByGeometry by_geometry(const Machine& machine, const std::vector<std::uint3
 }
 
 /// A point of the boundary of a face: local coordinates a share of the way along an edge.
-Vec2 on_edge(int node_count, int edge, double share)
+Vec2 point_on_edge(int node_count, int edge, double share)
 {
     static constexpr std::array<Vec2, 4> four{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     static constexpr std::array<Vec2, 3> three{{{0, 0}, {1, 0}, {0, 1}}};
@@ -148,7 +148,7 @@ std::vector<Polygon> fan_of(const Machine& machine, const Chart& chart, const Fa
         const bool round = bulge(machine, face.nodes[i], face.nodes[(i + 1) % face.node_count]) != Vec3{};
         const int pieces = round ? chords : 1;
         for (int k = 0; k < pieces; ++k) {
-            outline.push_back(place(on_edge(face.node_count, i, static_cast<double>(k) / pieces)));
+            outline.push_back(place(point_on_edge(face.node_count, i, static_cast<double>(k) / pieces)));
         }
     }
     const Vec2 middle = place(face.node_count == 3 ? Vec2{1.0 / 3, 1.0 / 3} : Vec2{0.5, 0.5});
@@ -292,7 +292,7 @@ private:
             return 0;
         }
         const double flat = signed_area(common);
-        if (flat < least_share * std::min(a.full_area, b.full_area)) {
+        if (flat < least_overlap_share * std::min(a.full_area, b.full_area)) {
             return 0;
         }
         if (sink.covered) {

@@ -25,17 +25,17 @@ std::uint64_t mixed(std::uint64_t seed, std::uint64_t value)
     return z ^ (z >> 31);
 }
 
-Vec3 area_vector(const std::vector<Vec3>& nodes, const Triangle& t)
+Vec3 vector_area(const std::vector<Vec3>& nodes, const Triangle& t)
 {
     return 0.5 * cross(nodes[t[1]] - nodes[t[0]], nodes[t[2]] - nodes[t[0]]);
 }
 
-Vec3 area_vector(const Machine& machine, const Face& face)
+Vec3 vector_area(const Machine& machine, const Face& face)
 {
     const auto& n = face.nodes;
-    Vec3 area = area_vector(machine.nodes, {n[0], n[1], n[2]});
+    Vec3 area = vector_area(machine.nodes, {n[0], n[1], n[2]});
     if (face.node_count == 4)
-        area = area + area_vector(machine.nodes, {n[0], n[2], n[3]});
+        area = area + vector_area(machine.nodes, {n[0], n[2], n[3]});
     return area;
 }
 
@@ -45,7 +45,7 @@ std::uint64_t side_of(const Machine& machine, const Face& face)
     const auto& geometry = machine.geometries[face.geometry];
     if (std::holds_alternative<PlaneGeometry>(geometry))
         return 0;
-    const Vec3 normal = area_vector(machine, face);
+    const Vec3 normal = vector_area(machine, face);
     std::size_t main = 0;
     for (std::size_t i = 1; i < 3; ++i)
         if (std::abs(normal[i]) > std::abs(normal[main]))
@@ -85,7 +85,7 @@ public:
     {
         std::vector<bool> used(machine.nodes.size(), false);
         for (const auto& face : machine.faces) {
-            fineness_[face.part] += norm(area_vector(machine, face));
+            fineness_[face.part] += norm(vector_area(machine, face));
             for (std::size_t i = 0; i < face.node_count; ++i) {
                 owner_[face.nodes[i]] = face.part;
                 used[face.nodes[i]] = true;
@@ -187,10 +187,10 @@ private:
         std::vector<bool> folded(machine_.nodes.size(), false);  // by cluster
         bool any = false;
         for (const auto& face : machine_.faces) {
-            const Vec3 before = area_vector(machine_, face);
+            const Vec3 before = vector_area(machine_, face);
             bool turned = false;
             for_triangles(
-                face, [&](const Triangle& t) { turned = turned || dot(area_vector(machine_.nodes, t), before) < 0; });
+                face, [&](const Triangle& t) { turned = turned || dot(vector_area(machine_.nodes, t), before) < 0; });
             for (std::size_t i = 0; turned && i < face.node_count; ++i)
                 folded[cluster_[face.nodes[i]]] = any = true;
         }
@@ -218,7 +218,7 @@ double coarsen(const Machine& machine, Clusters& clusters, std::size_t most)
         return 0;
     double area = 0, size = 0;
     for (const auto& face : machine.faces)
-        area += norm(area_vector(machine, face));
+        area += norm(vector_area(machine, face));
     for (const auto& node : machine.nodes)
         size = std::max(size, norm(node - machine.nodes.front()));
     const double widest = 4 * size / std::max(1e-3, clusters.finest());
@@ -262,7 +262,7 @@ public:
             t[i] = number;
         }
         surface.triangles.push_back(t);
-        part.area += norm(area_vector(surface.positions, t));
+        part.area += norm(vector_area(surface.positions, t));
     }
 
     DecimatedSurface surface;
@@ -293,7 +293,7 @@ DecimatedSurface decimated_surface(const Machine& machine, std::size_t most_tria
         part.first_triangle = surface.triangles.size();
         const auto take = [&](const std::vector<std::uint32_t>& list) {
             for (const auto f : list) {
-                part.full_area += norm(area_vector(machine, machine.faces[f]));
+                part.full_area += norm(vector_area(machine, machine.faces[f]));
                 clusters.for_triangles(machine.faces[f], [&](const Triangle& t) { collector.add(t, part); });
                 surface.faces.resize(surface.triangles.size(), f);
             }

@@ -26,7 +26,7 @@ constexpr double near_share = 0.01;
 constexpr double flat_share = 0.01;
 constexpr double flat_seams = 10;
 
-std::string place(const Vec3& p)
+std::string exact_place(const Vec3& p)
 {
     return fmt::format("({:.4f}, {:.4f}, {:.4f}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
 }
@@ -140,7 +140,7 @@ private:
         if (doubled) {
             error(fmt::format(
                 "cells overlap at {}: two of them are on the same side of one face; mesh it again without overlaps",
-                place(centre(machine_.cells[*doubled], machine_.nodes))));
+                exact_place(centre(machine_.cells[*doubled], machine_.nodes))));
         }
         number_pieces(sets);
     }
@@ -172,7 +172,7 @@ private:
                 if (piece != none && piece != machine_.piece_of_cell[c]) {
                     warn(fmt::format("two of its pieces touch only along an edge or in a point, at {}, where almost no "
                                      "heat passes; let them overlap or keep them apart",
-                                     place(machine_.nodes[cell.nodes[i]])));
+                                     exact_place(machine_.nodes[cell.nodes[i]])));
                     return;
                 }
                 piece = machine_.piece_of_cell[c];
@@ -203,7 +203,7 @@ private:
             }
         }
         if (inner) {
-            error(fmt::format("cells overlap at {}; mesh it again without overlaps", place(*inner)));
+            error(fmt::format("cells overlap at {}; mesh it again without overlaps", exact_place(*inner)));
         } else {
             report(closed, open);
         }
@@ -214,13 +214,13 @@ private:
         if (closed.faces > 0) {
             error(fmt::format("free faces coincide at {} ({} of them, {:.4g} cm2, up to {} apart), and no heat "
                               "would cross there; make one solid, or one mesh with common nodes",
-                              place(closed.where), closed.faces, 1e4 * closed.area, micrometres(closed.gap)));
+                              exact_place(closed.where), closed.faces, 1e4 * closed.area, micrometres(closed.gap)));
         }
         if (open.faces > 0) {
             warn(fmt::format("it has a slit of {} at {} ({} faces, {:.4g} cm2), far thinner than its cells; no heat "
                              "crosses it, and its sides count as exposed; if no slit is intended, raise "
                              "numerics.seam_tolerance or join the shapes",
-                             micrometres(open.gap), place(open.where), open.faces, 1e4 * open.area));
+                             micrometres(open.gap), exact_place(open.where), open.faces, 1e4 * open.area));
         }
     }
 
@@ -303,7 +303,8 @@ private:
         const auto [least, longest] = edges(machine_.cells[where]);
         warn(fmt::format("it has flat cells: one at {} is {} thin and {:.3g} mm long; align shapes that nearly end in "
                          "one plane there, or raise numerics.seam_tolerance",
-                         place(centre(machine_.cells[where], machine_.nodes)), micrometres(least), 1e3 * longest));
+                         exact_place(centre(machine_.cells[where], machine_.nodes)), micrometres(least),
+                         1e3 * longest));
     }
 
     /// Shortest and longest distance between two nodes of a cell [m].

@@ -35,11 +35,11 @@ bool on_symmetry_plane(const Machine& machine, std::uint32_t a, std::uint32_t b)
     return machine.half_model && std::abs(machine.nodes[a][0]) < tolerance && std::abs(machine.nodes[b][0]) < tolerance;
 }
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using SurfaceEdge = std::pair<std::uint32_t, std::uint32_t>;
 
-std::vector<Edge> edges_of(const Machine& machine, const std::vector<SurfaceFace>& faces)
+std::vector<SurfaceEdge> edges_of(const Machine& machine, const std::vector<SurfaceFace>& faces)
 {
-    std::vector<Edge> edges;
+    std::vector<SurfaceEdge> edges;
     for (const auto& entry : faces) {
         const Face& face = face_of(machine, entry);
         for (std::size_t i = 0; i < face.node_count; ++i)
@@ -54,7 +54,7 @@ double perimeter_of(const Machine& machine, const std::vector<SurfaceFace>& face
     const auto edges = edges_of(machine, faces);
     double perimeter = 0;
     for (auto first = edges.begin(); first != edges.end();) {
-        const auto next = std::find_if(first, edges.end(), [&](const Edge& edge) { return edge != *first; });
+        const auto next = std::find_if(first, edges.end(), [&](const SurfaceEdge& edge) { return edge != *first; });
         if (next - first == 1 && !on_symmetry_plane(machine, first->first, first->second))
             perimeter += norm(machine.nodes[first->second] - machine.nodes[first->first]);
         first = next;
@@ -189,7 +189,7 @@ std::optional<double> area_over_perimeter(const Machine& machine, const MeshSurf
     return area / perimeter_of(machine, faces);
 }
 
-Vec2 middle_of(const Machine& machine, const Face& face)
+Vec2 centre_in_plane(const Machine& machine, const Face& face)
 {
     Vec3 centre{};
     for (std::size_t i = 0; i < face.node_count; ++i)
@@ -213,7 +213,7 @@ void add_areas(const Machine& machine, const MeshSurface& surface, SurfaceFigure
     for (const auto& entry : surface.faces) {
         const Face& face = face_of(machine, entry);
         const double area = entry.fraction * face_area(machine, face);
-        const Vec2 place = middle_of(machine, face);
+        const Vec2 place = centre_in_plane(machine, face);
         sum.mean = sum.mean + area * place;
         sum.mean_square += area * dot(place, place);
         total += area;

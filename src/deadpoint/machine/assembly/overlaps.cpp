@@ -13,7 +13,7 @@ namespace deadpoint::machine {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 bool shares_space(const BoxShape& a, const BoxShape& b)
 {
@@ -46,7 +46,7 @@ double depth_below(const FaceGeometry& geometry, const Vec3& point)
         const double distance = norm(arm - dot(arm, cylinder->axis) * cylinder->axis);
         return cylinder->bore ? distance - cylinder->radius : cylinder->radius - distance;
     }
-    return infinity;
+    return unbounded;
 }
 
 /// Computes how deep points lie inside a part that is known only by its cells.
@@ -76,9 +76,9 @@ public:
     [[nodiscard]] double operator()(const Vec3& point) const
     {
         if (!finder_.holds(point)) {
-            return -infinity;
+            return -unbounded;
         }
-        double result = infinity;
+        double result = unbounded;
         double reach = 0;
         for (const std::uint32_t f : faces_[finder_.bins().at(point)]) {
             const Face& face = machine_.faces[f];

@@ -13,12 +13,12 @@ namespace deadpoint::machine {
 
 namespace {
 
-using Edge = std::array<std::uint32_t, 2>;
+using NodePair = std::array<std::uint32_t, 2>;
 
 /// A bulge below this share of the chord is rounding.
 constexpr double least_bulge = 1e-9;
 /// Least determinant of a cell with round edges, as a share of the mean of its straight one.
-constexpr double least_share = 0.1;
+constexpr double least_determinant_share = 0.1;
 
 /// The point of a surface nearest to another.
 Vec3 projected(const FaceGeometry& geometry, const Vec3& point)
@@ -60,9 +60,9 @@ std::span<const Face> faces_of_last_part(const Machine& machine)
 }
 
 /// The surfaces that meet in each edge of the last part.
-std::map<Edge, std::set<std::uint32_t>> surfaces_at_edges(const Machine& machine)
+std::map<NodePair, std::set<std::uint32_t>> surfaces_at_edges(const Machine& machine)
 {
-    std::map<Edge, std::set<std::uint32_t>> result;
+    std::map<NodePair, std::set<std::uint32_t>> result;
     for (const Face& face : faces_of_last_part(machine)) {
         for (int i = 0; i < face.node_count; ++i) {
             const auto [low, high] = std::minmax(face.nodes[i], face.nodes[(i + 1) % face.node_count]);
@@ -127,7 +127,7 @@ double least_determinant(const Machine& machine, const Cell& cell)
 bool distorted(const Machine& machine, const Cell& cell)
 {
     const double mean = (cell.kind == CellKind::hexahedron ? 1 : 6) * volume(cell, machine.nodes);
-    return is_round(machine, cell) && least_determinant(machine, cell) < least_share * mean;
+    return is_round(machine, cell) && least_determinant(machine, cell) < least_determinant_share * mean;
 }
 
 void straighten(Machine& machine, const Cell& cell)

@@ -28,8 +28,6 @@ constexpr double normal_tolerance = 1e-3;
 constexpr double least_fraction = 1e-6;
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 
-double millimetres(double length) { return std::round(length * 1e7) / 1e4 + 0.0; }  // -0 becomes 0
-
 bool along(const Vec3& direction, Axis axis) { return std::abs(std::abs(direction[index_of(axis)]) - 1) < 1e-9; }
 
 /// Whether a plane has the requested direction; a user states a normal with about four digits.
@@ -64,7 +62,7 @@ double distance(const FaceGeometry& geometry, const SurfaceSelector& selector)
     return 0;
 }
 
-bool contains(const BoxShape& box, const Vec3& point)
+bool contains_nearly(const BoxShape& box, const Vec3& point)
 {
     constexpr double slack = 1e-9;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -196,7 +194,7 @@ SurfaceFace selected_share(const Machine& machine, const SurfaceSelector& select
     SurfaceFace result{index, selector.kind == Kind::exposed ? machine.exposed_fraction[index] : 1.0, true};
     if (selector.within) {
         result.fraction *= share_within(machine, index, *selector.within);
-        result.central = contains(*selector.within, centre(machine.faces[index], machine.nodes));
+        result.central = contains_nearly(*selector.within, centre(machine.faces[index], machine.nodes));
     }
     return result;
 }

@@ -1,5 +1,7 @@
 #include "deadpoint/machine/cad/cad_contacts.hpp"
 
+#include "deadpoint/core/units.hpp"
+
 // Coordinates stay numbers of double precision; Boost would round them to integers first.
 #define BOOST_GEOMETRY_NO_ROBUSTNESS
 
@@ -9,7 +11,6 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace deadpoint::machine {
@@ -17,10 +18,9 @@ namespace {
 
 namespace geometry = boost::geometry;
 using Point = geometry::model::d2::point_xy<double>;
-using Polygon = geometry::model::polygon<Point>;
+using Region = geometry::model::polygon<Point>;
 
-constexpr double parallel = 1e-3;  ///< sine of the angle
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double parallel_sine = 1e-3;  ///< sine of the angle
 
 bool apart(const BoxShape& a, const BoxShape& b, double reach)
 {
@@ -33,23 +33,23 @@ bool apart(const BoxShape& a, const BoxShape& b, double reach)
 }
 
 /// Two directions across a third.
-std::array<Vec3, 2> across(const Vec3& normal)
+std::array<Vec3, 2> axes_in_plane(const Vec3& normal)
 {
     const Vec3 other = std::abs(normal[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 u = normalised(cross(normal, other));
     return {u, cross(normal, u)};
 }
 
-void fill(Polygon::ring_type& ring, const std::vector<Vec3>& loop, const std::array<Vec3, 2>& frame)
+void fill(Region::ring_type& ring, const std::vector<Vec3>& loop, const std::array<Vec3, 2>& frame)
 {
     for (const Vec3& point : loop) {
         ring.emplace_back(dot(point, frame[0]), dot(point, frame[1]));
     }
 }
 
-Polygon polygon_of(const CadPlane& plane, const std::array<Vec3, 2>& frame)
+Region polygon_of(const CadPlane& plane, const std::array<Vec3, 2>& frame)
 {
-    Polygon polygon;
+    Region polygon;
     polygon.inners().resize(plane.loops.size() - 1);
     fill(polygon.outer(), plane.loops.front(), frame);
     for (std::size_t i = 1; i < plane.loops.size(); ++i) {
@@ -67,8 +67,8 @@ struct Shared {
 
 Shared shared(const CadPlane& a, const CadPlane& b)
 {
-    const auto frame = across(a.normal);
-    geometry::model::multi_polygon<Polygon> common;
+    const auto frame = axes_in_plane(a.normal);
+    geometry::model::multi_polygon<Region> common;
     try {
         geometry::intersection(polygon_of(a, frame), polygon_of(b, frame), common);
     } catch (const geometry::exception&) {
@@ -85,7 +85,7 @@ Shared shared(const CadPlane& a, const CadPlane& b)
 
 std::optional<CadContact> contact_of(const CadPlane& a, const CadPlane& b, const CadReach& reach)
 {
-    if (dot(a.normal, b.normal) > -0.5 || norm(cross(a.normal, b.normal)) > parallel || a.loops.front().empty() ||
+    if (dot(a.normal, b.normal) > -0.5 || norm(cross(a.normal, b.normal)) > parallel_sine || a.loops.front().empty() ||
         b.loops.front().empty()) {
         return std::nullopt;
     }
@@ -116,9 +116,9 @@ double common_angle(const std::array<double, 2>& a, const std::array<double, 2>&
 {
     double sum = 0;
     for (int k = -2; k <= 2; ++k) {
-        sum += length_of(common(a, {b[0] + k * turn, b[1] + k * turn}));
+        sum += length_of(common(a, {b[0] + k * full_turn, b[1] + k * full_turn}));
     }
-    return std::min(sum, turn);
+    return std::min(sum, full_turn);
 }
 
 /// Angles and range of a cylinder in the frame of another about the same axis.
@@ -148,7 +148,7 @@ double fullness(const CadCylinder& cylinder, double area)
 bool one_axis(const CadCylinder& a, const CadCylinder& b, double off)
 {
     const Vec3 way = b.point - a.point;
-    return norm(cross(a.axis, b.axis)) < parallel && norm(way - dot(way, a.axis) * a.axis) <= off;
+    return norm(cross(a.axis, b.axis)) < parallel_sine && norm(way - dot(way, a.axis) * a.axis) <= off;
 }
 
 std::optional<CadContact> contact_of(const CadCylinder& bore, double bore_area, const CadCylinder& shaft,
@@ -177,7 +177,7 @@ bool same_place(const CadContact& one, const CadContact& other)
 {
     constexpr double near = 1e-5;
     if (one.kind != other.kind || one.a != other.a || one.b != other.b ||
-        norm(cross(one.direction, other.direction)) > parallel || std::abs(one.diameter - other.diameter) > near) {
+        norm(cross(one.direction, other.direction)) > parallel_sine || std::abs(one.diameter - other.diameter) > near) {
         return false;
     }
     const Vec3 way = other.point - one.point;

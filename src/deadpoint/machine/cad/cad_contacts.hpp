@@ -1,6 +1,10 @@
 #pragma once
 
+#include "deadpoint/core/vec.hpp"
 #include "deadpoint/machine/cad/cad_model.hpp"
+
+#include <array>
+#include <cstddef>
 
 /// Where the solids of a drawing touch or nearly touch. Geometry only: what a contact means is decided elsewhere.
 namespace deadpoint::machine {
@@ -17,6 +21,11 @@ struct CadContact {
     Vec3 direction{};      ///< axis of a cylinder; normal of a plane out of `a`; zero of a sphere
     std::array<double, 2> range{};  ///< of a cylinder along its axis, from `point` [m]
 };
+/// The middle of the part of a cylinder that is in contact.
+inline Vec3 middle_of(const CadContact& contact)
+{
+    return contact.point + 0.5 * (contact.range[0] + contact.range[1]) * contact.direction;
+}
 
 /// How near faces must be.
 struct CadReach {

@@ -15,7 +15,7 @@
 namespace deadpoint::machine {
 namespace {
 
-constexpr double longest = 1800;  // [s]
+constexpr double longest_reading = 1800;  // [s]
 
 void put(Packer& to, const CadPlane& plane)
 {
@@ -112,7 +112,7 @@ std::string packed(const CadModel& model)
     return to.take();
 }
 
-CadModel unpacked(const std::string& bytes)
+CadModel unpacked_model(const std::string& bytes)
 {
     CadModel model;
     Unpacker from(bytes);
@@ -150,8 +150,8 @@ CadModel read_cad(const std::string& part, const std::string& path, std::optiona
 {
     check_step_file(part, path);
     const ForeignFile file{part, path, "part.step"};
-    const ChildLimits limits{half_of_memory(), longest, file.path, file.name};
-    CadModel model = unpacked(run_in_child(
+    const ChildLimits limits{half_of_memory(), longest_reading, file.path, file.name};
+    CadModel model = unpacked_model(run_in_child(
         fmt::format("part '{}': reading '{}'", part, path), limits, [&] { return packed(read_in_child(file, unit)); },
         waiting));
     if (model.solids.empty()) {

@@ -25,8 +25,8 @@
 namespace deadpoint::machine {
 namespace {
 
-constexpr double longest = 1800;  // [s]
-constexpr double patience = 60;   // for leaving features out [s]
+constexpr double longest_preparation = 1800;  // [s]
+constexpr double patience = 60;               // for leaving features out [s]
 
 /// Follows named faces through a change of the shape.
 template <class Builder>
@@ -75,7 +75,7 @@ StepSolid chosen(const ForeignFile& file, const StepSource& source, const StepCo
 }
 
 /// Turns a shape so that the directions of the file that the user names become those of the machine.
-void turn(StepSolid& solid, const std::array<Vec3, 3>& axes)
+void rotate(StepSolid& solid, const std::array<Vec3, 3>& axes)
 {
     gp_Trsf rotation;
     rotation.SetValues(axes[0][0], axes[0][1], axes[0][2], 0, axes[1][0], axes[1][1], axes[1][2], 0, axes[2][0],
@@ -100,7 +100,7 @@ StepSolid prepared(const ForeignFile& file, const StepSource& source, const Soli
                    std::vector<std::string>& notes)
 {
     StepSolid solid = chosen(file, source, read_step_solids(file, source.unit));
-    turn(solid, source.axes);
+    rotate(solid, source.axes);
     if (rules.omit > 0) {
         notes = defeature(solid, rules.omit / gmsh_unit);
     }
@@ -110,7 +110,7 @@ StepSolid prepared(const ForeignFile& file, const StepSource& source, const Soli
     return solid;
 }
 
-TopTools_IndexedMapOfShape faces_of(const TopoDS_Shape& shape)
+TopTools_IndexedMapOfShape indexed_faces_of(const TopoDS_Shape& shape)
 {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape, TopAbs_FACE, faces);
@@ -123,7 +123,7 @@ std::string packed(const StepSolid& solid, const std::vector<std::string>& notes
     BinTools::Write(solid.shape, shape);
     Packer to;
     to.put(shape.str());
-    const auto faces = faces_of(solid.shape);
+    const auto faces = indexed_faces_of(solid.shape);
     to.put(solid.named_faces.size());
     for (const NamedFace& named : solid.named_faces) {
         to.put(faces.FindIndex(named.face));
@@ -183,14 +183,14 @@ ReadySolid ready_solid(const ForeignFile& file, const StepSource& source, const 
                        const Waiting& waiting)
 {
     if (rules.omit <= 0) {
-        return prepared_in_child(file, source, rules, longest, waiting);
+        return prepared_in_child(file, source, rules, longest_preparation, waiting);
     }
     try {
         return prepared_in_child(file, source, rules, patience, waiting);
     } catch (const TimeLimitError&) {
         auto all_stays = rules;
         all_stays.omit = 0;
-        ReadySolid solid = prepared_in_child(file, source, all_stays, longest, waiting);
+        ReadySolid solid = prepared_in_child(file, source, all_stays, longest_preparation, waiting);
         solid.notes.push_back(
             fmt::format("holes and roundings up to {:.3g} mm stay: leaving them out takes longer than "
                         "{:.0f} s; omit = \"0 mm\" does not try",
@@ -204,7 +204,7 @@ StepSolid unpacked(const ReadySolid& ready)
     StepSolid solid;
     std::istringstream shape(ready.shape);
     BinTools::Read(solid.shape, shape);
-    const auto faces = faces_of(solid.shape);
+    const auto faces = indexed_faces_of(solid.shape);
     for (const auto& [number, name] : ready.face_names) {
         if (number > 0 && number <= faces.Extent()) {
             solid.named_faces.push_back({TopoDS::Face(faces.FindKey(number)), name});

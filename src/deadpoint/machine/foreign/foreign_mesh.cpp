@@ -12,7 +12,7 @@
 namespace deadpoint::machine {
 namespace {
 
-constexpr double longest = 1800;  // [s]
+constexpr double longest_meshing = 1800;  // [s]
 
 std::string packed(const PartMesh& mesh)
 {
@@ -34,7 +34,7 @@ std::string packed(const PartMesh& mesh)
     return to.take();
 }
 
-PartMesh unpacked(const std::string& bytes)
+PartMesh unpacked_mesh(const std::string& bytes)
 {
     PartMesh mesh;
     Unpacker from(bytes);
@@ -62,8 +62,8 @@ PartMesh unpacked(const std::string& bytes)
 
 PartMesh mesh_foreign_file(const ForeignFile& file, const std::function<PartMesh()>& make, const Waiting& waiting)
 {
-    const ChildLimits limits{half_of_memory(), longest, file.path, file.name};
-    return unpacked(run_in_child(
+    const ChildLimits limits{half_of_memory(), longest_meshing, file.path, file.name};
+    return unpacked_mesh(run_in_child(
         fmt::format("part '{}': reading '{}'", file.part, file.path), limits, [&] { return packed(make()); }, waiting));
 }
 

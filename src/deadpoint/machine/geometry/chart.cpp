@@ -30,7 +30,7 @@ constexpr double level = 1e-9;
 /// A plane so close to a face of a box lies in it [m].
 constexpr double face_slack = 1e-6;
 
-bool parallel(const Vec3& a, const Vec3& b) { return norm(cross(a, b)) < 1e-6; }
+bool are_parallel(const Vec3& a, const Vec3& b) { return norm(cross(a, b)) < 1e-6; }
 
 }  // namespace
 
@@ -236,7 +236,7 @@ bool can_touch(const FaceGeometry& a, const FaceGeometry& b, double gap)
     }
     if (const auto* c = std::get_if<CylinderGeometry>(&a)) {
         const auto& d = std::get<CylinderGeometry>(b);
-        if (c->bore == d.bore || std::abs(c->radius - d.radius) > gap || !parallel(c->axis, d.axis)) {
+        if (c->bore == d.bore || std::abs(c->radius - d.radius) > gap || !are_parallel(c->axis, d.axis)) {
             return false;
         }
         const Vec3 between = d.point - c->point;

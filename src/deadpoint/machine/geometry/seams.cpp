@@ -17,7 +17,7 @@ namespace {
 /// Coordinates this close differ by rounding only [m].
 constexpr double rounding = 1e-9;
 /// A corner this close to an edge lies on it [m].
-constexpr double on_edge = 1e-12;
+constexpr double edge_tolerance = 1e-12;
 /// Decimal numbers are a little off: a gap of the tolerance itself still counts.
 constexpr double slack = 1 + 1e-6;
 
@@ -262,7 +262,7 @@ private:
     bool move_corner(const Drawing& drawing, const Corner& corner, const Vec2& target)
     {
         for (std::size_t k = 0; k < 2; ++k) {
-            if (corner.held[k] && std::abs(target[k] - (*corner.point)[k]) > on_edge) {
+            if (corner.held[k] && std::abs(target[k] - (*corner.point)[k]) > edge_tolerance) {
                 return false;
             }
         }
@@ -343,7 +343,7 @@ private:
             for (std::size_t k = 0; k < other->size() && other != &ring; ++k) {
                 const Vec2& point = (*other)[k];
                 Vec2 foot{};
-                if (foot_on_edge(ring, i, point, foot) && norm(point - foot) > on_edge) {
+                if (foot_on_edge(ring, i, point, foot) && norm(point - foot) > edge_tolerance) {
                     beside.emplace_back(norm(foot - ring[i]), point);
                 }
             }

@@ -1,6 +1,7 @@
 #include "deadpoint/machine/geometry/shapes.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/machine/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,17 +42,6 @@ Prism cylinder_prism(Axis axis, const Vec2& centre, double diameter, double bore
     prism.from = from;
     prism.to = to;
     return prism;
-}
-
-double signed_area(const std::vector<Vec2>& points)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec2& p = points[i];
-        const Vec2& q = points[(i + 1) % points.size()];
-        sum += p[0] * q[1] - p[1] * q[0];
-    }
-    return sum / 2;
 }
 
 double inner_distance(const std::vector<Vec2>& polygon, const Vec2& point)

@@ -20,8 +20,6 @@ namespace occ = gmsh::model::occ;
 using Tags = gmsh::vectorpair;
 using Groups = std::map<std::vector<char>, Tags>;
 
-double to_gmsh(double length) { return length / gmsh_unit; }
-
 int add_polygon(const std::vector<Vec2>& points)
 {
     std::vector<int> corners;

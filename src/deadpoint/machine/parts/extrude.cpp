@@ -45,7 +45,7 @@ std::vector<Layer> layers_of(const LayeredPart& part, double size)
     return layers;
 }
 
-struct Edge {
+struct QuadEdge {
     std::array<std::uint32_t, 2> quads{none, none};
     std::uint32_t curve = none;
 };
@@ -71,7 +71,7 @@ public:
         }
         for (std::uint32_t q = 0; q < quads_.size(); ++q) {
             for (std::size_t i = 0; i < 4; ++i) {
-                Edge& edge = edges_[edge_key(quads_[q][i], quads_[q][(i + 1) % 4])];
+                QuadEdge& edge = edges_[edge_key(quads_[q][i], quads_[q][(i + 1) % 4])];
                 edge.quads[edge.quads[0] == none ? 0 : 1] = q;
             }
         }
@@ -131,7 +131,7 @@ private:
         }
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t j = (i + 1) % 4;
-            const Edge& edge = edges_.at(edge_key(quads_[quad][i], quads_[quad][j]));
+            const QuadEdge& edge = edges_.at(edge_key(quads_[quad][i], quads_[quad][j]));
             const std::uint32_t neighbour = edge.quads[0] == quad ? edge.quads[1] : edge.quads[0];
             if (neighbour != none && solid(neighbour, layer)) {
                 continue;
@@ -221,7 +221,7 @@ private:
     const PlaneMesh& plane_;
     std::vector<Layer> layers_;
     std::vector<std::array<std::uint32_t, 4>> quads_;
-    std::unordered_map<std::uint64_t, Edge> edges_;
+    std::unordered_map<std::uint64_t, QuadEdge> edges_;
     std::vector<std::uint32_t> node_ids_;
     PartMesh mesh_;
 };

@@ -149,7 +149,7 @@ bool fits(const CylinderGeometry& cylinder, const std::vector<Vec3>& points)
     });
 }
 
-std::array<Vec3, 2> across(const Vec3& axis)
+std::array<Vec3, 2> axes_across(const Vec3& axis)
 {
     std::size_t smallest = 0;
     for (std::size_t i = 1; i < 3; ++i) {
@@ -166,7 +166,7 @@ std::array<Vec3, 2> across(const Vec3& axis)
 /// Circle through the points seen along the axis, by linear least squares (Kasa).
 std::optional<CylinderGeometry> circle_along(const Vec3& axis, const std::vector<Vec3>& points)
 {
-    const auto [e1, e2] = across(axis);
+    const auto [e1, e2] = axes_across(axis);
     const Vec3 origin = mean(points);
     std::array<std::array<double, 3>, 3> matrix{};
     std::array<double, 3> right{};
@@ -202,7 +202,7 @@ std::optional<CylinderGeometry> circle_along(const Vec3& axis, const std::vector
 std::optional<CylinderGeometry> refined(CylinderGeometry cylinder, const std::vector<Vec3>& points)
 {
     for (int iteration = 0; iteration < 10; ++iteration) {
-        const auto [e1, e2] = across(cylinder.axis);
+        const auto [e1, e2] = axes_across(cylinder.axis);
         std::array<std::array<double, 5>, 5> matrix{};
         std::array<double, 5> right{};
         for (const Vec3& point : points) {

@@ -19,9 +19,9 @@ namespace {
 using Tags = gmsh::vectorpair;
 
 /// Node tags to indices, in the order of first use.
-class Numbering {
+class SpaceNumbering {
 public:
-    Numbering(std::vector<Vec3>& nodes, double unit) : nodes_(nodes)
+    SpaceNumbering(std::vector<Vec3>& nodes, double unit) : nodes_(nodes)
     {
         std::vector<std::size_t> tags;
         std::vector<double> coordinates;
@@ -47,7 +47,7 @@ private:
     std::unordered_map<std::size_t, std::uint32_t> indices_;
 };
 
-void collect_cells(PartMesh& mesh, Numbering& numbering, CellKind kind)
+void collect_cells(PartMesh& mesh, SpaceNumbering& numbering, CellKind kind)
 {
     const int count = node_count(kind);
     std::vector<std::size_t> elements;
@@ -82,7 +82,8 @@ std::map<FaceKey, std::uint32_t> index_faces(const PartMesh& mesh)
 }
 
 /// Exterior faces that are surface elements of a surface.
-std::vector<std::uint32_t> faces_on(int surface, Numbering& numbering, const std::map<FaceKey, std::uint32_t>& index)
+std::vector<std::uint32_t> faces_on(int surface, SpaceNumbering& numbering,
+                                    const std::map<FaceKey, std::uint32_t>& index)
 {
     std::vector<std::uint32_t> found;
     for (const int type : {triangle_type, quad_type}) {
@@ -141,7 +142,7 @@ std::map<std::string, std::vector<int>> physical_surfaces()
 }
 
 /// Exterior faces, groups and geometries of a mesh in Gmsh whose cells are collected.
-void collect_surfaces(PartMesh& mesh, Numbering& numbering, SurfaceNames names)
+void collect_surfaces(PartMesh& mesh, SpaceNumbering& numbering, SurfaceNames names)
 {
     mesh.faces = exterior_faces(mesh.cells);
     const auto index = index_faces(mesh);
@@ -195,7 +196,7 @@ PartMesh collect_mesh(CellKind kind, double unit, SurfaceNames names, const std:
 {
     PartMesh mesh;
     mesh.kind = kind;
-    Numbering numbering(mesh.nodes, unit);
+    SpaceNumbering numbering(mesh.nodes, unit);
     collect_cells(mesh, numbering, kind);
     if (adjust) {
         adjust(mesh);

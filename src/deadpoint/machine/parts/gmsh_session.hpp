@@ -8,6 +8,7 @@ namespace deadpoint::machine {
 
 /// Lengths inside Gmsh are millimetres, for which the tolerances of its geometry kernel are made.
 inline constexpr double gmsh_unit = 1e-3;
+inline double to_gmsh(double length) { return length / gmsh_unit; }
 
 /// Gmsh is initialised, silent and single-threaded while a session lives. Only one session may live at a time.
 class GmshSession {

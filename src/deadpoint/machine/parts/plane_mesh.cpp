@@ -49,8 +49,6 @@ struct Fineness {
     double segments = least_segments;
 };
 
-double to_gmsh(double length) { return length / gmsh_unit; }
-
 std::vector<Circle> circles_of(const LayeredPart& part)
 {
     std::vector<Circle> circles;
@@ -152,9 +150,9 @@ void divide_curve(int tag, const PlaneCurve& curve, const std::vector<Vec2>& sam
 }
 
 /// Node tags to indices, in the order of first use.
-class Numbering {
+class PlaneNumbering {
 public:
-    explicit Numbering(std::vector<Vec2>& nodes) : nodes_(nodes)
+    explicit PlaneNumbering(std::vector<Vec2>& nodes) : nodes_(nodes)
     {
         std::vector<std::size_t> tags;
         std::vector<double> coordinates;
@@ -188,7 +186,7 @@ void orient(std::array<std::uint32_t, 4>& quad, const std::vector<Vec2>& nodes)
     }
 }
 
-void collect_face(PlaneMesh& mesh, Numbering& numbering, int face, std::uint32_t region)
+void collect_face(PlaneMesh& mesh, PlaneNumbering& numbering, int face, std::uint32_t region)
 {
     constexpr int triangle_type = 2;
     constexpr int quad_type = 3;
@@ -210,7 +208,7 @@ void collect_face(PlaneMesh& mesh, Numbering& numbering, int face, std::uint32_t
     }
 }
 
-void collect_curve(PlaneMesh& mesh, Numbering& numbering, int tag, const PlaneCurve& curve)
+void collect_curve(PlaneMesh& mesh, PlaneNumbering& numbering, int tag, const PlaneCurve& curve)
 {
     constexpr int line_type = 1;
     std::vector<std::size_t> elements;
@@ -278,7 +276,7 @@ PlaneMesh generate(const LayeredPart& part, const Fineness& fine, const Way& way
     gmsh::model::mesh::generate(2);
 
     PlaneMesh mesh;
-    Numbering numbering(mesh.nodes);
+    PlaneNumbering numbering(mesh.nodes);
     for (const auto& [own, faces] : groups) {
         for (const int face : faces) {
             collect_face(mesh, numbering, face, static_cast<std::uint32_t>(mesh.signatures.size()));

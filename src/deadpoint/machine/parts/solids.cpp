@@ -23,8 +23,6 @@ using Tags = gmsh::vectorpair;
 constexpr int segments_per_circle = 24;
 constexpr double far_away = 1e3;
 
-double to_gmsh(double length) { return length / gmsh_unit; }
-
 int add_box(const Vec3& min, const Vec3& max)
 {
     return occ::addBox(to_gmsh(min[0]), to_gmsh(min[1]), to_gmsh(min[2]), to_gmsh(max[0] - min[0]),

@@ -20,7 +20,7 @@ namespace {
 // Distances from a source's temperature at which its law is looked at [K].
 constexpr std::array distances{0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0};
 
-constexpr double rounding = 1e-12;  // of a law
+constexpr double law_rounding = 1e-12;  // of a law
 
 // Of a law's heat, times what one watt heats its source (b . K^-1 b): what falls less counts as heat that does not
 // fall.
@@ -366,7 +366,7 @@ private:
                 shape.steepest_rise = std::max(shape.steepest_rise, share * there.slope);
                 shape.gentlest_fall = std::min(shape.gentlest_fall, std::max(0.0, -share * there.slope));
                 const double left = std::abs(there.value - here.value - here.slope * e);
-                const double off = share * std::max(0.0, left - rounding * std::abs(here.value));
+                const double off = share * std::max(0.0, left - law_rounding * std::abs(here.value));
                 shape.curvature = std::max(shape.curvature, 2 * off / (e * e));
                 shape.bend = std::max(shape.bend, off / distance);
             }

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double rounding = 1e-14;  // of the largest eigenvalue of the remainder
+constexpr double eigenvalue_rounding = 1e-14;  // of the largest eigenvalue of the remainder
 
 /// The directions of one term, the one with the most heat first.
 struct Rotated {
@@ -60,7 +60,7 @@ MatrixXd root_of(const MatrixXd& lower)
 {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(lower);
     const auto& values = solver.eigenvalues();
-    const Index count = (values.array() > rounding * values.maxCoeff()).count();
+    const Index count = (values.array() > eigenvalue_rounding * values.maxCoeff()).count();
     return values.tail(count).cwiseSqrt().asDiagonal() * solver.eigenvectors().rightCols(count).transpose();
 }
 

@@ -8,7 +8,7 @@
 namespace deadpoint::reduce {
 namespace {
 
-constexpr double rounding = 1e-9;               // relative, of coefficients
+constexpr double coefficient_rounding = 1e-9;   // relative, of coefficients
 constexpr Eigen::Index largest_correction = 8;  // vectors of a term that make K larger than K'
 
 void add_interface(const InterfaceLaw& law, std::vector<double>& sum)
@@ -55,7 +55,8 @@ std::vector<double> coefficients_of(const HeatProblem& problem, const HeatSegmen
 bool covers(const ResidualTerms& terms, const std::vector<double>& coefficients)
 {
     for (std::size_t q = 0; q < terms.lowest.size(); ++q)
-        if (!(coefficients[q] >= (1 - rounding) * terms.lowest[q]) || (coefficients[q] > 0 && terms.highest[q] == 0))
+        if (!(coefficients[q] >= (1 - coefficient_rounding) * terms.lowest[q]) ||
+            (coefficients[q] > 0 && terms.highest[q] == 0))
             return false;
     return true;
 }
@@ -82,7 +83,7 @@ ResidualNorm::ResidualNorm(const ResidualTerms& terms, const UniformLoads& loads
         if (coefficients[q] > 0)
             remainder_factor_ = std::max(remainder_factor_, coefficients[q] / terms.highest[q]);
         for (Eigen::Index k = 0; k < terms.corrections(q); ++k, ++place)
-            if (difference > rounding * coefficients[q]) {
+            if (difference > coefficient_rounding * coefficients[q]) {
                 chosen.push_back(place);
                 vectors.push_back(terms.first_of_term(q) + k);
                 inverse.push_back(1 / difference);

@@ -25,8 +25,6 @@ constexpr unsigned long long training_seed = 2;
 
 using Terms = std::shared_ptr<const PreparedTerms>;
 
-class Silent : public Observer {};
-
 HeatSegment at_rest(HeatSegment segment)
 {
     segment.duration = pause;
@@ -71,7 +69,7 @@ Eigen::MatrixXd states_of_run(const Terms& terms, const HeatProblem& problem, co
 {
     std::vector<States> states;
     const double early = std::sqrt(options.early_share);
-    Silent observer;
+    Observer observer;
     ReducedRun(terms, problem, options.adjoints, options.reference)
         .go({[&](double time, const States& at) {
                  states.push_back(is_early(problem, time) ? States(early * at) : at);

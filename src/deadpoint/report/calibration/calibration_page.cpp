@@ -17,8 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using study::Calibration;
 
-constexpr std::size_t most_rows = 400;
-constexpr double hour = 3600;
+constexpr std::size_t most_curve_rows = 400;
 
 Json numbers(const std::vector<double>& values, const std::vector<std::size_t>& rows, double factor, double offset)
 {
@@ -31,7 +30,7 @@ Json numbers(const std::vector<double>& values, const std::vector<std::size_t>& 
 std::vector<std::size_t> few_rows(std::size_t count)
 {
     std::vector<std::size_t> rows;
-    const std::size_t step = std::max<std::size_t>(1, count / most_rows);
+    const std::size_t step = std::max<std::size_t>(1, count / most_curve_rows);
     for (std::size_t row = 0; row < count; row += step)
         rows.push_back(row);
     if (count > 0 && rows.back() != count - 1)

@@ -27,7 +27,7 @@ std::string number(const FittedParameter& p, double value)
     return significant(value * (is_length(p) ? micrometre : 1), 3);
 }
 
-std::string unit_of(const FittedParameter& p) { return p.unit.empty() ? "factor" : is_length(p) ? "um" : p.unit; }
+std::string shown_unit_of(const FittedParameter& p) { return p.unit.empty() ? "factor" : is_length(p) ? "um" : p.unit; }
 
 std::string interval(const FittedParameter& p)
 {
@@ -154,7 +154,7 @@ std::string parameter_table(const Calibration& result)
     TextTable table(
         {"unknown", "value", "unit", fmt::format("{:.0f} % interval", 100 * result.level), "before", "by the data"});
     for (const auto& p : result.parameters)
-        table.add_row({p.name, number(p, p.estimate), unit_of(p), interval(p),
+        table.add_row({p.name, number(p, p.estimate), shown_unit_of(p), interval(p),
                        fmt::format("{} to {}", number(p, p.prior_lower), number(p, p.prior_upper)),
                        fmt::format("{:.0f} %", 100 * p.shrinkage)});
     return table.text();
@@ -227,8 +227,9 @@ std::string calibration_text(const CalibrationPlan& plan)
                             plan.case_name, plan.parameters.size(), plan.runs, plan.values);
     TextTable table({"unknown", "unit", "known before to", "then to", "by the data"});
     for (const auto& p : plan.parameters)
-        table.add_row({p.name, unit_of(p), fmt::format("{} to {}", number(p, p.prior_lower), number(p, p.prior_upper)),
-                       interval(p), fmt::format("{:.0f} %", 100 * p.shrinkage)});
+        table.add_row({p.name, shown_unit_of(p),
+                       fmt::format("{} to {}", number(p, p.prior_lower), number(p, p.prior_upper)), interval(p),
+                       fmt::format("{:.0f} %", 100 * p.shrinkage)});
     text += table.text() + "\n";
     if (!plan.candidates.empty()) {
         TextTable gains({"candidate", "information [nat]", "most about", "its standard deviation"});

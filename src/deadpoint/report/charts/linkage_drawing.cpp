@@ -18,9 +18,9 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr std::array<const char*, 8> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                             "#56b4e9", "#e69f00", "#8a6d3b", "#444444"};
-constexpr const char* grey = "#8a8a8a";
+constexpr std::array<const char*, 8> body_palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                  "#56b4e9", "#e69f00", "#8a6d3b", "#444444"};
+constexpr const char* path_grey = "#8a8a8a";
 constexpr double panel_height = 460;
 constexpr double widest_panel = 420;
 constexpr double margin = 26;
@@ -127,7 +127,7 @@ private:
                 seen.push_back(original);
                 found = seen.end() - 1;
             }
-            colours_.push_back(palette.at(static_cast<std::size_t>(found - seen.begin()) % palette.size()));
+            colours_.push_back(body_palette.at(static_cast<std::size_t>(found - seen.begin()) % body_palette.size()));
         }
     }
 
@@ -223,7 +223,7 @@ private:
                 const Vec2 foot = base + (low + (static_cast<double>(i) + 0.5) * pitch) * along;
                 path += outline({foot, foot + (side * 0.35 * block_) * across - (0.35 * block_) * along});
             }
-            svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1\"/>\n", path, grey);
+            svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1\"/>\n", path, path_grey);
         }
         return svg;
     }
@@ -235,7 +235,7 @@ private:
             joint.body_b == linkage_.ground)
             return {};
         return fmt::format("<path d=\"{}Z\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"/>\n",
-                           outline(thinned(history_.joints[j].centre)), grey);
+                           outline(thinned(history_.joints[j].centre)), path_grey);
     }
 
     std::string pin(std::size_t j, std::size_t position) const

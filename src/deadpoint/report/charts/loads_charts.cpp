@@ -19,8 +19,7 @@ namespace {
 
 using study::LoadsResult;
 
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
+constexpr double degree = std::numbers::pi / 180;
 constexpr std::size_t joints_shown = 6;
 constexpr const char* angle_label = "crank angle past bottom dead point [deg]";
 
@@ -34,7 +33,7 @@ ChartSeries over_turn(std::string name, const std::vector<double>& angle, const 
     if (count == 0)
         return series;
     std::size_t start = 0;
-    while (start < count && angle[start] - angle.front() < pi - 1e-9)
+    while (start < count && angle[start] - angle.front() < std::numbers::pi - 1e-9)
         ++start;
     for (std::size_t k = 0; k <= count; ++k) {
         const std::size_t i = (start + k) % count;
@@ -84,7 +83,7 @@ std::string stacked(std::vector<Chart> charts)
 
 std::string operation_text(const LoadsResult& loads)
 {
-    std::string text = fmt::format("{} rpm", significant(loads.speed * 30 / pi, 4));
+    std::string text = fmt::format("{} rpm", significant(loads.speed * 30 / std::numbers::pi, 4));
     return loads.force > 0 ? text + fmt::format(", {} kN ({})", significant(loads.force / 1e3, 4), loads.process_force)
                            : text + ", no load";
 }
@@ -147,7 +146,7 @@ std::vector<double> throw_angles(const study::CrankshaftLoads& shaft)
             ++k;
         const bool last = k + 1 == given.time.size();
         const double end = last ? given.period + given.time.front() : given.time[k + 1];
-        const double angle_end = last ? given.throw_angle.front() + 2 * pi : given.throw_angle[k + 1];
+        const double angle_end = last ? given.throw_angle.front() + 2 * std::numbers::pi : given.throw_angle[k + 1];
         result.push_back(given.throw_angle[k] +
                          (angle_end - given.throw_angle[k]) * (time - given.time[k]) / (end - given.time[k]));
     }
@@ -227,12 +226,13 @@ std::string campbell_svg(const std::string& machine, const LoadsResult& loads)
     const auto& shaft = crankshaft_of(loads);
     Chart chart;
     chart.title = machine + ": natural frequencies of the turning crankshaft";
-    chart.subtitle = fmt::format("runs at {} rpm; 1x: once per turn", significant(loads.speed * 30 / pi, 4));
+    chart.subtitle =
+        fmt::format("runs at {} rpm; 1x: once per turn", significant(loads.speed * 30 / std::numbers::pi, 4));
     chart.x_label = "speed [rpm]";
     chart.y_label = "frequency [Hz]";
     std::vector<double> rpm;
     for (const double speed : shaft.campbell_speeds)
-        rpm.push_back(speed * 30 / pi);
+        rpm.push_back(speed * 30 / std::numbers::pi);
     const double limit = 4 * std::max(shaft.campbell.front().front().frequency, rpm.back() / 60 / 4);
     for (std::size_t m = 0; m < shaft.campbell.front().size(); ++m) {
         if (shaft.campbell.front()[m].frequency > limit)
@@ -255,7 +255,7 @@ std::string campbell_svg(const std::string& machine, const LoadsResult& loads)
     once.y = {0, rpm.back() / 60};
     for (const auto& critical : shaft.critical_speeds)
         if (critical.speed <= shaft.campbell_speeds.back())
-            once.markers.push_back({critical.speed * 30 / pi, critical.speed / (2 * pi)});
+            once.markers.push_back({critical.speed * 30 / std::numbers::pi, critical.speed / (2 * std::numbers::pi)});
     if (!once.markers.empty())
         chart.marker_note = "critical speeds";
     chart.series.push_back(std::move(once));

@@ -20,10 +20,9 @@ constexpr std::array<const char*, 7> palette{"#0072b2", "#d55e00", "#009e73", "#
 constexpr const char* ink = "#222222";
 constexpr const char* grey = "#6b6b6b";
 constexpr const char* grid = "#e3e3e3";
-constexpr double letter = 6.6;  // mean width of a letter at 12 px
 constexpr double label_pitch = 15;
 
-struct Range {
+struct AxisRange {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
     void add(double value)
@@ -39,7 +38,7 @@ struct Range {
 /// Maps data to places on the page.
 struct Frame {
     double left = 0, right = 0, top = 0, bottom = 0;
-    Range x, y;
+    AxisRange x, y;
     double y_step = 1;  ///< between the ticks of the vertical axis
     [[nodiscard]] double at_x(double value) const { return left + (value - x.low) / (x.high - x.low) * (right - left); }
     [[nodiscard]] double at_y(double value) const
@@ -60,7 +59,7 @@ std::string tick_text(double value, double step)
     return value < 0 ? "\u2212" + text : text;
 }
 
-void pad(Range& range, bool include_zero)
+void pad(AxisRange& range, bool include_zero)
 {
     if (range.empty()) {
         range = {0, 1};
@@ -104,7 +103,7 @@ Frame make_frame(const Chart& chart)
     frame.y = {ticks.front(), ticks.back()};
     frame.y_step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
     frame.left = 62;
-    frame.right = chart.width - 46 - letter * static_cast<double>(longest);
+    frame.right = chart.width - 46 - letter_width * static_cast<double>(longest);
     frame.top = chart.subtitle.empty() ? (chart.title.empty() ? 34 : 74) : 92;
     frame.bottom = chart.height - 56;
     return frame;
@@ -159,10 +158,10 @@ std::string axes(const Chart& chart, const Frame& frame)
         const double x = frame.at_x(place);
         svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#8a8a8a\"/>\n", x,
                            frame.bottom, x, frame.bottom + 5);
-        const double half = letter * static_cast<double>(display_width(text)) / 2;
+        const double half = letter_width * static_cast<double>(display_width(text)) / 2;
         if (x - half >= free_from) {
             svg += svg_text(x, frame.bottom + 20, "middle", "class=\"tick\"", text);
-            free_from = x + half + letter;
+            free_from = x + half + letter_width;
         }
     }
     svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#8a8a8a\"/>\n",
@@ -304,7 +303,7 @@ std::string svg_chart(const Chart& chart)
     std::string svg = svg_head(chart.width, chart.height, chart.title, chart.subtitle);
     svg += axes(chart, frame) + lines(chart, frame);
     if (!chart.marker_note.empty()) {
-        const double x = frame.right - 6 - letter * static_cast<double>(display_width(chart.marker_note));
+        const double x = frame.right - 6 - letter_width * static_cast<double>(display_width(chart.marker_note));
         svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#ffffff\" stroke=\"{}\" "
                            "stroke-width=\"1.6\"/>\n",
                            x - 10, frame.top - 18, grey);

@@ -8,6 +8,8 @@
 /// Ito), each line named at its right end instead of in a box.
 namespace deadpoint::report {
 
+inline constexpr double letter_width = 6.6;  ///< mean, at 12 px
+
 struct ChartPoint {
     double x = 0;
     double y = 0;

@@ -17,7 +17,6 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr double hour = 3600;
 constexpr std::size_t most_curves = 8;
 constexpr double wide_range = 8;  ///< ratio of largest to smallest number above which an axis may be logarithmic
 

@@ -14,7 +14,6 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr double letter = 6.6;  // mean width of a letter at 12 px
 constexpr double cell_height = 34;
 constexpr double narrowest_cell = 58;
 constexpr double top = 112;
@@ -75,8 +74,10 @@ Grid make_grid(const SweepResult& result, std::size_t set)
 {
     const auto& described = result.study.sets[set];
     Grid grid{described, drawn_order(described.axes[0]), drawn_order(described.axes[1]), points_of_set(result, set)};
-    grid.cell_width = std::max(narrowest_cell, letter * static_cast<double>(longest(described.axes[0].labels) + 2));
-    grid.row_labels = letter * static_cast<double>(std::max(longest(described.axes[1].labels) + 1, std::size_t{6}));
+    grid.cell_width =
+        std::max(narrowest_cell, letter_width * static_cast<double>(longest(described.axes[0].labels) + 2));
+    grid.row_labels =
+        letter_width * static_cast<double>(std::max(longest(described.axes[1].labels) + 1, std::size_t{6}));
     return grid;
 }
 
@@ -182,11 +183,11 @@ std::string sweep_map(const SweepResult& result, std::size_t set, const std::opt
         limits.empty() ? "magnitude of the drift E_SW in um"
                        : fmt::format("magnitude of the drift E_SW in um; outlined: {}", window_text(grid.set, window));
     const double row_labels =
-        std::max(grid.row_labels, letter * static_cast<double>(display_width(grid.set.axes[1].name) + 1));
+        std::max(grid.row_labels, letter_width * static_cast<double>(display_width(grid.set.axes[1].name) + 1));
     const double left = 24 + row_labels;
     const double second = left + grid.width() + gap + row_labels;
     const double wide =
-        std::max(second + grid.width() + 24, letter * 1.12 * static_cast<double>(display_width(subtitle)) + 40);
+        std::max(second + grid.width() + 24, letter_width * 1.12 * static_cast<double>(display_width(subtitle)) + 40);
     const double title_width = 9.6 * static_cast<double>(display_width(title)) + 40;
     std::string svg =
         svg_head(std::max(wide, title_width), top + grid.height() + (limits.empty() ? 56 : 78), title, subtitle);

@@ -22,8 +22,6 @@ using Json = nlohmann::ordered_json;
 using casefile::Objective;
 using study::DesignFigures;
 
-constexpr double hours = 1.0 / 3600;
-
 // Objectives in the units of files: um, h or um/K.
 double shown_objective(const OptimiseReport& report, double value)
 {
@@ -71,7 +69,7 @@ std::vector<CsvColumn> search_table(const OptimiseReport& report)
     return columns;
 }
 
-std::vector<double> sampled(const study::DesignCourse& course, const std::vector<double>& times)
+std::vector<double> course_values(const study::DesignCourse& course, const std::vector<double>& times)
 {
     std::vector<double> values;
     std::size_t row = 0;
@@ -100,7 +98,7 @@ std::vector<CsvColumn> course_table(const OptimiseReport& report)
     const auto& times = report.result.course_after.time;
     std::vector<CsvColumn> columns{csv_column(schema::time, times)};
     const auto add = [&](const study::DesignCourse& course, const std::string& name) {
-        auto gap = sampled(course, times);
+        auto gap = course_values(course, times);
         columns.push_back(csv_column(table::rate, rates_of(times, gap), name));
         columns.push_back(csv_column(table::gap, std::move(gap), name));
     };
@@ -113,8 +111,6 @@ std::vector<CsvColumn> course_table(const OptimiseReport& report)
 
 // ---------------------------------------------------------------- JSON
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json figures_json(const OptimiseReport& report, const DesignFigures& figures)
 {
     Json json{{"drift_rms_um", micrometre * figures.drift}, {"largest_change_um", micrometre * figures.largest_change}};
@@ -125,7 +121,7 @@ Json figures_json(const OptimiseReport& report, const DesignFigures& figures)
         const bool length = report.study.optimise->limits[l].output.starts_with("E_") ||
                             report.study.optimise->limits[l].output.starts_with("corner ");
         json["limits"].push_back(
-            number(length ? micrometre * figures.extremes[l] : figures.extremes[l] - zero_celsius));
+            number_or_null(length ? micrometre * figures.extremes[l] : figures.extremes[l] - zero_celsius));
     }
     return json;
 }

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using study::FigureSensitivity;
-namespace table = schema::indices;
+namespace index_table = schema::indices;
 
 bool is_screening(const SensitivityReport& report)
 {
@@ -34,17 +34,19 @@ public:
 
     std::vector<CsvColumn> figures()
     {
-        texts(table::output, [&](const auto& f, std::size_t) { return report_.result.outputs[f.figure.output].name; });
-        texts(table::figure, [](const auto& f, std::size_t) { return figure_name(f.figure); });
+        texts(index_table::output,
+              [&](const auto& f, std::size_t) { return report_.result.outputs[f.figure.output].name; });
+        texts(index_table::figure, [](const auto& f, std::size_t) { return figure_name(f.figure); });
         parameter_and_shares();
         if (!figures_.empty() && !figures_.front().bound.empty())
-            numbers(table::bound, [](const auto& f, std::size_t k) { return f.bound[k]; });
+            numbers(index_table::bound, [](const auto& f, std::size_t k) { return f.bound[k]; });
         return std::move(columns_);
     }
 
     std::vector<CsvColumn> course()
     {
-        texts(table::output, [&](const auto& f, std::size_t) { return report_.result.outputs[f.figure.output].name; });
+        texts(index_table::output,
+              [&](const auto& f, std::size_t) { return report_.result.outputs[f.figure.output].name; });
         numbers(schema::time, [](const auto& f, std::size_t) { return f.figure.time; });
         parameter_and_shares();
         return std::move(columns_);
@@ -53,13 +55,14 @@ public:
 private:
     void parameter_and_shares()
     {
-        texts(table::parameter, [&](const auto&, std::size_t k) { return report_.result.ranges[k].name; });
+        texts(index_table::parameter, [&](const auto&, std::size_t k) { return report_.result.ranges[k].name; });
         if (is_screening(report_))
             return effects();
         using Of = std::function<const design::Band&(const design::SobolIndex&)>;
         const Of first = [](const auto& index) -> const design::Band& { return index.first; };
         const Of total = [](const auto& index) -> const design::Band& { return index.total; };
-        for (const auto& [columns, of] : {std::pair{&table::first, first}, std::pair{&table::total, total}}) {
+        for (const auto& [columns, of] :
+             {std::pair{&index_table::first, first}, std::pair{&index_table::total, total}}) {
             numbers((*columns)[0], [&](const auto& f, std::size_t k) { return of(f.sobol.inputs[k]).value; });
             numbers((*columns)[1], [&](const auto& f, std::size_t k) { return of(f.sobol.inputs[k]).low; });
             numbers((*columns)[2], [&](const auto& f, std::size_t k) { return of(f.sobol.inputs[k]).high; });
@@ -71,13 +74,13 @@ private:
         const auto scaled = [&](const FigureSensitivity& f, double value) {
             return shown_difference(f.figure, report_.result.outputs).factor * value;
         };
-        texts(table::unit,
+        texts(index_table::unit,
               [&](const auto& f, std::size_t) { return shown_difference(f.figure, report_.result.outputs).unit; });
-        numbers(table::strength[0], [&](const auto& f, auto k) { return scaled(f, f.morris[k].strength.value); });
-        numbers(table::strength[1], [&](const auto& f, auto k) { return scaled(f, f.morris[k].strength.low); });
-        numbers(table::strength[2], [&](const auto& f, auto k) { return scaled(f, f.morris[k].strength.high); });
-        numbers(table::mean, [&](const auto& f, auto k) { return scaled(f, f.morris[k].mean); });
-        numbers(table::deviation, [&](const auto& f, auto k) { return scaled(f, f.morris[k].deviation); });
+        numbers(index_table::strength[0], [&](const auto& f, auto k) { return scaled(f, f.morris[k].strength.value); });
+        numbers(index_table::strength[1], [&](const auto& f, auto k) { return scaled(f, f.morris[k].strength.low); });
+        numbers(index_table::strength[2], [&](const auto& f, auto k) { return scaled(f, f.morris[k].strength.high); });
+        numbers(index_table::mean, [&](const auto& f, auto k) { return scaled(f, f.morris[k].mean); });
+        numbers(index_table::deviation, [&](const auto& f, auto k) { return scaled(f, f.morris[k].deviation); });
     }
 
     template <class Of>
@@ -127,19 +130,17 @@ std::vector<CsvColumn> samples(const study::SensitivityResult& result)
     return columns;
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json band(const design::Band& band, double factor = 1)
 {
-    return {number(factor * band.value), number(factor * band.low), number(factor * band.high)};
+    return {number_or_null(factor * band.value), number_or_null(factor * band.low), number_or_null(factor * band.high)};
 }
 
 Json effects_json(const FigureSensitivity& figure, std::size_t k, double factor)
 {
     const auto& effect = figure.morris[k];
     return {{"strength", band(effect.strength, factor)},
-            {"mean", number(factor * effect.mean)},
-            {"deviation", number(factor * effect.deviation)}};
+            {"mean", number_or_null(factor * effect.mean)},
+            {"deviation", number_or_null(factor * effect.deviation)}};
 }
 
 Json indices_json(const FigureSensitivity& figure, std::size_t k)
@@ -147,7 +148,7 @@ Json indices_json(const FigureSensitivity& figure, std::size_t k)
     const auto& index = figure.sobol.inputs[k];
     Json json{{"first", band(index.first)}, {"total", band(index.total)}};
     if (!figure.bound.empty())
-        json["bound"] = number(figure.bound[k]);
+        json["bound"] = number_or_null(figure.bound[k]);
     return json;
 }
 
@@ -159,8 +160,8 @@ Json figure_json(const SensitivityReport& report, const FigureSensitivity& figur
     json["unit"] = difference.unit;
     if (!is_screening(report)) {
         json["mean_unit"] = value.unit;
-        json["mean"] = number(value.of(figure.sobol.mean));
-        json["deviation"] = number(difference.factor * std::sqrt(figure.sobol.variance));
+        json["mean"] = number_or_null(value.of(figure.sobol.mean));
+        json["deviation"] = number_or_null(difference.factor * std::sqrt(figure.sobol.variance));
     }
     json["parameters"] = Json::object();
     for (std::size_t k = 0; k < report.result.ranges.size(); ++k)
@@ -181,14 +182,14 @@ Json course_json(const SensitivityReport& report, std::size_t first, std::size_t
     json["parameters"] = Json::object();
     for (std::size_t row = first; row < first + count; ++row) {
         json["hours"].push_back(course[row].figure.time / 3600);
-        json["deviation"].push_back(number(shown.factor * std::sqrt(course[row].sobol.variance)));
+        json["deviation"].push_back(number_or_null(shown.factor * std::sqrt(course[row].sobol.variance)));
         for (std::size_t k = 0; k < report.result.ranges.size(); ++k) {
             auto& list = json["parameters"][report.result.ranges[k].name];
             if (is_screening(report)) {
-                list["strength"].push_back(number(shown.factor * course[row].morris[k].strength.value));
+                list["strength"].push_back(number_or_null(shown.factor * course[row].morris[k].strength.value));
             } else {
-                list["first"].push_back(number(course[row].sobol.inputs[k].first.value));
-                list["total"].push_back(number(course[row].sobol.inputs[k].total.value));
+                list["first"].push_back(number_or_null(course[row].sobol.inputs[k].first.value));
+                list["total"].push_back(number_or_null(course[row].sobol.inputs[k].total.value));
             }
         }
     }

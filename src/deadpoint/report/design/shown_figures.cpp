@@ -11,8 +11,6 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr double hours = 1.0 / 3600;
-
 // "30 min", "2 h"; other times as duration_text().
 std::string time_text(double seconds)
 {

@@ -13,7 +13,6 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr double kilonewton = 1e-3;
 constexpr double millimetre = 1e3;
 
 using nlohmann::ordered_json;

@@ -18,8 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kilonewton = 1e-3;
-
 struct Extreme {
     double value = 0;
     double time = 0;

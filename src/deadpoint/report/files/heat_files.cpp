@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 #include <limits>
-#include <numbers>
 
 namespace deadpoint::report {
 namespace {
@@ -22,7 +21,6 @@ using Json = nlohmann::ordered_json;
 using Numbers = std::vector<double>;
 using Texts = std::vector<std::string>;
 
-constexpr double rpm = 30 / std::numbers::pi;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string yes_no(bool value) { return value ? "yes" : "no"; }

@@ -29,10 +29,6 @@ namespace {
 using study::LoadsResult;
 using Json = nlohmann::ordered_json;
 
-constexpr double pi = std::numbers::pi;
-constexpr double degrees = 180 / pi;
-constexpr double rpm = 30 / pi;
-
 Json pair(const Vec2& v) { return {v[0], v[1]}; }
 
 // Time means of a history whose samples need not be evenly spaced (trapezoid over the closed turn).
@@ -205,7 +201,7 @@ Json loads_json(const casefile::Case& input, const LoadsResult& loads, const std
                           "pairs are [x, y]";
     json["operation"] = {{"segment", loads.segment},
                          {"speed_rpm", rpm * loads.speed},
-                         {"mean_speed_rpm", rpm * 2 * pi / loads.history.period},
+                         {"mean_speed_rpm", rpm * 2 * std::numbers::pi / loads.history.period},
                          {"process_force_kind", loads.process_force},
                          {"process_force_peak_N", loads.force}};
     json["slide"] = slide_json(loads);

@@ -208,9 +208,9 @@ nlohmann::ordered_json rises_json(const casefile::Case& input, const RunResult& 
     nlohmann::ordered_json json;
     const double end = result.thermal.time.back();
     std::vector<std::pair<std::string, double>> times;
-    for (const double hours : {0.5, 1.0, 2.0, 3.0})
-        if (hours * 3600 < end * (1 - 1e-9))
-            times.emplace_back(fmt::format("{} h", hours), hours * 3600);
+    for (const double elapsed : {0.5, 1.0, 2.0, 3.0})
+        if (elapsed * hour < end * (1 - 1e-9))
+            times.emplace_back(fmt::format("{} h", elapsed), elapsed * hour);
     times.emplace_back("end", end);
     for (std::size_t i = 0; i < result.probes.size(); ++i)
         for (const auto& [name, time] : times)

@@ -5,6 +5,7 @@
 #include "deadpoint/report/charts/sweep_charts.hpp"
 #include "deadpoint/report/charts/sweep_figures.hpp"
 #include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/folder/drift_columns.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/schema/columns.hpp"
@@ -20,20 +21,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Figures = std::vector<std::optional<SweepFigures>>;
 using Windows = std::vector<std::optional<study::DriftWindow>>;
-namespace table = schema::sweep;
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+namespace sweep_table = schema::sweep;
 
 /// One place of one set: a row of the table.
-struct Row {
+struct SweepRow {
     std::size_t set;
     std::vector<std::size_t> steps;
     std::size_t point;
 };
 
-std::vector<Row> rows_of(const SweepResult& result)
+std::vector<SweepRow> rows_of(const SweepResult& result)
 {
-    std::vector<Row> rows;
+    std::vector<SweepRow> rows;
     for (std::size_t s = 0; s < result.study.sets.size(); ++s) {
         const auto points = points_of_set(result, s);
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -80,27 +79,27 @@ public:
 
     std::vector<CsvColumn> run()
     {
-        texts(table::set, [&](const Row& row) { return result_.study.sets[row.set].name; });
-        texts(table::point, [&](const Row& row) { return result_.points[row.point].name; });
-        texts(table::state, [&](const Row& row) { return state_name(result_.outcomes[row.point].state); });
+        texts(sweep_table::set, [&](const SweepRow& row) { return result_.study.sets[row.set].name; });
+        texts(sweep_table::point, [&](const SweepRow& row) { return result_.points[row.point].name; });
+        texts(sweep_table::state, [&](const SweepRow& row) { return state_name(result_.outcomes[row.point].state); });
         axes();
         drift();
         rises();
-        figure(table::heat, [](const SweepFigures& f) { return f.joint_heat.value_or(missing); });
+        figure(sweep_table::heat, [](const SweepFigures& f) { return f.joint_heat.value_or(no_value); });
         bearing_forces();
         if (limited(result_.study.limits)) {
-            texts(table::keeps, [&](const Row& row) {
+            texts(sweep_table::keeps, [&](const SweepRow& row) {
                 const auto& figures = figures_[row.point];
                 return !figures ? "" : keeps_limits(result_, *figures) ? "yes" : "no";
             });
-            texts(table::window,
-                  [&](const Row& row) { return in_window(windows_[row.set], row.steps) ? "yes" : "no"; });
+            texts(sweep_table::window,
+                  [&](const SweepRow& row) { return in_window(windows_[row.set], row.steps) ? "yes" : "no"; });
         }
-        numbers(table::wall_time, [&](const Row& row) {
+        numbers(sweep_table::wall_time, [&](const SweepRow& row) {
             const auto& outcome = result_.outcomes[row.point];
-            return outcome.state == study::PointOutcome::State::left ? missing : outcome.seconds;
+            return outcome.state == study::PointOutcome::State::left ? no_value : outcome.seconds;
         });
-        texts(table::reason, [&](const Row& row) {
+        texts(sweep_table::reason, [&](const SweepRow& row) {
             std::string reason = result_.outcomes[row.point].reason;
             std::ranges::replace(reason, '\n', ' ');  // many programs cannot read line breaks inside a cell
             return reason;
@@ -131,11 +130,13 @@ private:
     void figure(const schema::Column& column, Of&& of, const std::string& name = {})
     {
         numbers(
-            column, [&](const Row& row) { return figures_[row.point] ? of(*figures_[row.point]) : missing; }, name);
+            column, [&](const SweepRow& row) { return figures_[row.point] ? of(*figures_[row.point]) : no_value; },
+            name);
     }
 
     /// The axis of a set with a given name, and its position in the set.
-    [[nodiscard]] const study::SweepAxis* axis_of(const Row& row, const std::string& name, std::size_t& place) const
+    [[nodiscard]] const study::SweepAxis* axis_of(const SweepRow& row, const std::string& name,
+                                                  std::size_t& place) const
     {
         const auto& axes = result_.study.sets[row.set].axes;
         const auto found = std::ranges::find(axes, name, &study::SweepAxis::name);
@@ -162,8 +163,8 @@ private:
         }
         for (const auto& name : names) {
             texts(
-                table::axis,
-                [&](const Row& row) {
+                sweep_table::axis,
+                [&](const SweepRow& row) {
                     std::size_t a = 0;
                     const auto* axis = axis_of(row, name, a);
                     return axis == nullptr ? std::string() : axis->labels[row.steps[a]];
@@ -179,31 +180,23 @@ private:
 
     void axis_column(const std::string& name, const std::string& unit)
     {
-        const auto value = [&](const Row& row) {
+        const auto value = [&](const SweepRow& row) {
             std::size_t a = 0;
             const auto* axis = axis_of(row, name, a);
             if (axis == nullptr) {
-                return missing;
+                return no_value;
             }
             const auto& numbers = numbers_[row.set][a];
-            return numbers.values.empty() || numbers.unit != unit ? missing : numbers.values[row.steps[a]];
+            return numbers.values.empty() || numbers.unit != unit ? no_value : numbers.values[row.steps[a]];
         };
-        numbers(table::axis_value, value, name, unit);
+        numbers(sweep_table::axis_value, value, name, unit);
     }
 
     void drift()
     {
-        const auto column = [&](const schema::Column& named, auto&& of) {
-            figure(named, [&](const SweepFigures& f) { return f.drift ? of(*f.drift) : missing; });
-        };
-        column(table::largest, [](const SweepDrift& d) { return micrometre * d.largest; });
-        column(table::largest_time, [](const SweepDrift& d) { return d.largest_time; });
-        column(table::end, [](const SweepDrift& d) { return micrometre * d.final; });
-        column(table::first_hour,
-               [](const SweepDrift& d) { return d.gap ? micrometre * d.gap->first_hour_change : missing; });
-        column(table::range, [](const SweepDrift& d) { return d.gap ? micrometre * d.gap->range : missing; });
-        column(table::steady,
-               [](const SweepDrift& d) { return d.gap ? d.gap->steady_from.value_or(missing) : missing; });
+        for (const auto& [column, value] : drift_columns) {
+            figure(column, [of = value](const SweepFigures& f) { return f.drift ? of(*f.drift) : no_value; });
+        }
     }
 
     void rises()
@@ -218,8 +211,8 @@ private:
         }
         for (const auto& probe : probes) {
             figure(
-                table::rise,
-                [&](const SweepFigures& f) { return f.rises.contains(probe) ? f.rises.at(probe) : missing; }, probe);
+                sweep_table::rise,
+                [&](const SweepFigures& f) { return f.rises.contains(probe) ? f.rises.at(probe) : no_value; }, probe);
         }
     }
 
@@ -233,16 +226,16 @@ private:
         }
         for (const auto& [name, value] : names) {
             const auto force = [&key = name](const SweepFigures& f) {
-                return f.bearing_forces.contains(key) ? f.bearing_forces.at(key) : missing;
+                return f.bearing_forces.contains(key) ? f.bearing_forces.at(key) : no_value;
             };
-            figure(table::bearing_force, force, name);
+            figure(sweep_table::bearing_force, force, name);
         }
     }
 
     const SweepResult& result_;
     const Figures& figures_;
     const Windows& windows_;
-    std::vector<Row> rows_;
+    std::vector<SweepRow> rows_;
     std::vector<std::vector<AxisNumbers>> numbers_;  ///< per set and axis
     std::vector<CsvColumn> columns_;
 };

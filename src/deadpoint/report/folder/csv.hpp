@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <variant>
@@ -15,6 +16,8 @@ struct Column;
 }
 
 namespace deadpoint::report {
+
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  ///< an empty cell
 
 /// A column of numbers or of text.
 struct CsvColumn {

@@ -7,6 +7,7 @@
 #include "deadpoint/io/read_file.hpp"
 #include "deadpoint/report/charts/sweep_figures.hpp"
 #include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/folder/drift_columns.hpp"
 #include "deadpoint/report/schema/column.hpp"
 #include "deadpoint/report/schema/columns.hpp"
 
@@ -20,10 +21,9 @@
 namespace deadpoint::report {
 namespace {
 
-namespace table = schema::points;
+namespace points_table = schema::points;
 using State = study::PointOutcome::State;
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* help = "name a new folder, or remove this file to compute all points again";
 constexpr std::string_view study_line = "# study ";
 
@@ -50,37 +50,29 @@ std::vector<CsvColumn> columns_of(const std::vector<PointRow>& rows, const std::
     const auto numbers = [&](const schema::Column& column, auto&& of, const std::string& name = {}) {
         std::vector<double> values;
         for (const auto& found : figures)
-            values.push_back(found ? of(*found) : missing);
+            values.push_back(found ? of(*found) : no_value);
         columns.push_back(csv_column(column, std::move(values), name));
     };
-    const auto drift = [&](const schema::Column& column, auto&& of) {
-        numbers(column, [&](const SweepFigures& f) { return f.drift ? of(*f.drift) : missing; });
-    };
-    texts(table::point, [](const PointRow& row) { return row.point; });
-    texts(table::state, [](const PointRow& row) { return std::string(state_name(row.outcome.state)); });
-    texts(table::mark, [](const PointRow& row) { return row.mark; });
-    texts(table::hash, [](const PointRow& row) { return row.record ? row.record->hash : std::string(); });
-    texts(table::wall_time, [](const PointRow& row) { return fmt::format("{:.4g}", row.outcome.seconds); });
-    drift(table::largest, [](const SweepDrift& d) { return micrometre * d.largest; });
-    drift(table::largest_time, [](const SweepDrift& d) { return d.largest_time; });
-    drift(table::end, [](const SweepDrift& d) { return micrometre * d.final; });
-    drift(table::first_hour,
-          [](const SweepDrift& d) { return d.gap ? micrometre * d.gap->first_hour_change : missing; });
-    drift(table::range, [](const SweepDrift& d) { return d.gap ? micrometre * d.gap->range : missing; });
-    drift(table::steady, [](const SweepDrift& d) { return d.gap ? d.gap->steady_from.value_or(missing) : missing; });
-    numbers(table::heat, [](const SweepFigures& f) { return f.joint_heat.value_or(missing); });
+    texts(points_table::point, [](const PointRow& row) { return row.point; });
+    texts(points_table::state, [](const PointRow& row) { return std::string(state_name(row.outcome.state)); });
+    texts(points_table::mark, [](const PointRow& row) { return row.mark; });
+    texts(points_table::hash, [](const PointRow& row) { return row.record ? row.record->hash : std::string(); });
+    texts(points_table::wall_time, [](const PointRow& row) { return fmt::format("{:.4g}", row.outcome.seconds); });
+    for (const auto& [column, value] : drift_columns)
+        numbers(column, [of = value](const SweepFigures& f) { return f.drift ? of(*f.drift) : no_value; });
+    numbers(points_table::heat, [](const SweepFigures& f) { return f.joint_heat.value_or(no_value); });
     for (const auto& probe : probes)
         numbers(
-            table::rise, [&](const SweepFigures& f) { return f.rises.contains(probe) ? f.rises.at(probe) : missing; },
-            probe);
+            points_table::rise,
+            [&](const SweepFigures& f) { return f.rises.contains(probe) ? f.rises.at(probe) : no_value; }, probe);
     for (const auto& bearing : bearings)
         numbers(
-            table::bearing_force,
+            points_table::bearing_force,
             [&](const SweepFigures& f) {
-                return f.bearing_forces.contains(bearing) ? f.bearing_forces.at(bearing) : missing;
+                return f.bearing_forces.contains(bearing) ? f.bearing_forces.at(bearing) : no_value;
             },
             bearing);
-    texts(table::reason, [](const PointRow& row) { return row.outcome.reason; });
+    texts(points_table::reason, [](const PointRow& row) { return row.outcome.reason; });
     return columns;
 }
 
@@ -93,11 +85,11 @@ public:
     {
         const auto& cells = table_.rows[index];
         PointRow row;
-        row.point = text(cells, table::point);
-        row.mark = text(cells, table::mark);
-        row.outcome.seconds = number(cells, table::wall_time);
-        row.outcome.reason = text(cells, table::reason);
-        const auto state = text(cells, table::state);
+        row.point = text(cells, points_table::point);
+        row.mark = text(cells, points_table::mark);
+        row.outcome.seconds = number(cells, points_table::wall_time);
+        row.outcome.reason = text(cells, points_table::reason);
+        const auto state = text(cells, points_table::state);
         row.outcome.state = state == "done" ? State::done : state == "failed" ? State::failed : State::left;
         if (row.outcome.state == State::done)
             row.record = record(cells);
@@ -106,7 +98,10 @@ public:
 
 private:
     using Cells = std::vector<std::string>;
-    static double value(const std::string& cell) { return cell.empty() ? missing : std::strtod(cell.c_str(), nullptr); }
+    static double value(const std::string& cell)
+    {
+        return cell.empty() ? no_value : std::strtod(cell.c_str(), nullptr);
+    }
     [[nodiscard]] std::string text(const Cells& cells, const schema::Column& column) const
     {
         return cells[table_.column(column.heading)];
@@ -118,18 +113,18 @@ private:
     [[nodiscard]] study::RunRecord record(const Cells& cells) const
     {
         study::RunRecord record;
-        record.hash = text(cells, table::hash);
+        record.hash = text(cells, points_table::hash);
         record.time = {0, 0};
-        if (const double largest = number(cells, table::largest); std::isfinite(largest)) {
-            record.time[0] = number(cells, table::largest_time);
-            record.chain["E_SW"] = {largest / micrometre, number(cells, table::end) / micrometre};
+        if (const double largest = number(cells, points_table::largest); std::isfinite(largest)) {
+            record.time[0] = number(cells, points_table::largest_time);
+            record.chain["E_SW"] = {largest / micrometre, number(cells, points_table::end) / micrometre};
         }
-        if (const double range = number(cells, table::range); std::isfinite(range)) {
-            const double steady = number(cells, table::steady);
-            record.gap = study::GapFigures{number(cells, table::first_hour) / micrometre, range / micrometre,
+        if (const double range = number(cells, points_table::range); std::isfinite(range)) {
+            const double steady = number(cells, points_table::steady);
+            record.gap = study::GapFigures{number(cells, points_table::first_hour) / micrometre, range / micrometre,
                                            std::isfinite(steady) ? std::optional(steady) : std::nullopt};
         }
-        if (const double heat = number(cells, table::heat); std::isfinite(heat))
+        if (const double heat = number(cells, points_table::heat); std::isfinite(heat))
             record.joint_heat["all"] = {heat, heat};
         add_named(cells, record);
         return record;
@@ -139,10 +134,10 @@ private:
         for (std::size_t c = 0; c < cells.size(); ++c) {
             const double number = value(cells[c]);
             const auto& heading = table_.columns[c].name;
-            if (const auto bearing = schema::name_in(table::bearing_force.heading, heading); !bearing.empty()) {
+            if (const auto bearing = schema::name_in(points_table::bearing_force.heading, heading); !bearing.empty()) {
                 if (std::isfinite(number))
                     record.loads[bearing_path(bearing)] = number;
-            } else if (const auto probe = schema::name_in(table::rise.heading, heading); !probe.empty()) {
+            } else if (const auto probe = schema::name_in(points_table::rise.heading, heading); !probe.empty()) {
                 record.probes.push_back(probe);
                 if (std::isfinite(number))
                     record.rises[probe] = {number, number};

@@ -90,7 +90,7 @@ void read_summary(const Json& json, study::RunRecord& run)
     }
 }
 
-std::vector<double> changed(std::vector<double> values, double factor, double offset)
+std::vector<double> scaled_then_shifted(std::vector<double> values, double factor, double offset)
 {
     for (double& value : values) {
         value = factor * value + offset;
@@ -104,13 +104,14 @@ void read_history(const ResultTable& table, study::RunRecord& run)
     run.time = table.numbers(schema::time);
     require_course(table.csv(), run.time);
     for (const auto& probe : run.probes) {
-        run.rises[probe] = changed(table.numbers(history::probe, probe), 1, zero_celsius - run.initial_temperature);
+        run.rises[probe] =
+            scaled_then_shifted(table.numbers(history::probe, probe), 1, zero_celsius - run.initial_temperature);
     }
     for (const auto& joint : table.names(history::joint_heat)) {
         run.joint_heat[joint] = table.numbers(history::joint_heat, joint);
     }
     for (const auto& dimension : table.names(history::dimension)) {
-        run.chain[dimension] = changed(table.numbers(history::dimension, dimension), 1 / micrometre, 0);
+        run.chain[dimension] = scaled_then_shifted(table.numbers(history::dimension, dimension), 1 / micrometre, 0);
     }
 }
 

@@ -12,22 +12,22 @@
 namespace deadpoint::report {
 namespace {
 
-using Numbers = std::vector<std::int32_t>;
+using Integers = std::vector<std::int32_t>;
 
-VtuArray cell_array(const std::string& name, Numbers values)
+VtuArray cell_array(const std::string& name, Integers values)
 {
     return {name, VtuArray::Place::cell, 1, std::move(values)};
 }
 
-VtuArray node_array(Numbers numbers) { return {node_array_name, VtuArray::Place::point, 1, std::move(numbers)}; }
+VtuArray node_array(Integers numbers) { return {node_array_name, VtuArray::Place::point, 1, std::move(numbers)}; }
 
 void write_cells(const std::filesystem::path& path, const Machine& machine, const VtuNotes& notes)
 {
     VtuGrid grid;
     grid.points = machine.nodes;
     const auto bodies = body_of_part(machine);
-    Numbers parts;
-    Numbers body_numbers;
+    Integers parts;
+    Integers body_numbers;
     for (const auto& cell : machine.cells) {
         const bool hexahedron = cell.kind == CellKind::hexahedron;
         grid.add_cell(hexahedron ? VtuCell::hexahedron : VtuCell::tetrahedron,
@@ -35,7 +35,7 @@ void write_cells(const std::filesystem::path& path, const Machine& machine, cons
         parts.push_back(static_cast<std::int32_t>(cell.part));
         body_numbers.push_back(bodies.at(cell.part));
     }
-    Numbers nodes(machine.nodes.size());
+    Integers nodes(machine.nodes.size());
     std::iota(nodes.begin(), nodes.end(), 1);
     const std::vector<VtuArray> arrays{node_array(std::move(nodes)), cell_array("part", std::move(parts)),
                                        cell_array("body", std::move(body_numbers))};
@@ -43,12 +43,12 @@ void write_cells(const std::filesystem::path& path, const Machine& machine, cons
 }
 
 /// Per face the surface it belongs to, the smallest one where there are several.
-Numbers surface_of_face(const Machine& machine)
+Integers surface_of_face(const Machine& machine)
 {
     std::vector<std::size_t> order(machine.surfaces.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return machine.surfaces[i].area; });
-    Numbers result(machine.faces.size(), -1);
+    Integers result(machine.faces.size(), -1);
     for (const std::size_t i : order) {
         for (const auto& face : machine.surfaces[i].faces) {
             if (face.central) {
@@ -59,9 +59,9 @@ Numbers surface_of_face(const Machine& machine)
     return result;
 }
 
-Numbers interface_of_face(const Machine& machine)
+Integers interface_of_face(const Machine& machine)
 {
-    Numbers result(machine.faces.size(), -1);
+    Integers result(machine.faces.size(), -1);
     for (std::size_t i = 0; i < machine.interfaces.size(); ++i) {
         for (const auto& point : machine.interfaces[i].points) {
             result.at(point.face_a) = static_cast<std::int32_t>(i);
@@ -72,14 +72,14 @@ Numbers interface_of_face(const Machine& machine)
 }
 
 /// Keeps only the points that cells use, in their order. @return their former numbers, from 1
-Numbers drop_unused_points(VtuGrid& grid)
+Integers drop_unused_points(VtuGrid& grid)
 {
     std::vector<std::uint32_t> number(grid.points.size(), 0);
     for (const auto node : grid.connectivity) {
         number[node] = 1;
     }
     std::vector<Vec3> points;
-    Numbers former;
+    Integers former;
     for (std::size_t i = 0; i < number.size(); ++i) {
         if (number[i] != 0) {
             number[i] = static_cast<std::uint32_t>(points.size());
@@ -99,9 +99,9 @@ void write_faces(const std::filesystem::path& path, const Machine& machine, cons
     VtuGrid grid;
     grid.points = machine.nodes;
     const auto bodies = body_of_part(machine);
-    Numbers parts;
-    Numbers body_numbers;
-    Numbers symmetry;
+    Integers parts;
+    Integers body_numbers;
+    Integers symmetry;
     for (const auto& face : machine.faces) {
         grid.add_cell(face.node_count == 4 ? VtuCell::quad : VtuCell::triangle,
                       std::span(face.nodes).first(face.node_count));
@@ -161,7 +161,7 @@ std::vector<std::string> body_names(const Machine& machine)
 std::vector<std::int32_t> body_of_part(const Machine& machine)
 {
     const auto names = body_names(machine);
-    Numbers result;
+    Integers result;
     for (const auto& part : machine.parts) {
         result.push_back(static_cast<std::int32_t>(std::ranges::find(names, part.body) - names.begin()));
     }

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_values = 40'000;  ///< values of one curve, over all points
 constexpr std::size_t fewest_rows = 40;
-constexpr std::size_t most_rows = 300;
+constexpr std::size_t most_page_rows = 300;
 
 // Evenly chosen, first and last included, to five digits.
 Json thinned(const std::vector<double>& values, std::size_t rows)
@@ -38,7 +38,7 @@ Json thinned(const std::vector<double>& values, std::size_t rows)
     return result;
 }
 
-std::vector<double> changed(std::vector<double> values, double offset, double factor)
+std::vector<double> shifted_then_scaled(std::vector<double> values, double offset, double factor)
 {
     for (double& value : values)
         value = factor * (value + offset);
@@ -48,14 +48,14 @@ std::vector<double> changed(std::vector<double> values, double offset, double fa
 Json course_json(const ResultTable& table, const Json& summary, std::size_t rows)
 {
     namespace history = schema::history;
-    Json json{{"hours", thinned(changed(table.numbers(schema::time), 0, 1.0 / 3600), rows)}};
+    Json json{{"hours", thinned(shifted_then_scaled(table.numbers(schema::time), 0, 1.0 / 3600), rows)}};
     const std::string gap = schema::dimensions().front().name;
     if (std::ranges::count(table.names(history::dimension), gap) > 0)
         json[gap] = thinned(table.numbers(history::dimension, gap), rows);
     json["rises"] = Json::object();
     const double start = summary.value("initial_temperature_degC", 0.0);
     for (const auto& probe : table.names(history::probe))
-        json["rises"][probe] = thinned(changed(table.numbers(history::probe, probe), -start, 1), rows);
+        json["rises"][probe] = thinned(shifted_then_scaled(table.numbers(history::probe, probe), -start, 1), rows);
     return json;
 }
 
@@ -136,7 +136,7 @@ void write_sweep_report(const fs::path& file, const fs::path& folder, IfThere if
         data["folder"] = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
         const auto& points = sweep.at("points");
         const std::size_t rows =
-            std::clamp(most_values / std::max<std::size_t>(1, points.size()), fewest_rows, most_rows);
+            std::clamp(most_values / std::max<std::size_t>(1, points.size()), fewest_rows, most_page_rows);
         Json courses = Json::object();
         for (const auto& point : points) {
             const auto name = point.at("name").get<std::string>();

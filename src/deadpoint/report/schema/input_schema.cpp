@@ -29,7 +29,7 @@ Json list_of(Json items, std::size_t count)
 }
 Json any_of(std::initializer_list<Json> forms) { return {{"anyOf", Json(std::vector<Json>(forms))}}; }
 
-Json plain_number(const Range& range)
+Json plain_number(const casefile::Range& range)
 {
     Json form{{"type", "number"}};
     if (std::isfinite(range.min)) {
@@ -42,9 +42,9 @@ Json plain_number(const Range& range)
 }
 
 /// A text with a unit, "200 mm"; a number where there is none.
-Json quantity_of(Dimension dimension)
+Json quantity_of(deadpoint::Dimension dimension)
 {
-    if (dimension == Dimension::none) {
+    if (dimension == deadpoint::Dimension::none) {
         return {{"type", "number"}};
     }
     return {{"type", "string"},
@@ -57,7 +57,7 @@ Json object_of(Json properties)
     return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
 }
 
-Json curve_of(std::string_view x_name, Dimension x, Dimension y)
+Json curve_of(std::string_view x_name, deadpoint::Dimension x, deadpoint::Dimension y)
 {
     return object_of({{std::string(x_name), list_of(quantity_of(x))}, {"value", list_of(quantity_of(y))}});
 }
@@ -78,89 +78,101 @@ public:
     }
 
     void about(std::string_view sentences) override { stack_.back()["description"] = sentences; }
-    void number(const Key& key, double& value, const Range& range) override
+    void number(const casefile::Key& key, double& value, const casefile::Range& range) override
     {
         add(key, plain_number(range), Json(value));
     }
-    void integer(const Key& key, int& value, const Range& range) override
+    void integer(const casefile::Key& key, int& value, const casefile::Range& range) override
     {
         auto form = plain_number(range);
         form["type"] = "integer";
         add(key, std::move(form), value < range.min ? Json() : Json(value));
     }
-    void flag(const Key& key, bool& value) override { add(key, {{"type", "boolean"}}, Json(value)); }
-    void text(const Key& key, std::string& value) override { add(key, {{"type", "string"}}, shown(value)); }
-    void path(const Key& key, std::string& value) override { add(key, {{"type", "string"}}, shown(value)); }
-    void choice(const Key& key, std::string& value, std::span<const std::string_view> options) override
+    void flag(const casefile::Key& key, bool& value) override { add(key, {{"type", "boolean"}}, Json(value)); }
+    void text(const casefile::Key& key, std::string& value) override { add(key, {{"type", "string"}}, shown(value)); }
+    void path(const casefile::Key& key, std::string& value) override { add(key, {{"type", "string"}}, shown(value)); }
+    void choice(const casefile::Key& key, std::string& value, std::span<const std::string_view> options) override
     {
         add(key, {{"type", "string"}, {"enum", options}}, shown(value));
     }
-    void quantity(const Key& key, double& value, Dimension dimension, const Range&) override
+    void quantity(const casefile::Key& key, double& value, deadpoint::Dimension dimension,
+                  const casefile::Range&) override
     {
         add(key, quantity_of(dimension),
             std::isfinite(value) && value != 0 ? Json(format_quantity(value, dimension)) : Json(), dimension);
     }
-    void quantity(const Key& key, std::optional<double>&, Dimension dimension, const Range&) override
+    void quantity(const casefile::Key& key, std::optional<double>&, deadpoint::Dimension dimension,
+                  const casefile::Range&) override
     {
         add(key, quantity_of(dimension), {}, dimension);
     }
-    void vector(const Key& key, std::span<double> value, Dimension dimension) override
+    void vector(const casefile::Key& key, std::span<double> value, deadpoint::Dimension dimension) override
     {
         add(key, list_of(quantity_of(dimension), value.size()), {}, dimension);
     }
-    void vector(const Key& key, std::optional<Vec2>&, Dimension dimension) override
+    void vector(const casefile::Key& key, std::optional<Vec2>&, deadpoint::Dimension dimension) override
     {
         add(key, list_of(quantity_of(dimension), 2), {}, dimension);
     }
-    void matrix(const Key& key, Matrix2&, Dimension dimension) override
+    void matrix(const casefile::Key& key, Matrix2&, deadpoint::Dimension dimension) override
     {
         add(key, matrix_of(dimension), {}, dimension);
     }
-    void matrix(const Key& key, std::optional<Matrix2>&, Dimension dimension) override
+    void matrix(const casefile::Key& key, std::optional<Matrix2>&, deadpoint::Dimension dimension) override
     {
         add(key, matrix_of(dimension), {}, dimension);
     }
-    void extent(const Key& key, double&, double&) override { add(key, list_of(quantity_of(Dimension::length), 2)); }
-    void quantities(const Key& key, std::vector<double>&, Dimension dimension, const Range&) override
+    void extent(const casefile::Key& key, double&, double&) override
+    {
+        add(key, list_of(quantity_of(deadpoint::Dimension::length), 2));
+    }
+    void quantities(const casefile::Key& key, std::vector<double>&, deadpoint::Dimension dimension,
+                    const casefile::Range&) override
     {
         add(key, list_of(quantity_of(dimension)), {}, dimension);
     }
-    void quantities(const Key& key, std::map<std::string, double>&, Dimension dimension) override
+    void quantities(const casefile::Key& key, std::map<std::string, double>&, deadpoint::Dimension dimension) override
     {
         add(key, {{"type", "object"}, {"additionalProperties", quantity_of(dimension)}}, {}, dimension);
     }
-    void texts(const Key& key, std::vector<std::string>&) override { add(key, list_of({{"type", "string"}})); }
-    void setting(const Key& key, std::string&) override { add(key, Json::object()); }
-    void settings(const Key& key, std::vector<std::vector<std::string>>&) override
+    void texts(const casefile::Key& key, std::vector<std::string>&) override
+    {
+        add(key, list_of({{"type", "string"}}));
+    }
+    void setting(const casefile::Key& key, std::string&) override { add(key, Json::object()); }
+    void settings(const casefile::Key& key, std::vector<std::vector<std::string>>&) override
     {
         add(key, list_of(Json::object()));
     }
-    void points(const Key& key, std::vector<Vec2>&) override
+    void points(const casefile::Key& key, std::vector<Vec2>&) override
     {
-        add(key, list_of(list_of(quantity_of(Dimension::length), 2)));
+        add(key, list_of(list_of(quantity_of(deadpoint::Dimension::length), 2)));
     }
-    void loops(const Key& key, std::vector<std::vector<Vec2>>&) override
+    void loops(const casefile::Key& key, std::vector<std::vector<Vec2>>&) override
     {
-        add(key, list_of(list_of(list_of(quantity_of(Dimension::length), 2))));
+        add(key, list_of(list_of(list_of(quantity_of(deadpoint::Dimension::length), 2))));
     }
-    void curve(const Key& key, Table&, const CurveKeys& keys) override
+    void curve(const casefile::Key& key, Table&, const CurveKeys& keys) override
     {
         add(key, curve_of(keys.x_name, keys.x, keys.y));
     }
-    void property(const Key& key, double&, Table&, Dimension dimension, const Range&) override
+    void property(const casefile::Key& key, double&, Table&, deadpoint::Dimension dimension,
+                  const casefile::Range&) override
     {
-        add(key, any_of({quantity_of(dimension), curve_of("temperature", Dimension::temperature, dimension)}), {},
+        add(key,
+            any_of({quantity_of(dimension), curve_of("temperature", deadpoint::Dimension::temperature, dimension)}), {},
             dimension);
     }
-    void course(const Key& key, std::optional<Course>&, Dimension dimension, const Range&) override
+    void course(const casefile::Key& key, std::optional<Course>&, deadpoint::Dimension dimension,
+                const casefile::Range&) override
     {
         const auto daily = object_of({{"mean", quantity_of(dimension)},
-                                      {"amplitude", quantity_of(Dimension::temperature_difference)},
-                                      {"time_of_maximum", quantity_of(Dimension::time)}});
-        const auto over_time = curve_of("time", Dimension::time, dimension);
+                                      {"amplitude", quantity_of(deadpoint::Dimension::temperature_difference)},
+                                      {"time_of_maximum", quantity_of(deadpoint::Dimension::time)}});
+        const auto over_time = curve_of("time", deadpoint::Dimension::time, dimension);
         add(key,
-            dimension == Dimension::temperature ? any_of({quantity_of(dimension), over_time, daily})
-                                                : any_of({quantity_of(dimension), over_time}),
+            dimension == deadpoint::Dimension::temperature ? any_of({quantity_of(dimension), over_time, daily})
+                                                           : any_of({quantity_of(dimension), over_time}),
             {}, dimension);
     }
     std::vector<std::size_t> tagged(std::span<const std::string_view> keys, std::size_t&,
@@ -184,7 +196,7 @@ public:
     }
 
 protected:
-    bool begin_table(const Key& key, bool) override
+    bool begin_table(const casefile::Key& key, bool) override
     {
         open(key);
         return true;
@@ -194,7 +206,7 @@ protected:
         const auto [key, table] = close();
         add(key, table);
     }
-    bool begin_group(const Key& key, std::vector<std::string>& names, std::string_view) override
+    bool begin_group(const casefile::Key& key, std::vector<std::string>& names, std::string_view) override
     {
         open(key);
         names = {"*"};
@@ -207,7 +219,7 @@ protected:
         const auto [key, table] = close();
         add(key, {{"type", "object"}, {"additionalProperties", table}});
     }
-    bool begin_list(const Key& key, std::size_t& count) override
+    bool begin_list(const casefile::Key& key, std::size_t& count) override
     {
         open(key);
         count = 1;
@@ -223,31 +235,32 @@ protected:
 
 private:
     static Json shown(const std::string& text) { return text.empty() ? Json() : Json(text); }
-    static Json matrix_of(Dimension dimension)
+    static Json matrix_of(deadpoint::Dimension dimension)
     {
         return any_of({quantity_of(dimension), list_of(list_of(quantity_of(dimension), 2), 2)});
     }
 
-    void open(const Key& key)
+    void open(const casefile::Key& key)
     {
         keys_.push_back(key);
         stack_.push_back(object_of(Json::object()));
     }
-    std::pair<Key, Json> close()
+    std::pair<casefile::Key, Json> close()
     {
-        std::pair<Key, Json> closed{keys_.back(), std::move(stack_.back())};
+        std::pair<casefile::Key, Json> closed{keys_.back(), std::move(stack_.back())};
         keys_.pop_back();
         stack_.pop_back();
         return closed;
     }
 
     /// Adds a key to the current table. A key of several laws or forms of a table may hold the values of each.
-    void add(const Key& key, Json form, Json standard = {}, Dimension dimension = Dimension::none)
+    void add(const casefile::Key& key, Json form, Json standard = {},
+             deadpoint::Dimension dimension = deadpoint::Dimension::none)
     {
         auto& properties = stack_.back()["properties"];
         const std::string name(key.name);
         std::string meaning(key.meaning);
-        if (dimension != Dimension::none) {
+        if (dimension != deadpoint::Dimension::none) {
             meaning += fmt::format(" ({}, \"{}\")", dimension_info(dimension).name, dimension_info(dimension).example);
         }
         if (!meaning.empty()) {
@@ -271,8 +284,8 @@ private:
         known["anyOf"].push_back(std::move(form));
     }
 
-    std::vector<Json> stack_;  ///< tables that are being described
-    std::vector<Key> keys_;    ///< of those below the root
+    std::vector<Json> stack_;          ///< tables that are being described
+    std::vector<casefile::Key> keys_;  ///< of those below the root
 };
 
 Json schema_of(std::string_view kind)

@@ -12,15 +12,15 @@
 namespace deadpoint::report {
 namespace {
 
-struct Row {
+struct CauseRow {
     std::string kind;
     std::string name;
     double value = 0;  ///< [um]
 };
 
-std::vector<Row> rows_of(const DriftCauses& causes)
+std::vector<CauseRow> rows_of(const DriftCauses& causes)
 {
-    std::vector<Row> rows;
+    std::vector<CauseRow> rows;
     const auto add = [&](const char* kind, const std::vector<std::pair<std::string, double>>& values) {
         for (const auto& [name, value] : values)
             rows.push_back({kind, name, micrometre * value});
@@ -43,7 +43,7 @@ std::string basis_note(const DriftCauses& causes)
                                             causes.fields, micrometre * causes.change);
 }
 
-const std::string& shown_name(const Row& row) { return row.name.empty() ? row.kind : row.name; }
+const std::string& shown_name(const CauseRow& row) { return row.name.empty() ? row.kind : row.name; }
 
 }  // namespace
 
@@ -93,7 +93,7 @@ std::string drift_causes_line(const std::vector<DriftCauses>& causes)
     if (causes.empty())
         return {};
     auto rows = rows_of(causes.back());
-    std::ranges::stable_sort(rows, std::ranges::greater{}, [](const Row& row) { return std::abs(row.value); });
+    std::ranges::stable_sort(rows, std::ranges::greater{}, [](const CauseRow& row) { return std::abs(row.value); });
     constexpr std::size_t shown = 6;
     std::string text = "  by cause at the end:";
     for (std::size_t i = 0; i < std::min(shown, rows.size()); ++i)

@@ -9,8 +9,6 @@
 namespace deadpoint::report {
 namespace {
 
-constexpr double hour = 3600;
-
 using Json = nlohmann::ordered_json;
 
 Json stretch_json(const study::StretchSummary& stretch, const std::string& unit, double factor)

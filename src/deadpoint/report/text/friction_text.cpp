@@ -8,12 +8,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 namespace deadpoint::report {
 namespace {
-
-constexpr double rpm = 30 / std::numbers::pi;
 
 std::string bearings_line(const study::FrictionSummary& summary)
 {

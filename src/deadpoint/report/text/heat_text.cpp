@@ -7,14 +7,11 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace deadpoint::report {
 namespace {
 
 using study::HeatTables;
-
-constexpr double rpm = 30 / std::numbers::pi;
 
 /// A mark after values outside the tested range of their law.
 std::string marked(const std::string& text, bool in_range) { return in_range ? text : fmt::format("{}*", text); }

@@ -1,5 +1,6 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/spelling.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/crankshaft/cycle.hpp"
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/exchange/linkage.hpp"
@@ -12,18 +13,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace deadpoint::report {
 namespace {
 
 using study::LoadsResult;
 
-constexpr double pi = std::numbers::pi;
-constexpr double rpm = 30 / pi;
-constexpr double degrees = 180 / pi;
-
-std::string kilonewton(double newton) { return newton < 1e-6 ? "0" : significant(newton / 1e3, 4); }
+std::string in_kilonewtons(double newton) { return newton < 1e-6 ? "0" : significant(newton / 1e3, 4); }
 
 std::string joints_table(const LoadsResult& loads)
 {
@@ -36,7 +32,8 @@ std::string joints_table(const LoadsResult& loads)
             for (std::size_t i = 0; i < 2; ++i)
                 peak[i] = std::max(peak[i], std::abs(force[i]));
         table.add_row({joint.name, joint.kind == LinkageJoint::Kind::slide ? "slide" : "revolute",
-                       kilonewton(peak_force(loads.history.joints[j])), kilonewton(peak[0]), kilonewton(peak[1])});
+                       in_kilonewtons(peak_force(loads.history.joints[j])), in_kilonewtons(peak[0]),
+                       in_kilonewtons(peak[1])});
     }
     return table.text();
 }
@@ -47,8 +44,9 @@ std::string seats_table(const study::CrankshaftLoads& shaft)
     table.align_left(1);
     const auto add = [&](const char* model, const std::vector<BearingCycle>& seats) {
         for (const auto& seat : seats)
-            table.add_row({seat.name, model, kilonewton(seat.peak), kilonewton(seat.peak_x_y[0]),
-                           kilonewton(seat.peak_x_y[1]), kilonewton(seat.mean_magnitude), kilonewton(seat.rms)});
+            table.add_row({seat.name, model, in_kilonewtons(seat.peak), in_kilonewtons(seat.peak_x_y[0]),
+                           in_kilonewtons(seat.peak_x_y[1]), in_kilonewtons(seat.mean_magnitude),
+                           in_kilonewtons(seat.rms)});
     };
     add("rigid", shaft.by_seat.rigid);
     add("flexible", shaft.by_seat.flexible);

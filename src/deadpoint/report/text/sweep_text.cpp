@@ -13,7 +13,7 @@ namespace deadpoint::report {
 namespace {
 
 constexpr std::size_t shown_steps = 6;
-constexpr std::size_t most_rows = 200;  // of a set on the terminal
+constexpr std::size_t most_terminal_rows = 200;  // of a set on the terminal
 
 std::string counted(std::size_t count, const char* one, const char* many)
 {
@@ -101,7 +101,7 @@ std::string set_text(const SweepResult& result, std::size_t s, const std::vector
         table.align_left(a);
     }
     const auto points = points_of_set(result, s);
-    if (points.size() > most_rows) {
+    if (points.size() > most_terminal_rows) {
         return fmt::format("\n{}\n  {} points, in sweep.csv\n{}", set.name, points.size(), window_line(set, window));
     }
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -23,7 +23,6 @@ namespace {
 using casefile::Case;
 using casefile::Finding;
 
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t most_named = 5;
 
 Finding question(std::string path, std::string message, std::string help)
@@ -162,7 +161,7 @@ bool turns(const LoadsResult& loads, const LinkageJoint& joint)
 {
     const auto& a = loads.history.bodies[static_cast<std::size_t>(joint.body_a)].pose;
     const auto& b = loads.history.bodies[static_cast<std::size_t>(joint.body_b)].pose;
-    return std::abs((a.back().angle - b.back().angle) - (a.front().angle - b.front().angle)) > pi;
+    return std::abs((a.back().angle - b.back().angle) - (a.front().angle - b.front().angle)) > std::numbers::pi;
 }
 
 void question_turns(const Case& input, const LoadsResult& loads, std::vector<Finding>& found)
@@ -219,7 +218,7 @@ double projected_area(const Case& input, const Machine& machine, const std::stri
             widest.insert(*interface.diameter);
     for (const auto& contact : machine.interfaces)
         if (contact.name.starts_with(joint + ".") && std::holds_alternative<CylinderGeometry>(contact.geometry))
-            area += contact.drawn_area / pi;
+            area += contact.drawn_area / std::numbers::pi;
     // Rings lie around each other: each carries the whole force.
     return (machine.half_model ? 2 : 1) * area / static_cast<double>(std::max<std::size_t>(1, widest.size()));
 }
@@ -259,7 +258,7 @@ Vec2 crank_force(const LoadsResult& loads)
 
 void question_reaction(const Case& input, const LoadsResult& loads, std::vector<Finding>& found)
 {
-    constexpr double degree = pi / 180;
+    constexpr double degree = std::numbers::pi / 180;
     constexpr double far = 45 * degree;
     if (!input.chain || !input.chain->reaction_angle || loads.force == 0)
         return;
@@ -268,8 +267,8 @@ void question_reaction(const Case& input, const LoadsResult& loads, std::vector<
         return;
     const double along = std::atan2(force[1], force[0]);
     const double stated = *input.chain->reaction_angle;
-    const double off = std::abs(std::remainder(stated - along, 2 * pi));
-    if (off > far || std::abs(stated) > 4 * pi)
+    const double off = std::abs(std::remainder(stated - along, 2 * std::numbers::pi));
+    if (off > far || std::abs(stated) > 4 * std::numbers::pi)
         found.push_back(question("chain.reaction_angle",
                                  fmt::format("{:.4g} deg, but at its largest the process force presses the crank into "
                                              "its bearings at {:.4g} deg",

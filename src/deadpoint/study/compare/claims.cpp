@@ -15,14 +15,14 @@ namespace deadpoint::study {
 namespace {
 
 using casefile::ReferenceClaim;
-using Named = std::vector<std::pair<std::string, double>>;  ///< probe and its value
+using ProbeValues = std::vector<std::pair<std::string, double>>;  ///< probe and its value
 
 constexpr double usual_share = 0.95;
 
 std::string hours(double time) { return fmt::format("{:.4g} h", time / 3600); }
 std::string micrometres(double length) { return fmt::format("{:+.4g} um", micrometre * length); }
 
-std::string listed(const Named& values, const auto& show)
+std::string listed(const ProbeValues& values, const auto& show)
 {
     std::string text;
     for (const auto& [name, value] : values) {
@@ -94,17 +94,17 @@ private:
         return value_at(run_, run_.rises.at(probe), at);
     }
 
-    [[nodiscard]] Named rises(const std::vector<std::string>& probes) const
+    [[nodiscard]] ProbeValues rises(const std::vector<std::string>& probes) const
     {
-        Named result;
+        ProbeValues result;
         for (const auto& probe : probes) {
             result.emplace_back(probe, rise(probe, time()));
         }
         return result;
     }
-    [[nodiscard]] Named times_to_share(const std::vector<std::string>& probes) const
+    [[nodiscard]] ProbeValues times_to_share(const std::vector<std::string>& probes) const
     {
-        Named result;
+        ProbeValues result;
         for (const auto& probe : probes) {
             result.emplace_back(probe, time_to_share(run_.time, run_.rises.at(probe), share()));
         }
@@ -112,7 +112,8 @@ private:
     }
 
     /// Checks whether every value of the first is larger than every value of the second.
-    void order(const Named& first, const Named& second, const char* greater, const std::string& when, const auto& show)
+    void order(const ProbeValues& first, const ProbeValues& second, const char* greater, const std::string& when,
+               const auto& show)
     {
         const auto by_value = [](const auto& v) { return v.second; };
         const auto least = std::ranges::min_element(first, {}, by_value);
@@ -170,7 +171,7 @@ private:
 
     void judge_share_reached()
     {
-        Named shares;
+        ProbeValues shares;
         for (const auto& probe : claim_.probes) {
             const double end = run_.rises.at(probe).back();
             shares.emplace_back(probe, end == 0 ? 0 : rise(probe, time()) / end);

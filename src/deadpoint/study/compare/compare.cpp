@@ -34,7 +34,8 @@ bool was_fitted_to(const RunRecord& run, const casefile::ReferenceRises& rises, 
            std::ranges::find(run.calibrated_probes, probe) != run.calibrated_probes.end();
 }
 
-ComparedValue value_of(ValueKind kind, Dimension dimension, std::string name, const casefile::ReferenceValue& note)
+ComparedValue compared_value(ValueKind kind, Dimension dimension, std::string name,
+                             const casefile::ReferenceValue& note)
 {
     ComparedValue value;
     value.kind = kind;
@@ -49,7 +50,8 @@ ComparedValue value_of(ValueKind kind, Dimension dimension, std::string name, co
 void add_rises(const RunRecord& run, const casefile::ReferenceRises& rises, std::vector<ComparedValue>& values)
 {
     for (const auto& [probe, rise] : rises.values) {
-        auto value = value_of(ValueKind::rises, Dimension::temperature_difference, probe + " " + at(rises.time), rises);
+        auto value =
+            compared_value(ValueKind::rises, Dimension::temperature_difference, probe + " " + at(rises.time), rises);
         value.reference = rise;
         value.computed = value_at(run, run.rises.at(probe), rises.time);
         value.calibrated = value.calibrated || was_fitted_to(run, rises, probe);
@@ -62,7 +64,7 @@ ComparedValue chain_value(const RunRecord& run, const casefile::ReferenceChain& 
     const auto& course = run.chain.at(c.dimension);
     using At = casefile::ReferenceChain::At;
     const std::string when = c.at == At::time ? at(*c.time) : c.at == At::end ? "at the end" : "largest";
-    auto value = value_of(ValueKind::chain, Dimension::length, c.dimension + " " + when, c);
+    auto value = compared_value(ValueKind::chain, Dimension::length, c.dimension + " " + when, c);
     value.reference = c.opposite_sign ? -c.value : c.value;
     if (c.at == At::time) {
         value.computed = value_at(run, course, *c.time);
@@ -77,9 +79,9 @@ ComparedValue chain_value(const RunRecord& run, const casefile::ReferenceChain& 
 ComparedValue time_value(const RunRecord& run, const casefile::ReferenceTime& t)
 {
     const bool of_gap = t.of == casefile::ReferenceTime::Of::largest_E_SW;
-    auto value =
-        value_of(ValueKind::times, Dimension::time,
-                 of_gap ? "E_SW is largest" : fmt::format("{} has {:.3g} % of its rise", t.probe, 100 * t.share), t);
+    auto value = compared_value(
+        ValueKind::times, Dimension::time,
+        of_gap ? "E_SW is largest" : fmt::format("{} has {:.3g} % of its rise", t.probe, 100 * t.share), t);
     value.reference = t.value;
     value.computed = of_gap ? run.time[largest_gap_row(run)] : time_to_share(run.time, run.rises.at(t.probe), t.share);
     return value;
@@ -88,7 +90,7 @@ ComparedValue time_value(const RunRecord& run, const casefile::ReferenceTime& t)
 ComparedValue load_value(const RunRecord& run, const casefile::ReferenceLoad& l)
 {
     const auto unit = casefile::load_unit(l.quantity);
-    auto value = value_of(ValueKind::loads, unit.dimension, l.quantity, l);
+    auto value = compared_value(ValueKind::loads, unit.dimension, l.quantity, l);
     value.reference = l.force ? *l.force : l.length ? *l.length : l.power ? *l.power : l.number.value_or(0);
     value.computed = unit.factor * run.loads.at(l.quantity);
     return value;

@@ -12,7 +12,7 @@ constexpr std::size_t samples = 200;  // of a mean over time
 constexpr double power = 8;           // of largest_rate()
 
 /// A value between two rows.
-struct Place {
+struct TimePlace {
     std::size_t row = 0;
     double share = 0;
     [[nodiscard]] double of(const std::vector<double>& values) const
@@ -21,7 +21,7 @@ struct Place {
     }
 };
 
-Place place_of(const std::vector<double>& time, double at)
+TimePlace place_of(const std::vector<double>& time, double at)
 {
     const auto above = std::ranges::upper_bound(time, at) - time.begin();
     const auto row = static_cast<std::size_t>(
@@ -29,9 +29,9 @@ Place place_of(const std::vector<double>& time, double at)
     return {row, (at - time[row]) / (time[row + 1] - time[row])};
 }
 
-std::vector<Place> places_from(const std::vector<double>& time, double from)
+std::vector<TimePlace> places_from(const std::vector<double>& time, double from)
 {
-    std::vector<Place> result;
+    std::vector<TimePlace> result;
     for (std::size_t k = 0; k < samples; ++k)
         result.push_back(place_of(time, from + (time.back() - from) * static_cast<double>(k) / (samples - 1)));
     return result;

@@ -118,9 +118,9 @@ std::size_t root(std::vector<std::size_t>& parents, std::size_t i)
 }
 
 /// Solids that belong together, by one of them each; a group has the name of one wanted body at most.
-class Groups {
+class SolidGroups {
 public:
-    explicit Groups(std::vector<std::string> wanted) : parents_(wanted.size()), wanted_(std::move(wanted))
+    explicit SolidGroups(std::vector<std::string> wanted) : parents_(wanted.size()), wanted_(std::move(wanted))
     {
         std::iota(parents_.begin(), parents_.end(), std::size_t{0});
     }
@@ -151,9 +151,9 @@ private:
 };
 
 /// Wanted bodies; solids of one role that touch; and all of the frame.
-Groups groups_of(const Roles& roles, const std::vector<CadContact>& contacts)
+SolidGroups groups_of(const Roles& roles, const std::vector<CadContact>& contacts)
 {
-    Groups groups(roles.wanted);
+    SolidGroups groups(roles.wanted);
     const std::size_t count = roles.roles.size();
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t k = 0; k < i; ++k) {
@@ -233,12 +233,6 @@ bool of_roles(const Draft& draft, const CadContact& contact, Role one, Role othe
     const Role a = draft.bodies[draft.body_of[contact.a]].role;
     const Role b = draft.bodies[draft.body_of[contact.b]].role;
     return (a == one && b == other) || (a == other && b == one);
-}
-
-/// The middle of the part of a cylinder that is in contact.
-Vec3 middle_of(const CadContact& contact)
-{
-    return contact.point + 0.5 * (contact.range[0] + contact.range[1]) * contact.direction;
 }
 
 /// The nearest direction of the drawing's axes; zero where none is within 1 mrad.
@@ -356,24 +350,24 @@ bool along(const CadContact& contact, std::size_t axis)
     return std::abs(contact.direction[axis]) > 1 - parallel * parallel;
 }
 
-using Kind = DraftJoint::Kind;
+using JointKind = DraftJoint::Kind;
 
 /// Of which joint a contact can be one.
-std::optional<Kind> kind_of_joint(const Draft& draft, const CadContact& contact)
+std::optional<JointKind> kind_of_joint(const Draft& draft, const CadContact& contact)
 {
     switch (contact.kind) {
     case CadContact::Kind::cylinder:
-        return along(contact, 2) ? std::optional(Kind::revolute) : std::nullopt;
+        return along(contact, 2) ? std::optional(JointKind::revolute) : std::nullopt;
     case CadContact::Kind::sphere:
-        return Kind::ball;
+        return JointKind::ball;
     case CadContact::Kind::plane:
         break;
     }
     const bool guides = of_roles(draft, contact, Role::slide, Role::frame) && std::abs(contact.direction[1]) < parallel;
-    return guides ? std::optional(Kind::slide) : std::nullopt;
+    return guides ? std::optional(JointKind::slide) : std::nullopt;
 }
 
-bool belongs(const Draft& draft, const DraftJoint& joint, const CadContact& contact, Kind kind)
+bool belongs(const Draft& draft, const DraftJoint& joint, const CadContact& contact, JointKind kind)
 {
     const std::size_t a = draft.body_of[contact.a];
     const std::size_t b = draft.body_of[contact.b];
@@ -383,7 +377,7 @@ bool belongs(const Draft& draft, const DraftJoint& joint, const CadContact& cont
     }
     constexpr double near = 1e-4;
     const Vec3 way = draft.contacts[joint.contacts.front()].point - contact.point;
-    return kind == Kind::slide || std::hypot(way[0], way[1]) < near;
+    return kind == JointKind::slide || std::hypot(way[0], way[1]) < near;
 }
 
 void make_joints(Draft& draft)

@@ -34,12 +34,6 @@ std::string mm(double metres) { return fmt::format("\"{}\"", in_words(metres)); 
 
 std::string place(const Vec3& p) { return fmt::format("{:.1f}, {:.1f}, {:.1f}", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]); }
 
-/// The middle of the part of a cylinder that is in contact.
-Vec3 middle_of(const CadContact& contact)
-{
-    return contact.point + 0.5 * (contact.range[0] + contact.range[1]) * contact.direction;
-}
-
 const char* letter(std::size_t axis) { return axis == 0 ? "x" : (axis == 1 ? "y" : "z"); }
 
 /// The axis along which a direction lies; 3 where it lies along none.

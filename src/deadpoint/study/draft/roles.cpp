@@ -40,7 +40,7 @@ constexpr std::array<std::string_view, 8> bronzes{"bush",   "bushing", "bronze",
 constexpr std::array<std::string_view, 7> rings{"ring",      "race",       "bearing",  "lager",
                                                 "innenring", "aussenring", "w_lzlager"};
 
-std::string lower(std::string text)
+std::string underscored(std::string text)
 {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     std::ranges::replace(text, '-', '_');
@@ -62,7 +62,7 @@ bool holds(const std::string& name, std::string_view word)
 
 Role role_of(const std::string& name)
 {
-    const std::string small = lower(name);
+    const std::string small = underscored(name);
     const Word* best = nullptr;
     for (const Word& word : words) {
         if (holds(small, word.text) && (best == nullptr || word.text.size() > best->text.size())) {
@@ -74,13 +74,13 @@ Role role_of(const std::string& name)
 
 bool is_ring(const std::string& name)
 {
-    const std::string small = lower(name);
+    const std::string small = underscored(name);
     return std::ranges::any_of(rings, [&](auto word) { return holds(small, word); });
 }
 
 std::string material_of(const std::string& name, Role role)
 {
-    const std::string small = lower(name);
+    const std::string small = underscored(name);
     if (std::ranges::any_of(bronzes, [&](auto word) { return holds(small, word); })) {
         return "bronze";
     }

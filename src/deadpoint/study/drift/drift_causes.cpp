@@ -13,11 +13,11 @@ namespace {
 // Below, the backward run takes some seconds.
 constexpr long long many_temperatures = 100'000;
 
-using Named = std::vector<std::pair<std::string, double>>;
+using NamedHeat = std::vector<std::pair<std::string, double>>;
 
-Named by_joint(const casefile::Case& input, const HeatProblem& problem, const std::vector<double>& friction)
+NamedHeat by_joint(const casefile::Case& input, const HeatProblem& problem, const std::vector<double>& friction)
 {
-    Named result;
+    NamedHeat result;
     std::size_t contact = 0;
     for (const auto& [name, joint] : input.joints) {
         double sum = 0;
@@ -32,7 +32,7 @@ Named by_joint(const casefile::Case& input, const HeatProblem& problem, const st
     return result;
 }
 
-double sum_of(const Named& values)
+double sum_of(const NamedHeat& values)
 {
     double sum = 0;
     for (const auto& [name, value] : values)

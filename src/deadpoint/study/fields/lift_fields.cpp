@@ -20,8 +20,6 @@ namespace deadpoint::study {
 namespace {
 
 /// Of laws and loads that the run has told already.
-class Silent : public Observer {};
-
 void take_all(const ReducedStates& run, const fem::StateFields& of_states, RunFields& fields, RunResult& result,
               Observer& observer)
 {
@@ -42,7 +40,7 @@ void take_all(const ReducedStates& run, const fem::StateFields& of_states, RunFi
 void lift_fields(ModelParts& parts, const casefile::Case& input, const std::string& file, const ReducedStates& run,
                  const FieldOptions& options, RunResult& result, Observer& observer)
 {
-    Silent silent;
+    Observer silent;
     Stopwatch told(silent), watch(observer);
     RunResult unused;
     const auto problem = parts.translate(input, told, unused, silent);

@@ -33,7 +33,7 @@ struct OfJoint {
 };
 
 /// One interface with all data that its law may need.
-struct Place {
+struct InterfacePlace {
     const casefile::Case& input;
     const Machine& machine;
     const LoadsResult* loads;
@@ -56,14 +56,14 @@ struct Place {
 };
 
 /// The joint exists once in the press, of which the half model holds a half.
-bool halved(const Place& at)
+bool halved(const InterfacePlace& at)
 {
     return at.machine.half_model && std::ranges::none_of(at.joint->joint.bodies, [&](const std::string& body) {
                return at.input.bodies.at(body).mirror;
            });
 }
 
-double area_side_by_side(const Place& at)
+double area_side_by_side(const InterfacePlace& at)
 {
     const auto& own = at.joint->interface;
     double area = 0;
@@ -91,7 +91,7 @@ double mean_load(const LoadsResult& loads, const std::string& joint)
 }
 
 /// The mean force that presses the interfaces side by side with this one, over their area [Pa].
-double pressure_by_loads(const Place& at)
+double pressure_by_loads(const InterfacePlace& at)
 {
     const auto& own = *at.joint;
     if (own.joint.ball)
@@ -106,7 +106,7 @@ double pressure_by_loads(const Place& at)
     return sides->load(side) / area;
 }
 
-double contact_pressure(const Place& at, const std::optional<double>& given, InterfaceConductance& result)
+double contact_pressure(const InterfacePlace& at, const std::optional<double>& given, InterfaceConductance& result)
 {
     if (!given && !at.joint)
         throw mistake(at.path + ".conductance",
@@ -129,7 +129,7 @@ tribology::GapFluid fluid_of(double conductivity, const std::optional<double>& j
     return {conductivity, jump.value_or(0)};
 }
 
-ContactConductance by_law(const Place& at, const casefile::FractalContact& c, InterfaceConductance& result)
+ContactConductance by_law(const InterfacePlace& at, const casefile::FractalContact& c, InterfaceConductance& result)
 {
     const double pressure = contact_pressure(at, c.surfaces.pressure, result);
     const auto a = at.material(at.contact().part_a);
@@ -148,7 +148,7 @@ ContactConductance by_law(const Place& at, const casefile::FractalContact& c, In
                                           pressure);
 }
 
-ContactConductance by_law(const Place& at, const casefile::RoughContact& c, InterfaceConductance& result)
+ContactConductance by_law(const InterfacePlace& at, const casefile::RoughContact& c, InterfaceConductance& result)
 {
     const double pressure = contact_pressure(at, c.surfaces.pressure, result);
     tribology::RoughContact contact;
@@ -164,7 +164,7 @@ ContactConductance by_law(const Place& at, const casefile::RoughContact& c, Inte
     return value;
 }
 
-ContactConductance by_law(const Place&, const casefile::OilFilm& c, InterfaceConductance&)
+ContactConductance by_law(const InterfacePlace&, const casefile::OilFilm& c, InterfaceConductance&)
 {
     if (c.thickness)
         return tribology::film_conductance(fluid_of(c.fluid_conductivity, c.gas_jump), *c.thickness);
@@ -174,7 +174,7 @@ ContactConductance by_law(const Place&, const casefile::OilFilm& c, InterfaceCon
 
 tribology::SolidHeat solid_of(const casefile::Material& m) { return {m.conductivity, m.density, m.specific_heat}; }
 
-ContactConductance by_law(const Place& at, const casefile::RollingElements& c, InterfaceConductance&)
+ContactConductance by_law(const InterfacePlace& at, const casefile::RollingElements& c, InterfaceConductance&)
 {
     const auto material = c.material.empty() ? at.material(at.contact().part_a) : at.material(c.material);
     tribology::BearingPath path;
@@ -194,24 +194,24 @@ ContactConductance by_law(const Place& at, const casefile::RollingElements& c, I
     return tribology::bearing_conductance(path).per_area(cut ? 2 * contact.area : contact.area);
 }
 
-void set_films(const Place&, const casefile::ContactResistance& known, InterfaceConductance& result)
+void set_films(const InterfacePlace&, const casefile::ContactResistance& known, InterfaceConductance& result)
 {
     result.film_a = result.film_b = known.value > 0 ? 2 / known.value : 0;
 }
 
-void set_films(const Place&, const casefile::WholeConductance& known, InterfaceConductance& result)
+void set_films(const InterfacePlace&, const casefile::WholeConductance& known, InterfaceConductance& result)
 {
     result.film_a = result.film_b = 2 * known.value;
 }
 
-void set_films(const Place&, const casefile::SideFilms& known, InterfaceConductance& result)
+void set_films(const InterfacePlace&, const casefile::SideFilms& known, InterfaceConductance& result)
 {
     result.film_a = known.a;
     result.film_b = known.b;
 }
 
 template <class Law>
-void set_films(const Place& at, const Law& law, InterfaceConductance& result)
+void set_films(const InterfacePlace& at, const Law& law, InterfaceConductance& result)
 {
     const auto value = by_law(at, law, result);
     result.film_a = result.film_b = 2 * value.conductance;
@@ -219,7 +219,7 @@ void set_films(const Place& at, const Law& law, InterfaceConductance& result)
     result.notes = value.notes;
 }
 
-InterfaceConductance conductance_of(const Place& at)
+InterfaceConductance conductance_of(const InterfacePlace& at)
 {
     InterfaceConductance result;
     result.joint = at.joint ? at.joint->name : "";
@@ -275,21 +275,21 @@ std::vector<InterfaceConductance> interface_conductances(const casefile::Case& i
     for (const auto& [name, joint] : input.joints) {
         const std::size_t first = result.size();
         for (const auto& interface : joint.interfaces) {
-            const Place at{input,
-                           machine,
-                           loads,
-                           speed,
-                           interface.conductance,
-                           fmt::format("joints.{}.interfaces.{}", name, interface.name),
-                           result.size(),
-                           OfJoint{name, joint, interface, first}};
+            const InterfacePlace at{input,
+                                    machine,
+                                    loads,
+                                    speed,
+                                    interface.conductance,
+                                    fmt::format("joints.{}.interfaces.{}", name, interface.name),
+                                    result.size(),
+                                    OfJoint{name, joint, interface, first}};
             auto& conductance = result.emplace_back();
             mistakes.attempt(at.path, [&] { conductance = conductance_of(at); });
         }
     }
     while (result.size() < machine.interfaces.size()) {
         const auto& [name, bond] = bond_of(input, machine.interfaces[result.size()].name);
-        const Place at{input, machine, loads, speed, bond.conductance, "bonds." + name, result.size(), {}};
+        const InterfacePlace at{input, machine, loads, speed, bond.conductance, "bonds." + name, result.size(), {}};
         auto& conductance = result.emplace_back();
         mistakes.attempt(at.path, [&] { conductance = conductance_of(at); });
     }

@@ -29,14 +29,14 @@ const MeshSurface& find_surface(const Machine& machine, const std::string& name)
 std::string film_path(const MeshSurface& surface) { return fmt::format("surfaces.{}.film", surface.name); }
 
 /// A surface and its convection, with all data that the law may need.
-struct Place {
+struct SurfacePlace {
     const casefile::Film& film;
     const Machine& machine;
     const MeshSurface& surface;
     const LoadsResult* loads;
 };
 
-double needed_length(const Place& at, const std::optional<double>& given, const std::optional<double>& derived,
+double needed_length(const SurfacePlace& at, const std::optional<double>& given, const std::optional<double>& derived,
                      const char* key, const char* meaning)
 {
     if (given)
@@ -53,24 +53,24 @@ double needed_length(const Place& at, const std::optional<double>& given, const 
         fmt::format("add {} = \"500 mm\", or split the surface", key));
 }
 
-double height(const Place& at, const std::optional<double>& given,
+double height(const SurfacePlace& at, const std::optional<double>& given,
               const char* meaning = "its height (else that of a surface on one part)")
 {
     return needed_length(at, given, at.surface.figures.height, "length", meaning);
 }
 
-void set_film(SurfaceFilm& result, const Place&, const casefile::FilmCoefficient& film)
+void set_film(SurfaceFilm& result, const SurfacePlace&, const casefile::FilmCoefficient& film)
 {
     result.constant = film.value.value_or(0);
 }
 
-void set_film(SurfaceFilm& result, const Place&, const casefile::PaperFilm& film)
+void set_film(SurfaceFilm& result, const SurfacePlace&, const casefile::PaperFilm& film)
 {
     result.constant = film.of == casefile::PaperFilm::Of::frame ? surroundings::paper_frame_coefficient
                                                                 : surroundings::paper_crankshaft_coefficient;
 }
 
-void set_film(SurfaceFilm& result, const Place& at, const casefile::PlateFilm& film)
+void set_film(SurfaceFilm& result, const SurfacePlace& at, const casefile::PlateFilm& film)
 {
     using Facing = casefile::PlateFilm::Facing;
     result.as_printed = film.as_printed;
@@ -85,7 +85,7 @@ void set_film(SurfaceFilm& result, const Place& at, const casefile::PlateFilm& f
                                        "area over perimeter (else that of a single plane)");
 }
 
-void set_film(SurfaceFilm& result, const Place& at, const casefile::RoundFilm& film)
+void set_film(SurfaceFilm& result, const SurfacePlace& at, const casefile::RoundFilm& film)
 {
     using Form = casefile::RoundFilm::Form;
     const bool disk = film.form == Form::rotating_disk;
@@ -104,7 +104,7 @@ void set_film(SurfaceFilm& result, const Place& at, const casefile::RoundFilm& f
     result.speed_per_turn = 1;
 }
 
-void set_film(SurfaceFilm& result, const Place& at, const casefile::MovingFilm& film)
+void set_film(SurfaceFilm& result, const SurfacePlace& at, const casefile::MovingFilm& film)
 {
     auto& air = result.air;
     air.natural = NaturalFlow::vertical;
@@ -123,7 +123,7 @@ void set_film(SurfaceFilm& result, const Place& at, const casefile::MovingFilm& 
     result.speed_per_turn = rms_speed(at.machine, at.surface, *at.loads) / at.loads->speed;
 }
 
-void set_film(SurfaceFilm& result, const Place& at, const casefile::EnclosedFilm& film)
+void set_film(SurfaceFilm& result, const SurfacePlace& at, const casefile::EnclosedFilm& film)
 {
     result.air.natural = NaturalFlow::vertical;
     result.air.natural_length = height(at, film.length);
@@ -199,7 +199,7 @@ SurfaceFilm surface_film(const casefile::Film& film, const Machine& machine, con
         result.growth = *film.with_speed;
         result.speed_per_turn = 1;
     }
-    const Place at{film, machine, surface, loads};
+    const SurfacePlace at{film, machine, surface, loads};
     std::visit([&](const auto& given) { set_film(result, at, given); }, film.law);
     return result;
 }

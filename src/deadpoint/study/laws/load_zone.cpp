@@ -2,6 +2,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/exchange/linkage.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
@@ -9,13 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace deadpoint::study {
 namespace {
 
 constexpr std::size_t directions = 360;
-constexpr double turn = 2 * std::numbers::pi;
 
 using Spectrum = std::array<double, directions>;  ///< share of the load heat per direction, in whole degrees
 
@@ -25,7 +24,7 @@ void add(Spectrum& spectrum, const std::vector<Vec2>& force, const tribology::Du
         const double heat = duty.weight[i] * std::pow(duty.force[i], tribology::rolling_load_exponent) * duty.speed[i];
         const double angle = std::atan2(sign * force[i][1], sign * force[i][0]);
         const auto place =
-            static_cast<std::size_t>(std::lround((angle < 0 ? angle + turn : angle) / turn * directions));
+            static_cast<std::size_t>(std::lround((angle < 0 ? angle + full_turn : angle) / full_turn * directions));
         spectrum[place % directions] += heat;
     }
 }
@@ -71,11 +70,11 @@ std::function<double(const Vec3&)> load_zone(const casefile::Case& input, const 
     for (std::size_t at = 0; at < directions; ++at)
         for (std::size_t from = 0; from < directions; ++from)
             density[at] += 4 * spectrum[from] / whole *
-                           pressed(turn * (static_cast<double>(at) - static_cast<double>(from)) / directions);
+                           pressed(full_turn * (static_cast<double>(at) - static_cast<double>(from)) / directions);
     const Vec2 centre = input.joints.at(joint).centre;
     return [density, centre](const Vec3& position) {
         const double angle = std::atan2(position[1] - centre[1], position[0] - centre[0]);
-        const double place = (angle < 0 ? angle + turn : angle) / turn * directions;
+        const double place = (angle < 0 ? angle + full_turn : angle) / full_turn * directions;
         const auto below = static_cast<std::size_t>(place);
         const double part = place - static_cast<double>(below);
         return (1 - part) * density[below % directions] + part * density[(below + 1) % directions];

@@ -16,6 +16,7 @@
 #include "deadpoint/mechanism/mirror.hpp"
 #include "deadpoint/mechanism/turn.hpp"
 #include "deadpoint/study/pipeline/body_masses.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/pipeline/turn_cache.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
@@ -26,21 +27,18 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace deadpoint::study {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int modes_shown = 8;
 constexpr int campbell_points = 13;
 constexpr double balanced_share = 1e-6;  // share of the largest joint force below which a guide counts as unloaded
 constexpr double noticed_share = 0.01;   // share of its mean normal force above which a neglected moment is reported
 
-class Timer {
+class StageTimer {
 public:
-    explicit Timer(std::vector<std::pair<std::string, double>>& times) : times_(times) {}
+    explicit StageTimer(std::vector<std::pair<std::string, double>>& times) : times_(times) {}
     void done(const std::string& stage)
     {
         const auto now = Clock::now();
@@ -204,7 +202,7 @@ void vibrate(CrankshaftLoads& result, double speed, int critical_speeds)
 }
 
 CrankshaftLoads solve_crankshaft(const casefile::Case& input, LoadsResult& loads, const BodyMass& crank,
-                                 Vibration vibration, Timer& timer)
+                                 Vibration vibration, StageTimer& timer)
 {
     CrankshaftLoads result;
     const auto& given = *input.crankshaft;
@@ -279,7 +277,7 @@ LoadsResult compute_loads(const casefile::Case& input, const Machine* machine, i
             fmt::format("operation.{}", segment),
             fmt::format("the press stands still in segment {} of [[operation]]; choose one in which it runs", segment));
     LoadsResult result;
-    Timer timer(result.timings);
+    StageTimer timer(result.timings);
     result.segment = segment;
     result.speed = operation.speed;
     result.force = operation.force;

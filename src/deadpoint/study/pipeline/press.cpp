@@ -5,12 +5,12 @@
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/reduce/reduce.hpp"
 #include "deadpoint/study/result/heat_tables.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 
-#include <chrono>
 #include <string>
 #include <utility>
 
@@ -24,15 +24,14 @@ void pass_on(const std::vector<std::string>& warnings, Observer& observer)
 }
 
 /// Adds the wall time of its lifetime to a sum.
-class Timer {
+class LifetimeTimer {
 public:
-    explicit Timer(double& sum) : sum_(sum) {}
-    ~Timer() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-    Timer(const Timer&) = delete;
-    Timer& operator=(const Timer&) = delete;
+    explicit LifetimeTimer(double& sum) : sum_(sum) {}
+    ~LifetimeTimer() { sum_ += seconds_since(start_); }
+    LifetimeTimer(const LifetimeTimer&) = delete;
+    LifetimeTimer& operator=(const LifetimeTimer&) = delete;
 
 private:
-    using Clock = std::chrono::steady_clock;
     double& sum_;
     Clock::time_point start_ = Clock::now();
 };
@@ -71,7 +70,7 @@ void Press::take(casefile::Case input)
 const Machine& Press::machine(Observer& observer, MeshedParts* kept)
 {
     if (!machine_) {
-        const Timer timer(mesh_seconds_);
+        const LifetimeTimer timer(mesh_seconds_);
         machine_ = casefile::with_places(
             input_, [&] { return std::make_unique<Machine>(prepare_machine(input_, size_scale_, observer, kept)); });
     }
@@ -83,7 +82,7 @@ void Press::mesh(Observer& observer)
     if (meshed_)
         return;
     const auto& machine = this->machine(observer);
-    const Timer timer(mesh_seconds_);
+    const LifetimeTimer timer(mesh_seconds_);
     casefile::with_places(input_, [&] {
         if (auto own = prepare_deformation_machine(input_, size_scale_, machine, observer))
             deformed_ = std::make_unique<Machine>(*std::move(own));

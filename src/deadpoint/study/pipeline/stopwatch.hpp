@@ -1,16 +1,22 @@
 #pragma once
 
+#include "deadpoint/observer.hpp"
+
 #include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace deadpoint {
-class Observer;
-}
-
 /// Internal to study/: wall time of the stages of a run, in the order in which they ran.
 namespace deadpoint::study {
+
+using Clock = std::chrono::steady_clock;
+
+/// Wall time [s].
+inline double seconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 class Stopwatch {
 public:
@@ -30,7 +36,7 @@ public:
         stage_.clear();
     }
     /// Of the running stage.
-    [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - since_).count(); }
+    [[nodiscard]] double seconds() const { return seconds_since(since_); }
     /// Stage, wall time [s].
     [[nodiscard]] const std::vector<std::pair<std::string, double>>& times() const { return times_; }
     /// Records a share of the last stage as a separate stage; none if the share is zero.
@@ -42,7 +48,6 @@ public:
     }
 
 private:
-    using Clock = std::chrono::steady_clock;
     Observer& observer_;
     std::string stage_;
     Clock::time_point since_;

@@ -15,8 +15,8 @@
 namespace deadpoint::study {
 namespace {
 
-constexpr std::string_view kind = "deadpoint certificate 2\n";
-constexpr const char* help = "make it again with 'deadpoint reduce CASE -o FILE --certify'";
+constexpr std::string_view certificate_kind = "deadpoint certificate 2\n";
+constexpr const char* certificate_help = "make it again with 'deadpoint reduce CASE -o FILE --certify'";
 
 bool fits(const reduce::ResidualTerms& residual, const ReducedPress& large)
 {
@@ -38,7 +38,7 @@ void write_certificate(const std::filesystem::path& file, const ReducedPress& la
                        const reduce::ResidualTerms& residual)
 {
     write_file(file, [&](std::ostream& out) {
-        BinaryWriter writer(out, kind);
+        BinaryWriter writer(out, certificate_kind);
         writer(std::string(version), reduce::mark_of(large.terms->terms), reduce::stored(residual));
         writer.finish();
     });
@@ -47,13 +47,13 @@ void write_certificate(const std::filesystem::path& file, const ReducedPress& la
 std::shared_ptr<const reduce::ResidualTerms> read_certificate(const std::filesystem::path& file,
                                                               const ReducedPress& large)
 {
-    BinaryReader reader(file, kind, help);
+    BinaryReader reader(file, certificate_kind, certificate_help);
     std::string written_by, model;
     reduce::StoredResidual kept;
     reader(written_by, model, kept);
     if (model != reduce::mark_of(large.terms->terms))
-        throw InputError(
-            fmt::format("the certificate '{}' belongs to another reduced press\n  help: {}", file.string(), help));
+        throw InputError(fmt::format("the certificate '{}' belongs to another reduced press\n  help: {}", file.string(),
+                                     certificate_help));
     reduce::ResidualTerms residual;
     try {
         residual = reduce::restored(kept);

@@ -87,7 +87,7 @@ void widen_by_segments(reduce::FreeCoefficient& coefficient, const HeatProblem& 
 }
 
 /// Collects coefficients; members of the same name change together.
-class Collector {
+class CoefficientCollector {
 public:
     void add(const std::string& name, Kind kind, const Span& span, std::size_t member, double base)
     {
@@ -104,7 +104,7 @@ private:
     reduce::Box box_;
 };
 
-void add_films(Collector& box, const SplitProblem& split, const Machine& machine, const FreeRanges& ranges,
+void add_films(CoefficientCollector& box, const SplitProblem& split, const Machine& machine, const FreeRanges& ranges,
                double start)
 {
     const auto& surfaces = split.problem.surfaces;
@@ -118,7 +118,7 @@ void add_films(Collector& box, const SplitProblem& split, const Machine& machine
     }
 }
 
-void add_joints(Collector& box, const SplitProblem& split, const Machine& machine, const FreeRanges& ranges)
+void add_joints(CoefficientCollector& box, const SplitProblem& split, const Machine& machine, const FreeRanges& ranges)
 {
     const auto& laws = laws_in(split.problem, split.problem.segments.front());
     for (std::size_t i = 0; i < laws.size(); ++i) {
@@ -140,7 +140,8 @@ void add_joints(Collector& box, const SplitProblem& split, const Machine& machin
     }
 }
 
-void add_oil_temperatures(Collector& box, const HeatProblem& problem, const Machine& machine, const FreeRanges& ranges)
+void add_oil_temperatures(CoefficientCollector& box, const HeatProblem& problem, const Machine& machine,
+                          const FreeRanges& ranges)
 {
     for (std::size_t member = 0; member < problem.interfaces.size() + problem.oil.size(); ++member)
         if (const bool is_joint = member < problem.interfaces.size();
@@ -152,7 +153,7 @@ void add_oil_temperatures(Collector& box, const HeatProblem& problem, const Mach
 }
 
 // The room's, then those that films state for themselves.
-void add_ambients(Collector& box, const HeatProblem& problem, const FreeRanges& ranges)
+void add_ambients(CoefficientCollector& box, const HeatProblem& problem, const FreeRanges& ranges)
 {
     box.add("ambient", Kind::ambient, ranges.ambient, 0, problem.segments.front().ambient(0));
     for (std::size_t s = 0; s < problem.surfaces.size(); ++s)
@@ -165,7 +166,7 @@ void add_ambients(Collector& box, const HeatProblem& problem, const FreeRanges& 
 reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges, double start,
                               const std::vector<SplitProblem>& others)
 {
-    Collector box;
+    CoefficientCollector box;
     add_films(box, split, machine, ranges, start);
     add_joints(box, split, machine, ranges);
     for (std::size_t r = 0; r < split.problem.sources.size(); ++r)

@@ -14,15 +14,15 @@ namespace {
 constexpr int drawn_points = 20;
 constexpr unsigned long long point_seed = 5;
 
-struct Factors {
+struct OperatingFactors {
     double speed = 1, force = 1;
 };
 
 bool is_held(const Span& span) { return span.from == 1 && span.to == 1; }
 
-std::vector<Factors> factors_in(const Span& speed, const Span& force)
+std::vector<OperatingFactors> factors_in(const Span& speed, const Span& force)
 {
-    std::vector<Factors> result;
+    std::vector<OperatingFactors> result;
     if (is_held(speed) && is_held(force))
         return result;
     for (const double at : {speed.from, speed.to})

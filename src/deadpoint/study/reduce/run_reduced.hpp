@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deadpoint/study/laws/kept_values.hpp"
 #include "deadpoint/study/pipeline/loads_cache.hpp"
 
 #include <string>

@@ -28,8 +28,6 @@ using Kind = reduce::FreeCoefficient::Kind;
 constexpr double load_step = 0.01;  // of speed and force
 constexpr double tenth = 0.1;
 
-class Silent : public Observer {};
-
 HeatProblem heat_problem(const casefile::Case& input, const Machine& machine, Observer& observer)
 {
     RunResult unused;
@@ -64,9 +62,9 @@ bool is_one_value(const casefile::Case& input, double casefile::Segment::*member
     });
 }
 
-class Study {
+class SensitivityRun {
 public:
-    Study(const casefile::Case& input, const ReducedPress& press, Observer& observer)
+    SensitivityRun(const casefile::Case& input, const ReducedPress& press, Observer& observer)
         : input_(input), press_(press), observer_(observer), problem_(heat_problem(input, press.machine, silent_))
     {}
 
@@ -192,7 +190,7 @@ private:
     const casefile::Case& input_;
     const ReducedPress& press_;
     Observer& observer_;
-    Silent silent_;
+    Observer silent_;
     HeatProblem problem_;
     std::vector<Studied> studied_;
 };
@@ -211,7 +209,7 @@ double strength(const Sensitivity& of, bool has_gap)
 
 Sensitivities run_sensitivities(const casefile::Case& input, const ReducedPress& press, Observer& observer)
 {
-    auto result = Study(input, press, observer).get();
+    auto result = SensitivityRun(input, press, observer).get();
     std::ranges::stable_sort(result.of, std::ranges::greater{},
                              [&](const Sensitivity& of) { return strength(of, result.has_gap); });
     return result;

@@ -6,11 +6,11 @@
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/refine/estimate.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -29,9 +29,6 @@ constexpr double blind_step = 0.8;       // factor of all sizes if the estimate 
 constexpr double share_of_time = 0.25;   // share of the tolerance by which halving the time steps may change the result
 constexpr int time_rounds = 4;
 constexpr int compared_times = 400;
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::vector<const Series*> figures(const RunResult& result, Accuracy::Of of)
 {

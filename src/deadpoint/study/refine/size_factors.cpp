@@ -11,12 +11,12 @@ constexpr double kept_above = 0.93;
 /// error would else be refined for nothing.
 constexpr double slack = 1.25;
 
-using Factors = std::vector<double>;
+using SizeFactors = std::vector<double>;
 
 // The factors for one price of a cell.
-Factors at_price(const std::vector<PartError>& parts, double price, double least)
+SizeFactors at_price(const std::vector<PartError>& parts, double price, double least)
 {
-    Factors factors;
+    SizeFactors factors;
     for (const auto& part : parts) {
         const double free = part.error > 0 && !part.fixed
                                 ? std::pow(price * part.cells / (part.order * part.error), 1 / (part.order + 3))
@@ -26,7 +26,7 @@ Factors at_price(const std::vector<PartError>& parts, double price, double least
     return factors;
 }
 
-double error_left(const std::vector<PartError>& parts, const Factors& factors)
+double error_left(const std::vector<PartError>& parts, const SizeFactors& factors)
 {
     double sum = 0;
     for (std::size_t p = 0; p < parts.size(); ++p)
@@ -34,7 +34,7 @@ double error_left(const std::vector<PartError>& parts, const Factors& factors)
     return sum;
 }
 
-double cells_then(const std::vector<PartError>& parts, const Factors& factors)
+double cells_then(const std::vector<PartError>& parts, const SizeFactors& factors)
 {
     double sum = 0;
     for (std::size_t p = 0; p < parts.size(); ++p)
@@ -58,7 +58,7 @@ double highest_price(const Enough& enough)
 
 std::vector<double> size_factors(const std::vector<PartError>& parts, double target, double least, double most_cells)
 {
-    Factors smallest;
+    SizeFactors smallest;
     for (const auto& part : parts)
         smallest.push_back(part.fixed ? 1 : least);
     const double reachable = std::max(target, slack * error_left(parts, smallest));

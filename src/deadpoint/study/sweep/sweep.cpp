@@ -7,6 +7,7 @@
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/result/histories.hpp"
 #include "deadpoint/study/sweep/sweep_plan.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
@@ -28,12 +29,8 @@
 namespace deadpoint::study {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int left_unfinished = 130;             // exit code of a process whose point was stopped
 constexpr double private_share_of_memory = 0.5;  // share of the prepared memory that a process adds for itself, about
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// A point that runs in a separate process.
 struct Worker {
@@ -269,15 +266,15 @@ private:
     bool told_to_stop_ = false;
 };
 
-using Groups = std::vector<std::pair<std::string, std::vector<std::size_t>>>;
+using PointGroups = std::vector<std::pair<std::string, std::vector<std::size_t>>>;
 
 /// Points that share meshes and model, under the text of what they share.
-Groups groups_of(const std::vector<casefile::Case>& cases, const std::vector<std::size_t>& pending)
+PointGroups groups_of(const std::vector<casefile::Case>& cases, const std::vector<std::size_t>& pending)
 {
-    Groups groups;
+    PointGroups groups;
     for (const auto point : pending) {
         const auto shared = shared_part(cases[point]);
-        auto group = std::ranges::find(groups, shared, &Groups::value_type::first);
+        auto group = std::ranges::find(groups, shared, &PointGroups::value_type::first);
         if (group == groups.end())
             group = groups.insert(groups.end(), {shared, {}});
         group->second.push_back(point);

@@ -77,9 +77,9 @@ bool next(const SweepSet& set, std::vector<std::size_t>& steps)
 }
 
 /// Collects runs, each once.
-class Collector {
+class RunCollector {
 public:
-    Collector(const SweepStudy& study, const IsBase& is_base) : study_(study), is_base_(is_base) {}
+    RunCollector(const SweepStudy& study, const IsBase& is_base) : study_(study), is_base_(is_base) {}
 
     void add(std::size_t set, const std::vector<std::size_t>& steps)
     {
@@ -201,7 +201,7 @@ std::string folder_safe(const std::string& text)
 std::vector<SweepPoint> sweep_points(const SweepStudy& study, const IsBase& is_base)
 {
     check_sets(study);
-    Collector collector(study, is_base);
+    RunCollector collector(study, is_base);
     for (std::size_t s = 0; s < study.sets.size(); ++s) {
         std::vector<std::size_t> steps(study.sets[s].axes.size(), 0);
         do {

@@ -1,6 +1,7 @@
 #include "deadpoint/study/translate/enclosures.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/units.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/study/translate/courses.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
@@ -13,7 +14,6 @@ namespace deadpoint::study {
 namespace {
 
 constexpr double air_capacity = 1.2 * 1006;  // [J/m3/K]
-constexpr double hour = 3600;
 
 }  // namespace
 

@@ -19,10 +19,8 @@
 namespace deadpoint::study {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 // The angle within half a turn.
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
+double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 std::vector<double> scaled(const std::vector<double>& values, double factor)
 {
@@ -45,7 +43,7 @@ class PeriodicTable {
 public:
     PeriodicTable(const casefile::Table& table, double factor) : x_(table.x), y_(scaled(table.y, factor))
     {
-        x_.push_back(x_.front() + 2 * pi);
+        x_.push_back(x_.front() + 2 * std::numbers::pi);
         y_.push_back(y_.front());
     }
     [[nodiscard]] double value(double angle) const
@@ -62,7 +60,7 @@ public:
 private:
     [[nodiscard]] std::pair<std::size_t, double> find(double angle) const
     {
-        angle -= 2 * pi * std::floor((angle - x_.front()) / (2 * pi));
+        angle -= 2 * std::numbers::pi * std::floor((angle - x_.front()) / (2 * std::numbers::pi));
         auto i = static_cast<std::size_t>(std::upper_bound(x_.begin(), x_.end(), angle) - x_.begin());
         i = std::clamp<std::size_t>(i, 1, x_.size() - 1) - 1;
         const double width = x_[i + 1] - x_[i];
@@ -88,11 +86,11 @@ Vec2 pose_point(const PlanarPose& pose, const Vec2& p)
 mechanism::AngleWindow force_window(const casefile::Case& input, double throw_at_bottom)
 {
     const auto& process = process_of(input);
-    const double start = process.from ? wrapped(*process.from - throw_at_bottom) : -pi / 12;
+    const double start = process.from ? wrapped(*process.from - throw_at_bottom) : -std::numbers::pi / 12;
     if (process.from && process.to)
         return {start, start + *process.to - *process.from};
-    const double end = process.to ? wrapped(*process.to - throw_at_bottom) : pi / 12;
-    return {start, end > start ? end : end + 2 * pi};
+    const double end = process.to ? wrapped(*process.to - throw_at_bottom) : std::numbers::pi / 12;
+    return {start, end > start ? end : end + 2 * std::numbers::pi};
 }
 
 // A multiple of the positions near to a number of samples: at steady speed the samples meet all positions.
@@ -175,9 +173,9 @@ std::optional<std::string> misplaced_force(const casefile::Case& input, double t
     if (kind != Kind::half_sine && kind != Kind::rectangular)
         return std::nullopt;
     const auto window = force_window(input, throw_at_bottom);
-    if ((window.start <= 0 && window.end >= 0) || window.end >= 2 * pi)
+    if ((window.start <= 0 && window.end >= 0) || window.end >= 2 * std::numbers::pi)
         return std::nullopt;
-    constexpr double degrees = 180 / pi;
+    constexpr double degrees = 180 / std::numbers::pi;
     return fmt::format(
         "the process force acts at {:.1f} to {:.1f} deg after bottom dead point and so does not include it; choose "
         "process_force.from and process_force.to around {:.1f} deg",

@@ -12,9 +12,7 @@
 namespace deadpoint::tribology {
 namespace {
 
-using std::numbers::pi;
-
-void require(bool holds, const char* what, double value, const char* help)
+void require_path(bool holds, const char* what, double value, const char* help)
 {
     if (!holds || !std::isfinite(value))
         throw DomainError(fmt::format("conductance of a rolling bearing: {} is {}\n  help: {}", what, value, help));
@@ -23,14 +21,14 @@ void require(bool holds, const char* what, double value, const char* help)
 void check(const ContactSpot& spot)
 {
     for (const double semi_axis : {spot.across, spot.along})
-        require(semi_axis > 0, "a semi-axis of a contact ellipse [m]", semi_axis,
-                "leave elements without load out of the list");
+        require_path(semi_axis > 0, "a semi-axis of a contact ellipse [m]", semi_axis,
+                     "leave elements without load out of the list");
 }
 
 void check_conductivity(double conductivity)
 {
-    require(conductivity > 0, "the conductivity of ring or element [W/m/K]", conductivity,
-            "bearing steel has about 46");
+    require_path(conductivity > 0, "the conductivity of ring or element [W/m/K]", conductivity,
+                 "bearing steel has about 46");
 }
 
 /// One side of a contact, at rest or at speed.
@@ -45,37 +43,38 @@ double contact_conductance(const ContactSpot& spot, const BearingPath& path)
     double resistance = 1 / side_conductance(spot, path.ring, path.rolling_speed) +
                         1 / side_conductance(spot, path.element, path.rolling_speed);
     if (path.film_thickness > 0)
-        resistance += path.film_thickness / (path.film_conductivity * pi * spot.across * spot.along);
+        resistance += path.film_thickness / (path.film_conductivity * std::numbers::pi * spot.across * spot.along);
     return 1 / resistance;
 }
 
 double shell_resistance(const RingShell& ring, double conductivity)
 {
-    require(ring.width >= 0, "the width of a ring [m]", ring.width, "give zero to leave the ring out");
+    require_path(ring.width >= 0, "the width of a ring [m]", ring.width, "give zero to leave the ring out");
     if (ring.width == 0)
         return 0;
-    require(ring.inner_diameter > 0, "the inner diameter of a ring [m]", ring.inner_diameter, "give a positive one");
-    require(ring.outer_diameter > ring.inner_diameter, "the outer diameter of a ring [m]", ring.outer_diameter,
-            "it must exceed the inner one");
-    return std::log(ring.outer_diameter / ring.inner_diameter) / (2 * pi * conductivity * ring.width);
+    require_path(ring.inner_diameter > 0, "the inner diameter of a ring [m]", ring.inner_diameter,
+                 "give a positive one");
+    require_path(ring.outer_diameter > ring.inner_diameter, "the outer diameter of a ring [m]", ring.outer_diameter,
+                 "it must exceed the inner one");
+    return std::log(ring.outer_diameter / ring.inner_diameter) / (2 * std::numbers::pi * conductivity * ring.width);
 }
 
 void check_path(const BearingPath& path)
 {
-    require(!path.elements.empty(), "the number of loaded elements", 0,
-            "give the preload, or the conductance as a value");
-    require(path.element_diameter > 0, "the diameter of the elements [m]", path.element_diameter,
-            "give the ball's or roller's diameter");
-    require(path.film_thickness >= 0, "the lubricant film [m]", path.film_thickness, "give zero or more");
-    require(path.film_thickness == 0 || path.film_conductivity > 0, "the conductivity of the lubricant [W/m/K]",
-            path.film_conductivity, "oil has about 0.14");
+    require_path(!path.elements.empty(), "the number of loaded elements", 0,
+                 "give the preload, or the conductance as a value");
+    require_path(path.element_diameter > 0, "the diameter of the elements [m]", path.element_diameter,
+                 "give the ball's or roller's diameter");
+    require_path(path.film_thickness >= 0, "the lubricant film [m]", path.film_thickness, "give zero or more");
+    require_path(path.film_thickness == 0 || path.film_conductivity > 0, "the conductivity of the lubricant [W/m/K]",
+                 path.film_conductivity, "oil has about 0.14");
 }
 
 }  // namespace
 
 ContactConductance BearingConductance::per_area(double area) const
 {
-    require(area > 0, "the area [m2]", area, "give the area of the seat or raceway");
+    require_path(area > 0, "the area [m2]", area, "give the area of the seat or raceway");
     return {total / area, in_range, notes};
 }
 
@@ -85,20 +84,21 @@ double spot_conductance(const ContactSpot& spot, double conductivity)
     check_conductivity(conductivity);
     const double a = std::max(spot.across, spot.along);
     const double ratio = std::min(spot.across, spot.along) / a;
-    return 2 * pi * conductivity * a / elliptic_integrals(ratio).first;
+    return 2 * std::numbers::pi * conductivity * a / elliptic_integrals(ratio).first;
 }
 
 double passing_spot_conductance(const ContactSpot& spot, const SolidHeat& solid, double speed)
 {
     check(spot);
     check_conductivity(solid.conductivity);
-    require(solid.density > 0, "the density of ring or element [kg/m3]", solid.density, "steel has 7850");
-    require(solid.heat_capacity > 0, "the heat capacity of ring or element [J/kg/K]", solid.heat_capacity,
-            "steel has 460");
-    require(true, "the rolling speed [m/s]", speed, "check the bearing's speed");
-    static const double shape = std::sqrt(pi) * std::tgamma(1.25) / std::tgamma(1.75);
+    require_path(solid.density > 0, "the density of ring or element [kg/m3]", solid.density, "steel has 7850");
+    require_path(solid.heat_capacity > 0, "the heat capacity of ring or element [J/kg/K]", solid.heat_capacity,
+                 "steel has 460");
+    require_path(true, "the rolling speed [m/s]", speed, "check the bearing's speed");
+    static const double shape = std::sqrt(std::numbers::pi) * std::tgamma(1.25) / std::tgamma(1.75);
     const double effusivity_squared = solid.conductivity * solid.density * solid.heat_capacity;
-    return 2 * shape * spot.across * std::sqrt(2 * spot.along * effusivity_squared * std::abs(speed) / pi);
+    return 2 * shape * spot.across *
+           std::sqrt(2 * spot.along * effusivity_squared * std::abs(speed) / std::numbers::pi);
 }
 
 BearingConductance bearing_conductance(const BearingPath& path)

@@ -11,7 +11,7 @@
 namespace deadpoint::tribology {
 namespace {
 
-void require(bool holds, const char* what, double value, const char* help)
+void require_fractal(bool holds, const char* what, double value, const char* help)
 {
     if (!holds || !std::isfinite(value))
         throw DomainError(fmt::format("fractal contact: {} is {}\n  help: {}", what, value, help));
@@ -19,18 +19,19 @@ void require(bool holds, const char* what, double value, const char* help)
 
 void check_dimension(double dimension)
 {
-    require(dimension > 1 && dimension < 2, "the fractal dimension", dimension,
-            "that of a profile lies between 1 and 2; machined surfaces have 1.2 to 1.7");
+    require_fractal(dimension > 1 && dimension < 2, "the fractal dimension", dimension,
+                    "that of a profile lies between 1 and 2; machined surfaces have 1.2 to 1.7");
 }
 
 void check(const FractalContact& contact, double pressure)
 {
     check_dimension(contact.dimension);
-    require(contact.roughness > 0, "the scaling length G [m]", contact.roughness, "machined surfaces have 1e-13..1e-8");
-    require(contact.sample > 0, "the sample length [m]", contact.sample, "give the side of the measured area");
-    require(contact.hardness > 0, "the hardness [Pa]", contact.hardness, "steel has about 2e9 Pa");
-    require(contact.modulus > 0, "the contact modulus [Pa]", contact.modulus, "see contact_modulus()");
-    require(pressure >= 0, "the pressure [Pa]", pressure, "give zero or more");
+    require_fractal(contact.roughness > 0, "the scaling length G [m]", contact.roughness,
+                    "machined surfaces have 1e-13..1e-8");
+    require_fractal(contact.sample > 0, "the sample length [m]", contact.sample, "give the side of the measured area");
+    require_fractal(contact.hardness > 0, "the hardness [Pa]", contact.hardness, "steel has about 2e9 Pa");
+    require_fractal(contact.modulus > 0, "the contact modulus [Pa]", contact.modulus, "see contact_modulus()");
+    require_fractal(pressure >= 0, "the pressure [Pa]", pressure, "give zero or more");
 }
 
 /// (e^(q t) - 1) / q, which is t at q = 0.
@@ -79,11 +80,11 @@ double depth(const FractalContact& contact, double share)
            std::pow((4 - 2 * D) / D * share, (2 - D) / 2) * std::pow(contact.sample, 2 - D);
 }
 
-void check_fluid(const GapFluid& fluid)
+void check_gap_fluid(const GapFluid& fluid)
 {
-    require(fluid.conductivity >= 0, "the conductivity of the gap's fluid [W/m/K]", fluid.conductivity,
-            "oil has about 0.14, air 0.026, a vacuum 0");
-    require(fluid.jump >= 0, "the temperature jump of the gas [m]", fluid.jump, "give 0 for a liquid");
+    require_fractal(fluid.conductivity >= 0, "the conductivity of the gap's fluid [W/m/K]", fluid.conductivity,
+                    "oil has about 0.14, air 0.026, a vacuum 0");
+    require_fractal(fluid.jump >= 0, "the temperature jump of the gas [m]", fluid.jump, "give 0 for a liquid");
 }
 
 }  // namespace
@@ -123,25 +124,25 @@ ContactArea fractal_area(const FractalContact& contact, double pressure)
         log_spot = area.log_critical + t;
     }
     area.largest_spot = std::exp(log_spot);
-    require(area.share < 1, "the share of the area in real contact", area.share,
-            "the pressure is too high for this surface; check it and the scaling length G");
+    require_fractal(area.share < 1, "the share of the area in real contact", area.share,
+                    "the pressure is too high for this surface; check it and the scaling length G");
     area.in_range = area.share <= 0.1 && area.largest_spot <= contact.sample * contact.sample;
     return area;
 }
 
 ContactConductance fractal_conductance(const FractalContact& contact, const GapFluid& fluid, double pressure)
 {
-    check_fluid(fluid);
+    check_gap_fluid(fluid);
     const ContactArea area = fractal_area(contact, pressure);
     const double pressed_in = depth(contact, area.share);
-    require(contact.separation > pressed_in, "the separation z [m]", contact.separation,
-            fmt::format("it must exceed the depth of the largest spot, {:.4g} m", pressed_in).c_str());
+    require_fractal(contact.separation > pressed_in, "the separation z [m]", contact.separation,
+                    fmt::format("it must exceed the depth of the largest spot, {:.4g} m", pressed_in).c_str());
     const double gap = 2 * (contact.separation - pressed_in);
     const double solid = harmonic_conductivity(contact.conductivity1, contact.conductivity2);
     const double through_fluid = (1 - area.share) * fluid.conductivity / (gap + fluid.jump);
     ContactConductance result{area.share * solid / gap + through_fluid, true, {}};
-    require(result.conductance > 0, "the result [W/m2/K]", result.conductance,
-            "faces without pressure conduct only through a fluid");
+    require_fractal(result.conductance > 0, "the result [W/m2/K]", result.conductance,
+                    "faces without pressure conduct only through a fluid");
     if (!area.in_range) {
         result.in_range = false;
         result.notes.push_back(
@@ -154,8 +155,8 @@ ContactConductance fractal_conductance(const FractalContact& contact, const GapF
 
 double fractal_separation(const FractalContact& contact, const GapFluid& fluid, double pressure, double conductance)
 {
-    check_fluid(fluid);
-    require(conductance > 0, "the known conductance [W/m2/K]", conductance, "give a positive number");
+    check_gap_fluid(fluid);
+    require_fractal(conductance > 0, "the known conductance [W/m2/K]", conductance, "give a positive number");
     const ContactArea area = fractal_area(contact, pressure);
     const double solid = area.share * harmonic_conductivity(contact.conductivity1, contact.conductivity2);
     const double open = (1 - area.share) * fluid.conductivity;
@@ -163,7 +164,8 @@ double fractal_separation(const FractalContact& contact, const GapFluid& fluid, 
     const double linear = conductance * fluid.jump - solid - open;
     const double root = std::hypot(linear, 2 * std::sqrt(conductance * solid * fluid.jump));
     const double gap = linear > 0 ? 2 * solid * fluid.jump / (linear + root) : (root - linear) / (2 * conductance);
-    require(gap > 0, "the gap that conducts this [m]", gap, "give the known conductance of a gap that can conduct it");
+    require_fractal(gap > 0, "the gap that conducts this [m]", gap,
+                    "give the known conductance of a gap that can conduct it");
     return gap / 2 + depth(contact, area.share);
 }
 

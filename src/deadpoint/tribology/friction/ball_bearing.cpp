@@ -13,8 +13,6 @@
 namespace deadpoint::tribology {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 double compliance(const BallBearing& bearing)
 {
     return contact_compliance(bearing.youngs_modulus, bearing.poissons_ratio, bearing.youngs_modulus,
@@ -41,7 +39,7 @@ void check(const BallBearing& bearing)
     require_positive("pitch diameter of a ball bearing [m]", bearing.pitch_diameter);
     if (bearing.rows != 1 && bearing.rows != 2)
         throw InputError(fmt::format("ball bearing: {} rows; it has 1 or 2", bearing.rows));
-    if (bearing.balls < 3 || bearing.balls * bearing.ball_diameter > pi * bearing.pitch_diameter)
+    if (bearing.balls < 3 || bearing.balls * bearing.ball_diameter > std::numbers::pi * bearing.pitch_diameter)
         throw InputError(
             fmt::format("ball bearing: {} balls of {} m do not fit on a pitch diameter of {} m\n  help: give "
                         "at least 3, and no more than touch each other",
@@ -52,7 +50,7 @@ void check(const BallBearing& bearing)
                 fmt::format("ball bearing: osculation {} (groove radius over ball diameter) is not between "
                             "0.5 and 1\n  help: usual are 0.51 to 0.54",
                             osculation));
-    if (!(bearing.contact_angle >= 0) || bearing.contact_angle >= pi / 2)
+    if (!(bearing.contact_angle >= 0) || bearing.contact_angle >= std::numbers::pi / 2)
         throw InputError(fmt::format("ball bearing: contact angle {} rad is outside 0 .. pi/2", bearing.contact_angle));
 }
 

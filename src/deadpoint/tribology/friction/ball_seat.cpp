@@ -9,12 +9,10 @@
 namespace deadpoint::tribology {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 void check(const BallSeat& seat)
 {
     require_positive("radius of a ball [m]", seat.radius);
-    if (!(seat.from >= 0 && seat.from < seat.to && seat.to <= pi / 2 * (1 + 1e-12)))
+    if (!(seat.from >= 0 && seat.from < seat.to && seat.to <= std::numbers::pi / 2 * (1 + 1e-12)))
         throw InputError("the seat of a ball joint lies between two half angles, 0 <= from < to <= 90 degrees");
 }
 
@@ -33,14 +31,14 @@ double disc_integral(double s)
 double seat_area(const BallSeat& seat)
 {
     check(seat);
-    return 2 * pi * seat.radius * seat.radius * (std::cos(seat.from) - std::cos(seat.to));
+    return 2 * std::numbers::pi * seat.radius * seat.radius * (std::cos(seat.from) - std::cos(seat.to));
 }
 
 double friction_radius(const BallSeat& seat)
 {
     check(seat);
     const double turned = disc_integral(std::sin(seat.to)) - disc_integral(std::sin(seat.from));
-    return seat.radius * 2 / pi * turned / (cube(std::cos(seat.from)) - cube(std::cos(seat.to)));
+    return seat.radius * 2 / std::numbers::pi * turned / (cube(std::cos(seat.from)) - cube(std::cos(seat.to)));
 }
 
 double film_length(const BallSeat& seat)

@@ -6,17 +6,15 @@
 #include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/heat_law.hpp"
 #include "deadpoint/tribology/friction/rolling_bearing.hpp"
+#include "deadpoint/tribology/units.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace deadpoint::tribology {
 namespace {
 
-constexpr double square_millimetre = 1e-6;
-constexpr double rpm = 2 * std::numbers::pi / 60;
-constexpr double low_branch_factor = 160;  // Palmgren, instead of (nu n)^(2/3)
+constexpr double least_speed_factor = 160;  // Palmgren, instead of (nu n)^(2/3)
 constexpr double palmgren_exponent = 2.0 / 3.0;
 
 double load_exponent(FrictionKind kind) { return kind == FrictionKind::rolling ? rolling_load_exponent : 1.0; }
@@ -45,7 +43,7 @@ double branch_viscosity(const CalibratedFriction& friction, double speed)
     constexpr double rounding = 1e-3;  // of an exponent written as 0.667
     if (friction.kind != FrictionKind::rolling || std::abs(friction.exponent - palmgren_exponent) > rounding)
         return 0;
-    return palmgren_branch * square_millimetre * rpm / std::abs(speed);
+    return palmgren_branch * square_millimetre * turn_per_minute / std::abs(speed);
 }
 
 double ratio_of(double now, double reference, const char* what)
@@ -88,7 +86,7 @@ HeatParts heat_parts(const CalibratedFriction& friction, const DutyRatio& ratio)
 HeatLaw viscous_shape(const CalibratedFriction& friction, const ViscosityLaw& viscosity, double speed)
 {
     const double branch = branch_viscosity(friction, speed);
-    const double low = std::pow(branch / square_millimetre, palmgren_exponent) * low_branch_factor /
+    const double low = std::pow(branch / square_millimetre, palmgren_exponent) * least_speed_factor /
                        std::pow(palmgren_branch, palmgren_exponent);
     return [low, branch, p = friction.exponent, viscosity](double temperature) {
         const LawValue nu = viscosity(temperature);

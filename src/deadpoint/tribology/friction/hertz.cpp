@@ -10,7 +10,6 @@
 namespace deadpoint::tribology {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double largest_difference = 0.99999999;
 constexpr double nearly_round = 1e-6;  // below it F = 3/8 k^2 is exact to rounding, and the full form cancels
 
@@ -54,7 +53,7 @@ EllipticIntegrals elliptic_integrals(double complementary)
         c_squared = c * c;
         sum += std::ldexp(c_squared, halving);
     }
-    const double first = pi / (2 * a);
+    const double first = std::numbers::pi / (2 * a);
     return {first, first * (1 - sum)};
 }
 
@@ -67,8 +66,8 @@ ContactShape contact_shape(double difference)
                         difference, largest_difference));
     const double ratio = axis_ratio_of(difference);
     const auto [first, second] = elliptic_integrals(ratio);
-    const double major = std::cbrt(2 * second / (pi * ratio * ratio));
-    return {ratio, major, ratio * major, 2 * first / pi / major};
+    const double major = std::cbrt(2 * second / (std::numbers::pi * ratio * ratio));
+    return {ratio, major, ratio * major, 2 * first / std::numbers::pi / major};
 }
 
 double contact_compliance(double modulus_1, double poisson_1, double modulus_2, double poisson_2)
@@ -95,7 +94,8 @@ ContactEllipse contact_ellipse(const ContactCurvature& curvature, double complia
     const double unit = std::cbrt(1.5 * load * compliance / curvature.sum);
     const double major = shape.major * unit;
     const double minor = shape.minor * unit;
-    return {major, minor, shape.approach * unit * unit * curvature.sum / 2, 1.5 * load / (pi * major * minor)};
+    return {major, minor, shape.approach * unit * unit * curvature.sum / 2,
+            1.5 * load / (std::numbers::pi * major * minor)};
 }
 
 }  // namespace deadpoint::tribology

@@ -14,7 +14,6 @@
 namespace deadpoint::tribology {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr int quadrature_points = 32;
 
 struct Quadrature {
@@ -28,7 +27,7 @@ Quadrature gauss_legendre()
     constexpr int n = quadrature_points;
     Quadrature rule;
     for (std::size_t i = 0; i < n; ++i) {
-        double x = std::cos(pi * (static_cast<double>(i) + 0.75) / (n + 0.5));
+        double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (n + 0.5));
         double slope = 0;
         for (int step = 0; step < 20; ++step) {
             double previous = 1;
@@ -54,7 +53,7 @@ void check(const RollingRow& row, double radial)
     require_positive("stiffness of a rolling element", row.stiffness);
     require_positive("exponent of a rolling element's stiffness", row.exponent);
     require_not_negative("radial force of a rolling row [N]", radial);
-    if (!(row.contact_angle >= 0) || row.contact_angle >= pi / 2)
+    if (!(row.contact_angle >= 0) || row.contact_angle >= std::numbers::pi / 2)
         throw InputError(fmt::format("rolling row: contact angle {} rad is outside 0 .. pi/2", row.contact_angle));
 }
 
@@ -75,10 +74,10 @@ double mean_approach(const RowApproach& approach, double exponent, int harmonic)
     const auto [base, radial] = approach;
     if (base + radial <= 0)
         return 0;
-    const double end = base >= radial ? pi : std::acos(-base / radial);  // end of the load zone
+    const double end = base >= radial ? std::numbers::pi : std::acos(-base / radial);  // end of the load zone
     double sum = 0;
     for (std::size_t i = 0; i < rule.node.size(); ++i) {
-        const double t = rule.node[i] * pi / 2;  // psi = end sin t: smooth at the end of the zone
+        const double t = rule.node[i] * std::numbers::pi / 2;  // psi = end sin t: smooth at the end of the zone
         const double psi = end * std::sin(t);
         const double value = base + radial * std::cos(psi);
         if (value > 0)

@@ -3,6 +3,7 @@
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
+#include "deadpoint/tribology/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@
 namespace deadpoint::tribology {
 namespace {
 
-constexpr double square_millimetre = 1e-6;
 constexpr double walther_shift = 0.7;          // [mm2/s]
 constexpr double walther_least = 2;            // [mm2/s]; below it D341 adds terms
 constexpr double range_rounding = 0.05;        // [K]; a press that starts at the first point is not outside the range

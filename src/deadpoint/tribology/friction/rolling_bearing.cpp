@@ -3,6 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
+#include "deadpoint/tribology/units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,10 +17,7 @@
 namespace deadpoint::tribology {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
-constexpr double square_millimetre = 1e-6;
-constexpr double rpm = 2 * pi / 60;
+constexpr double degree = std::numbers::pi / 180;
 constexpr double millimetre_cubed_torque = 1e6;  // N m per m^3 instead of N mm per mm^3
 constexpr double high_branch_factor = 1e-7;
 constexpr double low_branch_factor = 160e-7;
@@ -54,7 +52,7 @@ double axial_factor(const std::array<AngleRow, count>& rows, double contact_angl
 
 double cotangent(double contact_angle)
 {
-    if (!(contact_angle > 0) || !(contact_angle < pi / 2))
+    if (!(contact_angle > 0) || !(contact_angle < std::numbers::pi / 2))
         throw InputError(fmt::format("roller bearing: contact angle {} rad is not between 0 and pi/2", contact_angle));
     return 1 / std::tan(contact_angle);
 }
@@ -88,7 +86,10 @@ LoadRule load_rule(BearingType type, double contact_angle)
 }
 
 /// nu n in mm2/s rpm.
-double branch_number(double viscosity, double speed) { return viscosity / square_millimetre * std::abs(speed) / rpm; }
+double branch_number(double viscosity, double speed)
+{
+    return viscosity / square_millimetre * std::abs(speed) / turn_per_minute;
+}
 
 /// Sums over the turn that give the viscous heat at any viscosity: samples on the low branch are the slow ones.
 class SpeedSpectrum {
@@ -231,8 +232,9 @@ HeatLaw palmgren_heat(const PalmgrenBearing& bearing, const Duty& duty, double a
     return [load, size, viscosity, spectrum = SpeedSpectrum(duty)](double temperature) {
         const LawValue nu = viscosity(temperature);
         require_positive_state("oil viscosity [m2/s]", nu.value);
-        const auto [slow, fast] = spectrum.split_at(palmgren_branch * square_millimetre * rpm / nu.value);
-        const double drag = high_branch_factor * size * std::pow(nu.value / square_millimetre / rpm, 2.0 / 3.0) * fast;
+        const auto [slow, fast] = spectrum.split_at(palmgren_branch * square_millimetre * turn_per_minute / nu.value);
+        const double drag =
+            high_branch_factor * size * std::pow(nu.value / square_millimetre / turn_per_minute, 2.0 / 3.0) * fast;
         const double value = load + low_branch_factor * size * slow + drag;
         return LawValue{value, 2.0 / 3.0 * drag * nu.slope / nu.value, nu.in_range};
     };

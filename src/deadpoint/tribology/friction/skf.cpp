@@ -3,17 +3,15 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/tribology/arguments.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"
+#include "deadpoint/tribology/units.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace deadpoint::tribology {
 namespace {
 
 constexpr double millimetre = 1e-3;
-constexpr double square_millimetre = 1e-6;
-constexpr double rpm = 2 * std::numbers::pi / 60;
 constexpr double newton_millimetre = 1e-3;
 constexpr double boundary_friction = 0.15;
 constexpr double oil_bath_replenishment = 3e-8;
@@ -82,7 +80,7 @@ SkfTorque skf_torque(const SkfBearing& bearing, double speed, double viscosity, 
     const double d = bearing.bore / millimetre;
     const double D = bearing.outside_diameter / millimetre;
     const double dm = (d + D) / 2;
-    const double n = std::abs(speed) / rpm;
+    const double n = std::abs(speed) / turn_per_minute;
     const double nu = viscosity / square_millimetre;
 
     const double heating = 1.84e-9 * std::pow(n * dm, 1.28) * std::pow(nu, 0.64);

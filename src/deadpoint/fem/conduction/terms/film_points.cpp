@@ -22,7 +22,7 @@ void add_values(Vec vector, const PointShape& shape, double factor)
         DEADPOINT_PETSC(VecSetValue(vector, shape.dof[i], factor * shape.value[i], ADD_VALUES));
 }
 
-void finish(Vec vector)
+void assemble(Vec vector)
 {
     DEADPOINT_PETSC(VecAssemblyBegin(vector));
     DEADPOINT_PETSC(VecAssemblyEnd(vector));
@@ -118,7 +118,7 @@ heat::FilmHeat FilmPoints::add_heat(const std::vector<heat::FilmAt>& films, Vec 
             add_values(watts, point.shape, -flow);
         }
     }
-    finish(watts);
+    assemble(watts);
     sum_over_ranks(sums);
     const auto part = [&](std::size_t k) {
         const auto begin = sums.begin() + static_cast<std::ptrdiff_t>(k * count);
@@ -175,7 +175,7 @@ double FilmPoints::build_room_load(std::size_t surface, const double* values, Ve
     DEADPOINT_PETSC(VecSet(load, 0));
     for (const auto& point : points_[surface])
         add_values(load, point.shape, point.weight * heat::film_slope({}, 1, value_at(point.shape, values), 0));
-    finish(load);
+    assemble(load);
     double sum = 0;
     DEADPOINT_PETSC(VecSum(load, &sum));
     DEADPOINT_PETSC(VecScale(load, 1 / sum));
