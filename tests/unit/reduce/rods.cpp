@@ -108,7 +108,7 @@ Eigen::MatrixXd RodModel::gram() { return basis.transpose() * basis; }
 
 DenseTerms RodModel::project(const Truncation& /*truncation*/) { return combined(terms_, basis); }
 
-ResidualTerms RodModel::residual(const ResidualTask& task)
+std::optional<ResidualTerms> RodModel::residual(const ResidualTask& task, deadpoint::Observer& /*observer*/)
 {
     ResidualTerms result;
     result.states = basis.cols();

@@ -10,6 +10,7 @@
 #include "deadpoint/reduce/offline/pod.hpp"
 #include "deadpoint/reduce/parallel/ranks.hpp"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,8 @@ public:
     [[nodiscard]] deadpoint::heat::HeatGeometry geometry() const override;
     [[nodiscard]] Eigen::MatrixXd gram() override;
     [[nodiscard]] DenseTerms project(const Truncation& truncation) override;
-    [[nodiscard]] ResidualTerms residual(const ResidualTask& task) override;
+    [[nodiscard]] std::optional<ResidualTerms> residual(const ResidualTask& task,
+                                                        deadpoint::Observer& observer) override;
     void combine(const Eigen::MatrixXd& combinations) override;
     void correct(const Eigen::MatrixXd& combinations) override;
     [[nodiscard]] const Ranks& ranks() const override { return ranks_; }

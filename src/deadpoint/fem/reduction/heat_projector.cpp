@@ -291,7 +291,7 @@ void HeatProjector::require_residual() const
                                      largest_heat_factor, it.space.total, it.ranks.count()));
 }
 
-reduce::ResidualTerms HeatProjector::residual(const reduce::ResidualTask& task)
+std::optional<reduce::ResidualTerms> HeatProjector::residual(const reduce::ResidualTask& task, Observer& observer)
 {
     require_residual();
     auto& it = *parts_;
@@ -302,9 +302,11 @@ reduce::ResidualTerms HeatProjector::residual(const reduce::ResidualTask& task)
     Eigen::MatrixXd observed(it.fields.rows(), static_cast<Eigen::Index>(it.observed.adjoints.size()));
     for (std::size_t k = 0; k < it.observed.adjoints.size(); ++k)
         observed.col(static_cast<Eigen::Index>(k)) = it.adjoint(k);
-    auto result = residual_terms({it.space, it.system, it.fields, it.correction, observed}, task);
-    result.lowest = reduce::coefficients_of(problem, HeatSegment{});
-    reduce::set_products(result);
+    auto result = residual_terms({it.space, it.system, it.fields, it.correction, observed}, task, observer);
+    if (!result)
+        return std::nullopt;
+    result->lowest = reduce::coefficients_of(problem, HeatSegment{});
+    reduce::set_products(*result);
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "deadpoint/reduce/offline/full_model.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,8 @@ public:
     void correct(const Eigen::MatrixXd& combinations) override;
     [[nodiscard]] heat::HeatGeometry geometry() const override;
     [[nodiscard]] reduce::DenseTerms project(const reduce::Truncation& truncation) override;
-    [[nodiscard]] reduce::ResidualTerms residual(const reduce::ResidualTask& task) override;
+    [[nodiscard]] std::optional<reduce::ResidualTerms> residual(const reduce::ResidualTask& task,
+                                                                Observer& observer) override;
     /// @throws InputError if residual() cannot be had: on several ranks, or with too many unknowns
     void require_residual() const;
     [[nodiscard]] const reduce::Ranks& ranks() const override;

@@ -7,12 +7,14 @@
 #include "deadpoint/fem/reduction/block_solver.hpp"
 #include "deadpoint/fem/reduction/columns.hpp"
 #include "deadpoint/fem/reduction/gathered_term.hpp"
+#include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/certificate/directions.hpp"
 #include "deadpoint/reduce/certificate/residual_root.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
 #include "deadpoint/reduce/offline/low_rank.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace deadpoint::fem {
 namespace {
@@ -186,19 +188,28 @@ MatrixXd refined(BlockSolver& solver, Mat matrix, const MatrixXd& block)
     return solution;
 }
 
-// The products of all vectors, those of M times the fields instead of the basis.
-MatrixXd products_of_fields(const Vectors& vectors, HeatMatrices& matrices)
+// The products of all vectors, those of M times the fields instead of the basis; nothing after a cancellation.
+std::optional<MatrixXd> products_of_fields(const Vectors& vectors, HeatMatrices& matrices, Observer& observer)
 {
     BlockSolver solver(matrices.stiffness());
     solver.set(matrices.stiffness(), 0, matrices.mass());
     const Index count = vectors.count();
     MatrixXd gram(count, count);
     std::vector<bool> is_dense(static_cast<std::size_t>(count), false);
+    bool cancelled = false;
     vectors.for_each_block([&](Index first, bool dense, const MatrixXd& block) {
+        cancelled = cancelled || observer.cancelled();
+        if (cancelled)
+            return;
         const MatrixXd solved = refined(solver, matrices.stiffness(), block);
         gram.middleCols(first, block.cols()) = vectors.products(solved, dense);
         std::fill_n(is_dense.begin() + first, block.cols(), dense);
+        const Index done = first + block.cols();
+        observer.progress(static_cast<double>(done) / static_cast<double>(count),
+                          fmt::format("{} of {} vectors", done, count));
     });
+    if (cancelled)
+        return std::nullopt;
     for (Index j = 0; j < count; ++j)
         for (Index i = 0; i < count; ++i)
             if (is_dense[static_cast<std::size_t>(i)] && !is_dense[static_cast<std::size_t>(j)])
@@ -215,7 +226,8 @@ void correct(MatrixXd& gram, const MatrixXd& correction)
 
 }  // namespace
 
-reduce::ResidualTerms residual_terms(const ProjectedMachine& machine, const reduce::ResidualTask& task)
+std::optional<reduce::ResidualTerms> residual_terms(const ProjectedMachine& machine, const reduce::ResidualTask& task,
+                                                    Observer& observer)
 {
     const auto& correction = machine.correction;
     Vectors vectors(machine);
@@ -225,9 +237,11 @@ reduce::ResidualTerms residual_terms(const ProjectedMachine& machine, const redu
     vectors.add_functionals();
     result.functionals = static_cast<Index>(machine.system.geometry().layout.count());
     result.observed = machine.observed.cols();
-    auto gram = products_of_fields(vectors, machine.system.matrices());
-    correct(gram, correction);
-    result.root = reduce::residual_root(gram);
+    auto gram = products_of_fields(vectors, machine.system.matrices(), observer);
+    if (!gram)
+        return std::nullopt;
+    correct(*gram, correction);
+    result.root = reduce::residual_root(*gram);
     return result;
 }
 

@@ -2,6 +2,12 @@
 
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
 
+#include <optional>
+
+namespace deadpoint {
+class Observer;
+}
+
 /// Internal to fem/: products of a residual's vectors in the inverse of a conduction matrix.
 namespace deadpoint::fem {
 
@@ -19,7 +25,8 @@ struct ProjectedMachine {
 };
 
 /// ResidualTerms but for products and the coefficients of K', which is the present conduction matrix of the system.
-/// Solves with a sparse factor of it.
-reduce::ResidualTerms residual_terms(const ProjectedMachine& machine, const reduce::ResidualTask& task);
+/// Solves with a sparse factor of it. @return nothing after Observer::cancelled()
+std::optional<reduce::ResidualTerms> residual_terms(const ProjectedMachine& machine, const reduce::ResidualTask& task,
+                                                    Observer& observer);
 
 }  // namespace deadpoint::fem

@@ -92,8 +92,11 @@ std::optional<BuiltModels> build(FullModel& full, const std::vector<HeatProblem>
     BuiltModels models{large, *std::move(small), {}};
     if (options.certificate) {
         observer.stage("certificate");
-        models.residual = std::make_shared<const ResidualTerms>(
-            full.residual({lowest_conduction(base, box), typical.highest, typical.moments, options.residual}));
+        auto residual =
+            full.residual({lowest_conduction(base, box), typical.highest, typical.moments, options.residual}, observer);
+        if (!residual)
+            return std::nullopt;
+        models.residual = std::make_shared<const ResidualTerms>(*std::move(residual));
     }
     full.combine(models.small.combinations);
     return models;

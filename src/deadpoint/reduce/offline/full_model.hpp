@@ -3,11 +3,13 @@
 #include "deadpoint/reduce/online/dense_terms.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace deadpoint {
+class Observer;
 struct HeatProblem;
-}
+}  // namespace deadpoint
 
 namespace deadpoint::reduce {
 
@@ -49,9 +51,10 @@ public:
     [[nodiscard]] virtual heat::HeatGeometry geometry() const = 0;
     /// The terms on the basis, which is orthonormal in M. All functionals are there.
     [[nodiscard]] virtual DenseTerms project(const Truncation& truncation) = 0;
-    /// Products in K'^-1 of the vectors in which residuals of the present basis lie.
+    /// Products in K'^-1 of the vectors in which residuals of the present basis lie; nothing after
+    /// Observer::cancelled().
     /// @throws InputError if the machine is too large for that
-    [[nodiscard]] virtual ResidualTerms residual(const ResidualTask& task) = 0;
+    [[nodiscard]] virtual std::optional<ResidualTerms> residual(const ResidualTask& task, Observer& observer) = 0;
     /// The processes over which the machine is distributed.
     [[nodiscard]] virtual const Ranks& ranks() const = 0;
 };

@@ -67,8 +67,17 @@ bool starts_uniform(const HeatProblem& problem, std::size_t parts)
     return true;
 }
 
+// Fewer sets of coefficients where the fields of all would take too much memory.
+int sets_with_room(const reduce::BuildOptions& options, long long unknowns)
+{
+    constexpr double room = 8e9;  // [byte]
+    const double set = static_cast<double>(options.loads_per_set + 1) * sizeof(float) * static_cast<double>(unknowns);
+    return std::min(options.sets, static_cast<int>(room / set));
+}
+
 reduce::BuildOptions complete(reduce::BuildOptions options, const ModelParts& parts, const casefile::Case& input)
 {
+    options.sets = sets_with_room(options, parts.model->size().heat_unknowns);
     options.adjoints = parts.adjoints.size();
     options.reference = input.machine.initial_temperature;
     options.has_dual = parts.chain != nullptr;
@@ -275,14 +284,14 @@ std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& in
     const auto full = parts.model->projector(problems.nominal.problem, parts.adjoints, attribution_of(parts));
     if (options.build.certificate)
         full->require_residual();
-    const auto mark = fmt::format("{} {} {} sets {} fields", build_text(input), full->mesh(), options.build.sets,
-                                  options.build.largest_basis);
+    const auto build_options = complete(options.build, parts, input);
+    const auto mark = fmt::format("{} {} {} sets {} fields", build_text(input), full->mesh(), build_options.sets,
+                                  build_options.largest_basis);
     const reduce::BuildCheckpoint kept(options.checkpoint, mark, fem::rank() == 0,
                                        [&](const std::string& text) { observer.warn(text); });
     if (!starts_uniform(problem, parts.machine.parts.size()))
         for (std::size_t p = 0; p < parts.machine.parts.size(); ++p)
             full->add_part(p);
-    const auto build_options = complete(options.build, parts, input);
     Reduction result;
     result.small = press_without_terms(parts, input, build_options);
     const double start = input.machine.initial_temperature;
