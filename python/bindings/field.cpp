@@ -5,6 +5,7 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/bare_machine.hpp"
+#include "deadpoint/fem/algebra/product_kernels.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
@@ -224,6 +225,7 @@ PYBIND11_MODULE(_field, module)
 {
     using py::arg;
     translate_errors();
+    fem::choose_product_kernels();
     py::module_::import("deadpoint._reduced");  // declares Case and Run
     module.doc() = "Meshes, loads, heat and full runs. Brings deal.II, PETSc, MPI and Gmsh.";
     py::module_::import("atexit").attr("register")(py::cpp_function(&close_session));

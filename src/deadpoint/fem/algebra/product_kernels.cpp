@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <dlfcn.h>
+#include <filesystem>
+#include <iterator>
 
 namespace deadpoint::fem {
 namespace {
@@ -18,6 +20,12 @@ Instructions instructions()
 #else
     return {};
 #endif
+}
+
+bool has_other_threads()
+{
+    const std::filesystem::directory_iterator threads("/proc/self/task");
+    return std::distance(begin(threads), end(threads)) > 1;
 }
 
 template <class Function>
@@ -39,7 +47,7 @@ void choose_product_kernels()
 {
     auto* forget = loaded<void()>("gotoblas_dynamic_quit");
     auto* choose = loaded<void()>("gotoblas_dynamic_init");
-    if (!forget || !choose || std::getenv(variable))
+    if (!forget || !choose || std::getenv(variable) || has_other_threads())
         return;
     const std::string better(better_kernels(product_kernels(), instructions()));
     if (better.empty())

@@ -18,8 +18,9 @@ struct Instructions {
 /// @return the kernels to take instead; empty: those are right
 std::string_view better_kernels(std::string_view chosen, const Instructions& processor);
 
-/// Makes OpenBLAS take better_kernels(). Does nothing where OPENBLAS_CORETYPE is set, and with another BLAS. Call it in
-/// main() before any product: one that runs at the same time would be wrong.
+/// Makes OpenBLAS take better_kernels(). Does nothing where OPENBLAS_CORETYPE is set, with another BLAS, and where
+/// there are other threads: a product that one of them computes meanwhile would be wrong. Call it first in
+/// main(), or where a module is loaded.
 void choose_product_kernels();
 
 /// The kernels that OpenBLAS takes now; empty with another BLAS.
