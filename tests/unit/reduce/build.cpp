@@ -175,6 +175,17 @@ TEST_CASE("an error in the first minute of a segment does not count, but at the 
     CHECK(difference(one, other, SIZE_MAX).temperature == Approx(7));
 }
 
+TEST_CASE("an error between two steps of one run is found at the steps of the other, whichever comes first")
+{
+    ThermalHistory coarse, fine;
+    coarse.time = {0, 100, 200};
+    coarse.probes = {{{0, 0, 0}, {0, 0, 0}}};
+    fine.time = {0, 100, 150, 200};
+    fine.probes = {{{0, 0, 3, 0}, {0, 0, 0, 0}}};
+    CHECK(difference(coarse, fine, SIZE_MAX).temperature == Approx(3));
+    CHECK(difference(fine, coarse, SIZE_MAX).temperature == Approx(3));
+}
+
 TEST_CASE("terms survive their way into a file")
 {
     rods::RodModel full;

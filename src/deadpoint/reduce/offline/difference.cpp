@@ -13,7 +13,10 @@ void RunDifference::widen(const RunDifference& other)
     gap = std::max(gap, other.gap);
 }
 
-RunDifference difference(const ThermalHistory& run, const ThermalHistory& other, std::size_t functional)
+namespace {
+
+// At the times of the other run.
+RunDifference at_steps_of(const ThermalHistory& other, const ThermalHistory& run, std::size_t functional)
 {
     RunDifference result;
     double segment_start = 0;
@@ -35,6 +38,15 @@ RunDifference difference(const ThermalHistory& run, const ThermalHistory& other,
             result.gap = std::max(result.gap, std::abs(interpolate(run.time, run.functionals[functional], time) -
                                                        other.functionals[functional].value[k]));
     }
+    return result;
+}
+
+}  // namespace
+
+RunDifference difference(const ThermalHistory& run, const ThermalHistory& other, std::size_t functional)
+{
+    auto result = at_steps_of(other, run, functional);
+    result.widen(at_steps_of(run, other, functional));
     return result;
 }
 
