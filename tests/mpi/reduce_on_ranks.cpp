@@ -12,20 +12,21 @@
 #include <string>
 #include <vector>
 
-// reduce_on_ranks CASE FILE SIZE [path=value ...]: builds a reduced press on all ranks, with few fields and training
-// runs, and writes, number by number: the ranks, the states of both models, E_SW of the case on the small one at the
-// end [um], the stated errors of both models [K, um].
+// reduce_on_ranks CASE FILE SIZE LARGEST_FACTOR [path=value ...]: builds a reduced press on all ranks, with few fields
+// and training runs, and writes, number by number: the ranks, the states of both models, E_SW of the case on the small
+// one at the end [um], the stated errors of both models [K, um].
 
 using namespace deadpoint;
 
 namespace {
 
-study::Reduction reduction_of(const casefile::Case& input, double size)
+study::Reduction reduction_of(const casefile::Case& input, double size, long long largest_factor)
 {
     Observer silent;
     study::Press press(input, size);
     auto options = study::reduce_options(input);
     options.full_runs = 1;
+    options.largest_factor = largest_factor;
     options.build.sets = 12;
     options.build.training_runs = 9;  // no multiple of two
     options.build.test_runs = 4;
@@ -57,8 +58,8 @@ int main(int argc, char** argv)
     char** nothing = nullptr;
     const fem::Session session(none, nothing);
     try {
-        const auto input = casefile::read_case(argv[1], {argv + 4, argv + argc}).value;
-        const auto reduction = reduction_of(input, std::stod(argv[3]));
+        const auto input = casefile::read_case(argv[1], {argv + 5, argv + argc}).value;
+        const auto reduction = reduction_of(input, std::stod(argv[3]), std::stoll(argv[4]));
         if (session.rank() == 0)
             write(argv[2], input, reduction);
     } catch (const std::exception& error) {

@@ -255,10 +255,10 @@ HeatCauses Model::heat_causes_on_basis(const Adjoint& weights, std::size_t row)
 void Model::release_heat() { implementation_->finished.reset(); }
 
 std::unique_ptr<HeatProjector> Model::projector(const HeatProblem& problem, const std::vector<Adjoint>& observed,
-                                                Attribution attribution)
+                                                Attribution attribution, long long largest_factor)
 {
     return std::make_unique<HeatProjector>(implementation_->space, implementation_->materials, problem,
-                                           ObservedAdjoints{observed, attribution});
+                                           ObservedAdjoints{observed, attribution}, largest_factor);
 }
 
 StateFields Model::read_fields(const std::string& file, const std::string& model, std::size_t states) const

@@ -83,9 +83,10 @@ public:
     /// Frees matrices and steps of the last heat().
     void release_heat();
     /// The heat terms of a problem for a reduced model. The model must outlive it.
-    /// @param observed  recorded besides the functionals of the heat balance, as heat() does
+    /// @param observed        recorded besides the functionals of the heat balance, as heat() does
+    /// @param largest_factor  see HeatProjector
     std::unique_ptr<HeatProjector> projector(const HeatProblem& problem, const std::vector<Adjoint>& observed,
-                                             Attribution attribution);
+                                             Attribution attribution, long long largest_factor);
     /// The fields of a reduced model's states, as HeatProjector::write_fields() wrote them. Errors as read_fields()
     /// (reduction/field_file.hpp).
     [[nodiscard]] StateFields read_fields(const std::string& file, const std::string& model, std::size_t states) const;

@@ -2,6 +2,7 @@
 
 #include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/conduction/float_cycle.hpp"
+#include "lattice.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,57 +10,10 @@
 #include <vector>
 
 using namespace deadpoint::fem;
+using lattice::Hierarchy;
+using lattice::some_load;
 
 namespace {
-
-constexpr PetscInt side = 24;
-
-// On a cube of side^3 unknowns: `own` on the diagonal besides, and `neighbour` between neighbours.
-OwnedMat lattice(double own, double per_neighbour, double neighbour)
-{
-    OwnedMat matrix;
-    const PetscInt count = side * side * side;
-    DEADPOINT_PETSC(MatCreateSeqAIJ(PETSC_COMM_SELF, count, count, 7, nullptr, matrix.out()));
-    for (PetscInt row = 0; row < count; ++row) {
-        double diagonal = own;
-        const std::array<PetscInt, 3> place{row % side, row / side % side, row / side / side},
-            step{1, side, side * side};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (const PetscInt way : {-1, 1}) {
-                if (place[axis] + way < 0 || place[axis] + way >= side)
-                    continue;
-                DEADPOINT_PETSC(MatSetValue(matrix, row, row + way * step[axis], neighbour, INSERT_VALUES));
-                diagonal += per_neighbour;
-            }
-        DEADPOINT_PETSC(MatSetValue(matrix, row, row, diagonal, INSERT_VALUES));
-    }
-    DEADPOINT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
-    DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
-    return matrix;
-}
-
-/// M + d K of a block of metal, and a multigrid for it that keeps its interpolation.
-struct Hierarchy {
-    OwnedMat mass = lattice(0.5, 1.0 / 12, 1.0 / 12), conduction = lattice(0.01, 1, -1), system;
-    OwnedPc multigrid;
-
-    Hierarchy()
-    {
-        DEADPOINT_PETSC(MatDuplicate(mass, MAT_COPY_VALUES, system.out()));
-        DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, "-lattice_pc_ml_reuse_interpolation", "true"));
-        DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, "-lattice_pc_ml_maxCoarseSize", "50"));
-        DEADPOINT_PETSC(PCCreate(PETSC_COMM_SELF, multigrid.out()));
-        DEADPOINT_PETSC(PCSetOperators(multigrid, system, system));
-        DEADPOINT_PETSC(PCSetType(multigrid, PCML));
-        DEADPOINT_PETSC(PCSetOptionsPrefix(multigrid, "lattice_"));
-        DEADPOINT_PETSC(PCSetFromOptions(multigrid));
-    }
-    void fill(double factor)
-    {
-        DEADPOINT_PETSC(MatCopy(mass, system, SAME_NONZERO_PATTERN));
-        DEADPOINT_PETSC(MatAXPY(system, factor, conduction, SAME_NONZERO_PATTERN));
-    }
-};
 
 /// Conjugate gradients with cycles: iterations until the residual is 1e-10 of the first.
 int solve(FloatCycle& cycle, Mat matrix, Vec load, Vec solution)
@@ -88,17 +42,6 @@ int solve(FloatCycle& cycle, Mat matrix, Vec load, Vec solution)
         DEADPOINT_PETSC(VecAXPY(residual, -now / curvature, product));
     }
     return 200;
-}
-
-/// A load that no symmetry of the lattice repeats.
-OwnedVec some_load(Mat matrix, double scale)
-{
-    OwnedVec load;
-    DEADPOINT_PETSC(MatCreateVecs(matrix, nullptr, load.out()));
-    Entries entries(load);
-    for (PetscInt i = 0; i < side * side * side; ++i)
-        entries[i] = scale * std::sin(1.0 + i * i % 1013);
-    return load;
 }
 
 double norm(Mat matrix)

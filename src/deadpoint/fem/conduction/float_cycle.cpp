@@ -1,9 +1,11 @@
 #include "deadpoint/fem/conduction/float_cycle.hpp"
 
 #include "deadpoint/fem/algebra/vectors.hpp"
+#include "deadpoint/fem/conduction/local_rows.hpp"
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace deadpoint::fem {
 namespace {
@@ -29,22 +31,52 @@ struct Chebyshev {
     float first, second;
 };
 
-void to_floats(Vec from, double factor, std::vector<float>& to)
+template <class Value>
+constexpr std::size_t vectors_of = std::is_same_v<Value, float> ? 1 : lanes;
+
+float part(float value, std::size_t) { return value; }
+float part(const FloatBlock& value, std::size_t lane) { return value[lane]; }
+void set_part(float& value, std::size_t, float part) { value = part; }
+void set_part(FloatBlock& value, std::size_t lane, float part) { value[lane] = part; }
+
+std::size_t local_size(Vec vector)
 {
-    const ConstEntries values(from);
     PetscInt count = 0;
-    DEADPOINT_PETSC(VecGetLocalSize(from, &count));
-    for (PetscInt i = 0; i < count; ++i)
-        to[static_cast<std::size_t>(i)] = static_cast<float>(factor * values[i]);
+    DEADPOINT_PETSC(VecGetLocalSize(vector, &count));
+    return static_cast<std::size_t>(count);
 }
 
-void to_doubles(const std::vector<float>& from, double factor, Vec to)
+// To and from one vector of a block.
+template <class Value>
+void to_floats(Vec from, double factor, std::size_t lane, std::vector<Value>& to)
+{
+    const ConstEntries values(from);
+    const std::size_t count = local_size(from);
+    for (std::size_t i = 0; i < count; ++i)
+        set_part(to[i], lane, static_cast<float>(factor * values[i]));
+}
+
+template <class Value>
+void to_doubles(const std::vector<Value>& from, double factor, std::size_t lane, Vec to)
 {
     Entries values(to);
-    PetscInt count = 0;
-    DEADPOINT_PETSC(VecGetLocalSize(to, &count));
-    for (PetscInt i = 0; i < count; ++i)
-        values[i] = factor * static_cast<double>(from[static_cast<std::size_t>(i)]);
+    const std::size_t count = local_size(to);
+    for (std::size_t i = 0; i < count; ++i)
+        values[i] = factor * static_cast<double>(part(from[i], lane));
+}
+
+// Factors that bring the largest entry of each vector to largest_entry; 1 where all are zero.
+DoubleBlock scales_of(const std::vector<DoubleBlock>& vectors)
+{
+    DoubleBlock largest = 0;
+    for (const auto& row : vectors)
+        largest = std::experimental::max(largest, abs(row));
+    std::array<double, lanes> values{};
+    largest.copy_to(values.data(), std::experimental::element_aligned);
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), lanes, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
+    for (auto& value : values)
+        value = value > 0 ? largest_entry / value : 1;
+    return DoubleBlock(values.data(), std::experimental::element_aligned);
 }
 
 }  // namespace
@@ -57,23 +89,25 @@ FloatCycle::Transfer::Transfer(Mat matrix) : matrix_(matrix)
         DEADPOINT_PETSC(MatCreateVecs(matrix, in_.out(), out_.out()));
 }
 
-void FloatCycle::Transfer::multiply(std::vector<float>& in, std::vector<float>& out, bool adds)
+template <class Value>
+void FloatCycle::Transfer::multiply(std::vector<Value>& in, std::vector<Value>& out, bool adds)
 {
     if (copy_) {
         copy_->fetch(in);
         if (adds)
-            copy_->multiply(in, [&](std::size_t row, float sum) { out[row] += sum; });
+            copy_->multiply(in, [&](std::size_t row, const Value& sum) { out[row] += sum; });
         else
-            copy_->multiply(in, [&](std::size_t row, float sum) { out[row] = sum; });
+            copy_->multiply(in, [&](std::size_t row, const Value& sum) { out[row] = sum; });
         return;
     }
-    to_doubles(in, 1, in_);
-    DEADPOINT_PETSC(MatMult(matrix_, in_, out_));
-    const ConstEntries product(out_);
-    PetscInt count = 0;
-    DEADPOINT_PETSC(VecGetLocalSize(out_, &count));
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-        out[i] = static_cast<float>(product[i]) + (adds ? out[i] : 0.0F);
+    const std::size_t count = local_size(out_);
+    for (std::size_t lane = 0; lane < vectors_of<Value>; ++lane) {
+        to_doubles(in, 1, lane, in_);
+        DEADPOINT_PETSC(MatMult(matrix_, in_, out_));
+        const ConstEntries product(out_);
+        for (std::size_t i = 0; i < count; ++i)
+            set_part(out[i], lane, static_cast<float>(product[i]) + (adds ? part(out[i], lane) : 0.0F));
+    }
 }
 
 std::size_t FloatCycle::Transfer::entries() const
@@ -94,24 +128,28 @@ FloatCycle::FloatCycle(PC multigrid)
         DEADPOINT_PETSC(PCMGGetRestriction(multigrid, level, &restriction));
         DEADPOINT_PETSC(PCMGGetInterpolation(multigrid, level, &interpolation));
         const Mat matrix = matrix_of(smoother);
-        levels_.push_back(
-            {matrix, FloatMatrix(matrix), Transfer(restriction), Transfer(interpolation), {}, {}, {}, {}});
+        levels_.push_back({matrix, FloatMatrix(matrix), Transfer(restriction), Transfer(interpolation), {}});
     }
     DEADPOINT_PETSC(PCMGGetCoarseSolve(multigrid, &coarsest_));
     DEADPOINT_PETSC(MatCreateVecs(matrix_of(coarsest_), coarsest_out_.out(), coarsest_in_.out()));
+    stack_ = new_stack<float>();
+}
+
+template <class Value>
+FloatCycle::Stack<Value> FloatCycle::new_stack() const
+{
+    Stack<Value> stack;
     std::size_t from_finer = 0;  // ghosts of the interpolation to the next finer level
-    for (auto& level : levels_) {
+    for (const auto& level : levels_) {
         const std::size_t rows = level.matrix.rows();
         const std::size_t ghosts = std::max({level.matrix.ghosts(), level.restriction.ghosts(), from_finer});
-        level.right.assign(rows, 0);
-        level.solution.assign(rows + ghosts, 0);
-        level.work.assign(rows + ghosts, 0);
+        stack.push_back(
+            {std::vector<Value>(rows, 0), std::vector<Value>(rows + ghosts, 0), std::vector<Value>(rows + ghosts, 0)});
         from_finer = level.interpolation.ghosts();
     }
-    PetscInt rows = 0;
-    DEADPOINT_PETSC(VecGetLocalSize(coarsest_in_, &rows));
-    coarsest_right_.assign(static_cast<std::size_t>(rows), 0);
-    coarsest_solution_.assign(static_cast<std::size_t>(rows) + from_finer, 0);
+    const std::size_t rows = local_size(coarsest_in_);
+    stack.push_back({std::vector<Value>(rows, 0), std::vector<Value>(rows + from_finer, 0), {}});
+    return stack;
 }
 
 void FloatCycle::take_values(const std::vector<double>& bounds)
@@ -124,54 +162,62 @@ void FloatCycle::take_values(const std::vector<double>& bounds)
     }
 }
 
-// The solution follows from level.solution, or from zero, for level.right.
-void FloatCycle::smooth(Level& level, bool from_zero) const
+// The solution follows from vectors.solution, or from zero, for vectors.right.
+template <class Value>
+void FloatCycle::smooth(const Level& level, Vectors<Value>& vectors, bool from_zero) const
 {
     const Chebyshev step(level.bound);
-    auto& x = level.solution;
-    auto& y = level.work;
-    const auto &b = level.right, &scale = level.inverse_diagonal;
+    auto& x = vectors.solution;
+    auto& y = vectors.work;
+    const auto& b = vectors.right;
+    const auto& scale = level.inverse_diagonal;
     const std::size_t rows = level.matrix.rows();
+    const float first = step.first, second = step.second;
+    const auto blend = static_cast<float>(step.blend), rest = static_cast<float>(1 - step.blend);
     if (from_zero) {
         for (std::size_t i = 0; i < rows; ++i) {
             x[i] = 0;
-            y[i] = step.first * scale[i] * b[i];
+            y[i] = first * scale[i] * b[i];
         }
     } else {
         level.matrix.fetch(x);
-        level.matrix.multiply(x, [&](std::size_t i, float sum) { y[i] = x[i] + step.first * scale[i] * (b[i] - sum); });
+        level.matrix.multiply(x,
+                              [&](std::size_t i, const Value& sum) { y[i] = x[i] + first * scale[i] * (b[i] - sum); });
     }
     level.matrix.fetch(y);
-    const auto blend = static_cast<float>(step.blend), rest = static_cast<float>(1 - step.blend);
-    level.matrix.multiply(y, [&](std::size_t i, float sum) {
-        x[i] = rest * x[i] + blend * y[i] + step.second * scale[i] * (b[i] - sum);
+    level.matrix.multiply(y, [&](std::size_t i, const Value& sum) {
+        x[i] = rest * x[i] + blend * y[i] + second * scale[i] * (b[i] - sum);
     });
 }
 
-void FloatCycle::cycle(std::size_t index)
+template <class Value>
+void FloatCycle::cycle(Stack<Value>& stack, std::size_t index)
 {
+    auto& vectors = stack[index];
     if (index == levels_.size()) {
-        solve_coarsest();
+        solve_coarsest(vectors);
         return;
     }
     auto& level = levels_[index];
-    const bool last = index + 1 == levels_.size();
-    auto& coarse_right = last ? coarsest_right_ : levels_[index + 1].right;
-    auto& coarse_solution = last ? coarsest_solution_ : levels_[index + 1].solution;
-    smooth(level, true);
-    level.matrix.fetch(level.solution);
-    level.matrix.multiply(level.solution, [&](std::size_t i, float sum) { level.work[i] = level.right[i] - sum; });
-    level.restriction.multiply(level.work, coarse_right, false);
-    cycle(index + 1);
-    level.interpolation.multiply(coarse_solution, level.solution, true);
-    smooth(level, false);
+    auto& coarse = stack[index + 1];
+    smooth(level, vectors, true);
+    level.matrix.fetch(vectors.solution);
+    level.matrix.multiply(vectors.solution,
+                          [&](std::size_t i, const Value& sum) { vectors.work[i] = vectors.right[i] - sum; });
+    level.restriction.multiply(vectors.work, coarse.right, false);
+    cycle(stack, index + 1);
+    level.interpolation.multiply(coarse.solution, vectors.solution, true);
+    smooth(level, vectors, false);
 }
 
-void FloatCycle::solve_coarsest()
+template <class Value>
+void FloatCycle::solve_coarsest(Vectors<Value>& vectors)
 {
-    to_doubles(coarsest_right_, 1, coarsest_in_);
-    DEADPOINT_PETSC(KSPSolve(coarsest_, coarsest_in_, coarsest_out_));
-    to_floats(coarsest_out_, 1, coarsest_solution_);
+    for (std::size_t lane = 0; lane < vectors_of<Value>; ++lane) {
+        to_doubles(vectors.right, 1, lane, coarsest_in_);
+        DEADPOINT_PETSC(KSPSolve(coarsest_, coarsest_in_, coarsest_out_));
+        to_floats(coarsest_out_, 1, lane, vectors.solution);
+    }
 }
 
 void FloatCycle::apply(Vec residual, Vec correction)
@@ -183,10 +229,23 @@ void FloatCycle::apply(Vec residual, Vec correction)
         return;
     }
     const double factor = largest_entry / largest;
-    auto& right = levels_.empty() ? coarsest_right_ : levels_.front().right;
-    to_floats(residual, factor, right);
-    cycle(0);
-    to_doubles(levels_.empty() ? coarsest_solution_ : levels_.front().solution, 1 / factor, correction);
+    to_floats(residual, factor, 0, stack_.front().right);
+    cycle(stack_, 0);
+    to_doubles(stack_.front().solution, 1 / factor, 0, correction);
+}
+
+void FloatCycle::apply(const std::vector<DoubleBlock>& residuals, std::vector<DoubleBlock>& corrections)
+{
+    using std::experimental::static_simd_cast;
+    if (block_stack_.empty())
+        block_stack_ = new_stack<FloatBlock>();
+    auto& finest = block_stack_.front();
+    const DoubleBlock scales = scales_of(residuals);
+    for (std::size_t i = 0; i < finest.right.size(); ++i)
+        finest.right[i] = static_simd_cast<FloatBlock>(scales * residuals[i]);
+    cycle(block_stack_, 0);
+    for (std::size_t i = 0; i < finest.right.size(); ++i)
+        corrections[i] = static_simd_cast<DoubleBlock>(finest.solution[i]) / scales;
 }
 
 void FloatCycle::view(PetscViewer viewer) const

@@ -25,6 +25,8 @@ public:
     void take_values(const std::vector<double>& bounds);
     /// correction = B residual. Collective.
     void apply(Vec residual, Vec correction);
+    /// The same for each residual of a block, this rank's rows: all matrices are read once. Collective.
+    void apply(const std::vector<DoubleBlock>& residuals, std::vector<DoubleBlock>& corrections);
     /// Writes rows and entries of the levels, and entries of the interpolation from the next coarser one, finest last.
     void view(PetscViewer viewer) const;
 
@@ -34,7 +36,8 @@ private:
     class Transfer {
     public:
         explicit Transfer(Mat matrix);
-        void multiply(std::vector<float>& in, std::vector<float>& out, bool adds);
+        template <class Value>
+        void multiply(std::vector<Value>& in, std::vector<Value>& out, bool adds);
         [[nodiscard]] std::size_t ghosts() const { return copy_ ? copy_->ghosts() : 0; }
         [[nodiscard]] std::size_t entries() const;
 
@@ -48,17 +51,30 @@ private:
         FloatMatrix matrix;
         Transfer restriction, interpolation;
         std::vector<float> inverse_diagonal;
-        std::vector<float> right, solution, work;
         double bound = 1;
     };
-    void smooth(Level& level, bool from_zero) const;
-    void cycle(std::size_t index);
-    void solve_coarsest();
+    /// Of a level. Value is float, or FloatBlock for a block of vectors.
+    template <class Value>
+    struct Vectors {
+        std::vector<Value> right, solution, work;
+    };
+    template <class Value>
+    using Stack = std::vector<Vectors<Value>>;  ///< of all levels, from the finest to the coarsest
+
+    template <class Value>
+    [[nodiscard]] Stack<Value> new_stack() const;
+    template <class Value>
+    void smooth(const Level& level, Vectors<Value>& vectors, bool from_zero) const;
+    template <class Value>
+    void cycle(Stack<Value>& stack, std::size_t index);
+    template <class Value>
+    void solve_coarsest(Vectors<Value>& vectors);
 
     std::vector<Level> levels_;  ///< from the finest on, without the coarsest
     KSP coarsest_ = nullptr;
-    std::vector<float> coarsest_right_, coarsest_solution_;
     OwnedVec coarsest_in_, coarsest_out_;
+    Stack<float> stack_;
+    Stack<FloatBlock> block_stack_;  ///< empty until a block comes
 };
 
 }  // namespace deadpoint::fem

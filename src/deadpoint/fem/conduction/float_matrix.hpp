@@ -1,12 +1,12 @@
 #pragma once
 
 #include "deadpoint/fem/algebra/petsc.hpp"
+#include "deadpoint/fem/conduction/blocks.hpp"
+#include "deadpoint/fem/conduction/ghosts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <experimental/simd>
-#include <span>
 #include <vector>
 
 /// Internal to fem/: sparse matrices in single precision.
@@ -26,13 +26,16 @@ public:
     void take_values(Mat matrix);
 
     [[nodiscard]] std::size_t rows() const { return lengths_.size(); }
-    [[nodiscard]] std::size_t columns() const { return columns_; }
     [[nodiscard]] std::size_t entries() const;  ///< without the zeros that fill up
-    [[nodiscard]] std::size_t ghosts() const { return ghosts_; }
+    [[nodiscard]] std::size_t ghosts() const { return ghosts_.count(); }
     [[nodiscard]] std::vector<float> inverse_diagonal() const;
 
-    /// Fetches the ghosts of a vector: columns() entries of this rank, then room for ghosts(). Collective.
-    void fetch(std::vector<float>& vector) const;
+    /// Fetches the ghosts of a vector or a block of vectors: this rank's entries, then room for ghosts(). Collective.
+    template <class Value>
+    void fetch(std::vector<Value>& vector) const
+    {
+        ghosts_.fetch(vector);
+    }
 
     /// Calls take(row, sum of entry times vector) for each row; the ghosts must have been fetched.
     template <class Take>
@@ -41,11 +44,11 @@ public:
         const float* x = vector.data();
         std::array<float, slice> sums{};
         for (std::size_t first = 0; first < rows(); first += slice) {
-            Lanes sum = 0;
+            FloatBlock sum = 0;
             for (std::size_t k = starts_[first / slice]; k < starts_[first / slice + 1]; k += slice) {
                 const PetscInt* place = places_.data() + k;
-                const Lanes value(values_.data() + k, std::experimental::element_aligned);
-                sum += value * Lanes([&](auto lane) { return x[place[lane]]; });
+                const FloatBlock value(values_.data() + k, std::experimental::element_aligned);
+                sum += value * FloatBlock([&](auto lane) { return x[place[lane]]; });
             }
             sum.copy_to(sums.data(), std::experimental::element_aligned);
             const std::size_t count = std::min(slice, rows() - first);
@@ -53,17 +56,21 @@ public:
                 take(first + lane, sums[lane]);
         }
     }
+    /// The same for a block of vectors.
+    template <class Take>
+    void multiply(const std::vector<FloatBlock>& vectors, const Take& take) const
+    {
+        for (std::size_t row = 0; row < rows(); ++row) {
+            FloatBlock sum = 0;
+            const std::size_t first = position(row, 0), end = first + slice * lengths_[row];
+            for (std::size_t k = first; k < end; k += slice)
+                sum += values_[k] * vectors[static_cast<std::size_t>(places_[k])];
+            take(row, sum);
+        }
+    }
 
 private:
-    static constexpr std::size_t slice = 8;
-    using Lanes = std::experimental::fixed_size_simd<float, slice>;
-    struct Exchange {
-        int rank = 0;
-        std::vector<PetscInt> sent;  ///< local columns that this rank needs
-        std::size_t first = 0;       ///< where what it sends begins among the ghosts
-        std::size_t count = 0;
-    };
-    void find_exchanges(MPI_Comm communicator, Mat matrix, std::span<const PetscInt> ghosts);
+    static constexpr std::size_t slice = lanes;
 
     /// Of the k-th entry of a row.
     [[nodiscard]] std::size_t position(std::size_t row, std::size_t k) const
@@ -75,12 +82,7 @@ private:
     std::vector<std::size_t> starts_;   ///< per slice, and the end
     std::vector<PetscInt> places_;      ///< columns
     std::vector<float> values_;
-    std::size_t columns_ = 0, ghosts_ = 0;
-    std::vector<Exchange> exchanges_;
-    MPI_Comm communicator_ = MPI_COMM_SELF;
+    Ghosts ghosts_;
 };
-
-/// True if a FloatMatrix can be made of it.
-bool is_assembled(Mat matrix);
 
 }  // namespace deadpoint::fem

@@ -44,6 +44,8 @@ public:
     /// @return true if the preconditioner was built from it
     bool combine(double factor, Vec temperature);
     [[nodiscard]] Mat assembled() const { return system_; }
+    /// The preconditioner, after combine().
+    [[nodiscard]] FloatCycle& cycle() { return *cycle_; }
     /// Temperature from which the preconditioner was built, if it depends on temperature; else
     /// null.
     [[nodiscard]] Vec preconditioner_temperature() const { return origin_; }

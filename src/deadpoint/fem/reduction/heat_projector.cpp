@@ -4,6 +4,7 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/algebra/vectors.hpp"
+#include "deadpoint/fem/conduction/block_solve.hpp"
 #include "deadpoint/fem/conduction/heat_functionals.hpp"
 #include "deadpoint/fem/conduction/heat_system.hpp"
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
@@ -42,9 +43,9 @@ HeatProblem with_constant_films(HeatProblem problem)
 
 struct HeatProjector::Parts {
     Parts(const Discretisation& space_, const std::vector<Material>& materials, const HeatProblem& problem_,
-          const ObservedAdjoints& observed_)
+          const ObservedAdjoints& observed_, long long largest_factor_)
         : space(space_), problem(with_constant_films(problem_)), system(space, materials, problem), observed(observed_),
-          fields(space.last - space.first)
+          largest_factor(largest_factor_), fields(space.last - space.first)
     {
         system.set_laws(problem.interfaces, {});
         append(Eigen::VectorXd::Ones(fields.rows()));
@@ -66,6 +67,7 @@ struct HeatProjector::Parts {
     HeatProblem problem;  ///< whose coefficients the system has
     HeatSystem system;
     ObservedAdjoints observed;
+    long long largest_factor;
     MpiRanks ranks;
     std::unique_ptr<BlockSolver> solver;
     BasisFields fields;
@@ -74,8 +76,8 @@ struct HeatProjector::Parts {
 };
 
 HeatProjector::HeatProjector(const Discretisation& space, const std::vector<Material>& materials,
-                             const HeatProblem& problem, const ObservedAdjoints& observed)
-    : parts_(std::make_unique<Parts>(space, materials, problem, observed))
+                             const HeatProblem& problem, const ObservedAdjoints& observed, long long largest_factor)
+    : parts_(std::make_unique<Parts>(space, materials, problem, observed, largest_factor))
 {}
 
 HeatProjector::~HeatProjector() = default;
@@ -115,26 +117,21 @@ Eigen::MatrixXd HeatProjector::Parts::loads(const std::vector<std::size_t>& whic
     return columns;
 }
 
-// Multigrid solves (M + K / shift) x = load / shift, one load after the other.
+// Multigrid solves (M + K / shift) X = loads / shift.
 Eigen::MatrixXd HeatProjector::Parts::solved(double shift, const Eigen::MatrixXd& loads)
 {
     auto& matrices = system.matrices();
-    if (space.total <= largest_heat_factor) {
+    if (space.total <= largest_factor) {
         if (!solver)
             solver = std::make_unique<BlockSolver>(matrices.stiffness());
         solver->set(matrices.stiffness(), shift, matrices.mass());
         return solver->solve(loads);
     }
-    system.stage().reset(1 / shift);
-    auto right = system.make_vector(), solution = system.make_vector();
-    system.build(1 / shift, right, {});
-    Eigen::MatrixXd result(loads.rows(), loads.cols());
-    for (Eigen::Index k = 0; k < loads.cols(); ++k) {
-        Eigen::Map<Eigen::VectorXd>(Entries(right).data(), loads.rows()) = loads.col(k) / shift;
-        system.solve(right, solution, {}, {field_tolerance, 0}, "a field of the reduced basis");
-        result.col(k) = Eigen::Map<const Eigen::VectorXd>(ConstEntries(solution).data(), loads.rows());
-    }
-    return result;
+    auto& stage = system.stage();
+    stage.reset(1 / shift);
+    stage.combine(1 / shift, nullptr);
+    return solve_blocks(stage.assembled(), stage.cycle(), loads / shift, field_tolerance,
+                        "a field of the reduced basis");
 }
 
 void HeatProjector::Parts::append(const Eigen::VectorXd& field)
@@ -288,10 +285,10 @@ reduce::DenseTerms HeatProjector::project(const reduce::Truncation& truncation)
 void HeatProjector::require_residual() const
 {
     const auto& it = *parts_;
-    if (it.space.total > largest_heat_factor || it.ranks.count() > 1)
+    if (it.space.total > it.largest_factor || it.ranks.count() > 1)
         throw InputError(fmt::format("a certificate is made by one process, for at most {} temperatures; this press "
                                      "has {}, on {} processes\n  help: leave out --certify, or enlarge the cells",
-                                     largest_heat_factor, it.space.total, it.ranks.count()));
+                                     it.largest_factor, it.space.total, it.ranks.count()));
 }
 
 std::optional<reduce::ResidualTerms> HeatProjector::residual(const reduce::ResidualTask& task, Observer& observer)

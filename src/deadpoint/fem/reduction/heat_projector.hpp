@@ -24,15 +24,15 @@ struct ObservedAdjoints {
     Attribution attribution{-1};
 };
 
-/// The finite elements of a machine for the reduction (reduce/offline/full_model.hpp). Up to `largest_heat_factor`
-/// unknowns a sparse factor of each operator solves for blocks of loads, else multigrid for one load after the other.
+/// The finite elements of a machine for the reduction (reduce/offline/full_model.hpp). Up to `largest_factor`
+/// unknowns a sparse factor of each operator solves for blocks of loads, else multigrid.
 /// Fields have single precision: 4 bytes for each unknown and field. Solutions are kept without their mean over the
 /// unknowns, which the uniform field has, so that rounding is small beside what they add to it.
 class HeatProjector final : public reduce::FullModel {
 public:
     /// @param problem  with constant convection coefficients (its laws and emissivities are not read)
     HeatProjector(const Discretisation& space, const std::vector<Material>& materials, const HeatProblem& problem,
-                  const ObservedAdjoints& observed);
+                  const ObservedAdjoints& observed, long long largest_factor);
     ~HeatProjector() override;
 
     [[nodiscard]] std::size_t load_count() const override;
@@ -63,8 +63,5 @@ private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
-
-/// Largest number of unknowns of the heat that are solved by a sparse factor, which then needs about 5 GB.
-inline constexpr long long largest_heat_factor = 1'000'000;
 
 }  // namespace deadpoint::fem

@@ -281,7 +281,8 @@ std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& in
     parts.model->release_elasticity();  // all functionals are there
 
     const auto problems = problems_of(problem, parts, input, options.ranges, observer);
-    const auto full = parts.model->projector(problems.nominal.problem, parts.adjoints, attribution_of(parts));
+    const auto full =
+        parts.model->projector(problems.nominal.problem, parts.adjoints, attribution_of(parts), options.largest_factor);
     if (options.build.certificate)
         full->require_residual();
     const auto build_options = complete(options.build, parts, input);
