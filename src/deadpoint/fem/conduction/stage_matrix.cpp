@@ -176,6 +176,8 @@ void StageMatrix::reset(double longest)
     longest_ = longest;
     factor_ = multigrid_factor_ = -1;
     coarse_.reset();
+    cycle_.reset();
+    multigrid_.reset();
 }
 
 // A new hierarchy is a function of its matrices alone, so that a resumed run can build it again: ML estimates

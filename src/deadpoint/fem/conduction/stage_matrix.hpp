@@ -29,7 +29,7 @@ public:
     ~StageMatrix();
 
     /// Call it if the laws have changed, or if longer stages follow: aggregates and interpolation
-    /// are built again.
+    /// are built again. Until then it takes no memory for them.
     void reset(double longest);
     /// Builds aggregates and interpolation if they do not exist.
     void prepare();

@@ -204,7 +204,9 @@ std::string HeatProjector::mesh() const { return mesh_text(parts_->space); }
 
 Eigen::MatrixXd HeatProjector::gram()
 {
-    parts_->solver.reset();  // all solutions are there
+    // All solutions are there.
+    parts_->solver.reset();
+    parts_->system.stage().reset(1);
     const auto& correction = parts_->correction;
     return correction.transpose() * projected(parts_->system.matrices().mass(), parts_->fields) * correction;
 }
