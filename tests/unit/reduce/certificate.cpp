@@ -119,7 +119,7 @@ TEST_CASE("a joint's lowest coefficients are those of the corners where each is 
 TEST_CASE("sizes of residuals are those of the full system, or a little above")
 {
     const auto& residual = *certified().models.residual;
-    const auto loads = uniform_loads(certified().models.large->terms);
+    const auto loads = uniform_loads(certified().models.large->terms, residual);
     const auto terms = rods::full_terms();
     // a functional alone, whose vector is known
     const auto lowest = lowest_conduction(rods::problem(), rods::box());
@@ -133,7 +133,7 @@ TEST_CASE("sizes of residuals are those of the full system, or a little above")
         const ResidualNorm norm(residual, loads, coefficients_of(problem, HeatSegment{}));
         Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(residual.count(), residual.functionals + residual.observed);
         columns.bottomRows(columns.cols()).setIdentity();
-        const auto squares = norm.squares(columns);
+        const auto squares = norm.squares(residual.root.triangularView<Eigen::Upper>() * columns);
         for (Eigen::Index f = 0; f < residual.functionals; ++f) {
             const Eigen::VectorXd load = terms.functionals.row(f).transpose();
             const double exact = load.dot(factor.solve(load));
@@ -263,7 +263,7 @@ TEST_CASE("what the vectors of the terms leave out is in the remainder")
     const auto& residual = *models.residual;
     const auto& reduced = models.large->terms;
     CHECK(residual.factors.cols() < reduced.uniform.size() / 2);
-    const auto loads = uniform_loads(reduced);
+    const auto loads = uniform_loads(reduced, residual);
     Draws draws(9);
     bool matters = false;
     for (int k = 0; k < 10; ++k) {
@@ -273,11 +273,13 @@ TEST_CASE("what the vectors of the terms leave out is in the remainder")
         Eigen::VectorXd states(reduced.uniform.size());
         for (double& x : states)
             x = draws.next() - 0.5;
+        const auto seen = seen_by_terms(residual, loads, states);
         // |K V x| in K^-1 is |V x| in K
         const Eigen::MatrixXd on_basis = conduction(reduced, problem);
         const double exact = std::sqrt(states.dot(on_basis * states));
-        const double kept = std::sqrt(norm.squares(norm.conducted(states))[0]);
-        const double rest = std::sqrt(norm.remainder_squares(states)[0]);
+        const double kept =
+            std::sqrt(norm.squares(residual.root.triangularView<Eigen::Upper>() * norm.conducted(seen))[0]);
+        const double rest = std::sqrt(norm.remainder_squares(seen)[0]);
         CHECK(kept + rest >= exact * (1 - 1e-6));
         matters |= kept < 0.9 * exact;
     }

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <span>
 
 namespace deadpoint::reduce {
 namespace {
@@ -25,6 +26,16 @@ constexpr double law_rounding = 1e-12;  // of a law
 // Of a law's heat, times what one watt heats its source (b . K^-1 b): what falls less counts as heat that does not
 // fall.
 constexpr double least_fall = 1e-2;
+
+// Of steps and outputs that are worked on at once, where there are several outputs.
+constexpr Eigen::Index columns_at_a_time = 512;
+
+Eigen::MatrixXd side_by_side(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right)
+{
+    Eigen::MatrixXd result(left.rows(), left.cols() + right.cols());
+    result << left, right;
+    return result;
+}
 
 bool starts_in_basis(const DenseTerms& terms, const HeatProblem& problem)
 {
@@ -118,7 +129,7 @@ class Certifier {
 public:
     Certifier(const std::shared_ptr<const PreparedTerms>& terms, const ResidualTerms& residual,
               const HeatProblem& problem)
-        : terms_(terms->terms), residual_(residual), uniform_(uniform_loads(terms_)), problem_(problem),
+        : terms_(terms->terms), residual_(residual), uniform_(uniform_loads(terms_, residual)), problem_(problem),
           run_(terms, problem)
     {}
 
@@ -128,10 +139,13 @@ public:
         divide();
         for (const auto& stretch : stretches_)
             norms_.emplace_back(residual_, uniform_, stretch.coefficients);
-        look_at_laws();
-        remainders_ = remainders(states());
-        primal_ = sum_of_squares(primal_residual(), remainders_ + sizes_of_jumps());
-        on_states_ = residual_on_states();
+        seen_ = seen_by_terms(residual_, uniform_, states());
+        on_states_ = unconducted_on_states();
+        // One pass over the root for the residual of the run and the loads of all stretches.
+        const Eigen::MatrixXd rooted = upper_product(residual_.root, side_by_side(primal_residual(), all_loads()));
+        look_at_laws(rooted.rightCols(rooted.cols() - count()));
+        remainders_ = remainders(seen_);
+        primal_ = sum_of_squares(rooted.leftCols(count()), remainders_ + sizes_of_jumps());
     }
 
     /// Not positive: the sources may feed an error.
@@ -144,16 +158,40 @@ public:
         for (std::size_t k = 0; k < outputs.size(); ++k)
             weights.col(static_cast<Eigen::Index>(k)) = weights_of(outputs[k]);
         const auto duals = run_.duals(weights);
+        const auto at_a_time = static_cast<std::size_t>(std::max<Eigen::Index>(1, columns_at_a_time / count()));
         std::vector<double> result;
-        for (std::size_t k = 0; k < outputs.size(); ++k) {
-            const auto rest = remainders(duals[k]);
-            const double dual = sum_of_squares(dual_residual(duals[k], outputs[k]), rest);
-            result.push_back(std::sqrt(primal_ * dual) / kappa_ + consistency(duals[k], rest) + curvature(duals[k]));
+        for (std::size_t first = 0; first < outputs.size(); first += at_a_time) {
+            const std::size_t some = std::min(at_a_time, outputs.size() - first);
+            const auto bounds = bounds_of({duals.data() + first, some}, {outputs.data() + first, some});
+            result.insert(result.end(), bounds.begin(), bounds.end());
         }
         return result;
     }
 
 private:
+    // Of outputs with these duals, in one pass over the factors and one over the root.
+    [[nodiscard]] std::vector<double> bounds_of(std::span<const Eigen::MatrixXd> duals,
+                                                std::span<const std::size_t> outputs) const
+    {
+        const Eigen::Index steps = count(), all = steps * static_cast<Eigen::Index>(duals.size());
+        Eigen::MatrixXd states(terms_.uniform.size(), all), residuals(residual_.count(), all);
+        for (std::size_t k = 0; k < duals.size(); ++k)
+            states.middleCols(static_cast<Eigen::Index>(k) * steps, steps) = duals[k];
+        const auto seen = seen_by_terms(residual_, uniform_, states);
+        const auto seen_of = [&](std::size_t k) { return seen.columns(static_cast<Eigen::Index>(k) * steps, steps); };
+        for (std::size_t k = 0; k < duals.size(); ++k)
+            residuals.middleCols(static_cast<Eigen::Index>(k) * steps, steps) =
+                dual_residual(duals[k], seen_of(k), outputs[k]);
+        const Eigen::MatrixXd rooted = upper_product(residual_.root, residuals);
+        std::vector<double> result;
+        for (std::size_t k = 0; k < duals.size(); ++k) {
+            const auto rest = remainders(seen_of(k));
+            const double dual = sum_of_squares(rooted.middleCols(static_cast<Eigen::Index>(k) * steps, steps), rest);
+            result.push_back(std::sqrt(primal_ * dual) / kappa_ + consistency(duals[k], seen_of(k), rest) +
+                             curvature(duals[k]));
+        }
+        return result;
+    }
     [[nodiscard]] double duration(Eigen::Index step) const
     {
         return run_.levels()[static_cast<std::size_t>(step)].step.duration;
@@ -210,19 +248,29 @@ private:
         return result;
     }
 
-    // -K V x, a column for each step.
-    [[nodiscard]] Eigen::MatrixXd not_conducted(const Eigen::MatrixXd& columns) const
+    // Of all stretches, side by side.
+    [[nodiscard]] Eigen::MatrixXd all_loads() const
     {
-        Eigen::MatrixXd result(residual_.count(), columns.cols());
+        const auto sources = static_cast<Eigen::Index>(problem_.sources.size());
+        Eigen::MatrixXd result(residual_.count(), sources * static_cast<Eigen::Index>(stretches_.size()));
+        for (std::size_t s = 0; s < stretches_.size(); ++s)
+            result.middleCols(static_cast<Eigen::Index>(s) * sources, sources) = stretches_[s].loads;
+        return result;
+    }
+
+    // -K V x, a column for each step.
+    [[nodiscard]] Eigen::MatrixXd not_conducted(const SeenByTerms& seen) const
+    {
+        Eigen::MatrixXd result(residual_.count(), count());
         for (std::size_t s = 0; s < stretches_.size(); ++s)
             result.middleCols(stretches_[s].first, stretches_[s].count) =
-                -norms_[s].conducted(columns.middleCols(stretches_[s].first, stretches_[s].count));
+                -norms_[s].conducted(seen.columns(stretches_[s].first, stretches_[s].count));
         return result;
     }
 
     [[nodiscard]] Eigen::MatrixXd primal_residual() const
     {
-        Eigen::MatrixXd result = not_conducted(states());
+        Eigen::MatrixXd result = not_conducted(seen_);
         for (Eigen::Index k = 0; k < count(); ++k) {
             const auto& level = run_.levels()[static_cast<std::size_t>(k)];
             result.col(k).head(residual_.states) = (level.before - level.state) / level.step.duration;
@@ -232,9 +280,10 @@ private:
         return result;
     }
 
-    [[nodiscard]] Eigen::MatrixXd dual_residual(const Eigen::MatrixXd& duals, std::size_t output) const
+    [[nodiscard]] Eigen::MatrixXd dual_residual(const Eigen::MatrixXd& duals, const SeenByTerms& seen,
+                                                std::size_t output) const
     {
-        Eigen::MatrixXd result = not_conducted(duals);
+        Eigen::MatrixXd result = not_conducted(seen);
         for (Eigen::Index k = 0; k < count(); ++k) {
             const bool is_last = k + 1 == count();
             result.col(k).head(residual_.states) =
@@ -261,22 +310,22 @@ private:
     }
 
     // Sizes of what conduction of states leaves out of the residual's vectors, for each step.
-    [[nodiscard]] Eigen::VectorXd remainders(const Eigen::MatrixXd& columns) const
+    [[nodiscard]] Eigen::VectorXd remainders(const SeenByTerms& seen) const
     {
-        Eigen::VectorXd result(columns.cols());
+        Eigen::VectorXd result(count());
         for (std::size_t s = 0; s < stretches_.size(); ++s)
             result.segment(stretches_[s].first, stretches_[s].count) =
-                norms_[s].remainder_squares(columns.middleCols(stretches_[s].first, stretches_[s].count)).cwiseSqrt();
+                norms_[s].remainder_squares(seen.columns(stretches_[s].first, stretches_[s].count)).cwiseSqrt();
         return result;
     }
 
-    // Sum of dt |residual|^2. @param rest  sizes of their remainders
-    [[nodiscard]] double sum_of_squares(const Eigen::MatrixXd& residuals, const Eigen::VectorXd& rest) const
+    // Sum of dt |residual|^2. @param rooted  the root times the residuals @param rest  sizes of their remainders
+    [[nodiscard]] double sum_of_squares(const Eigen::MatrixXd& rooted, const Eigen::VectorXd& rest) const
     {
         double sum = 0;
         for (std::size_t s = 0; s < stretches_.size(); ++s) {
             const auto first = stretches_[s].first, steps = stretches_[s].count;
-            const Eigen::VectorXd main = norms_[s].squares(residuals.middleCols(first, steps));
+            const Eigen::VectorXd main = norms_[s].squares(rooted.middleCols(first, steps));
             for (Eigen::Index k = 0; k < steps; ++k) {
                 const double size = std::sqrt(main[k]) + rest[first + k];
                 sum += duration(first + k) * size * size;
@@ -285,15 +334,10 @@ private:
         return sum;
     }
 
-    // V^T residual without what the remainders add, a column for each step: zero but for cut terms and for the
-    // tolerance of Newton's method.
-    [[nodiscard]] Eigen::MatrixXd residual_on_states() const
+    // V^T residual but for the heat that terms conduct, a column for each step.
+    [[nodiscard]] Eigen::MatrixXd unconducted_on_states() const
     {
-        const Eigen::MatrixXd of_run = states();
-        Eigen::MatrixXd result = -(terms_.solid * of_run);
-        for (std::size_t s = 0; s < stretches_.size(); ++s)
-            result.middleCols(stretches_[s].first, stretches_[s].count) -= norms_[s].conducted_on_states(
-                of_run.middleCols(stretches_[s].first, stretches_[s].count), terms_.functionals);
+        Eigen::MatrixXd result = -transposed_product(terms_.solid, states());
         for (Eigen::Index k = 0; k < count(); ++k) {
             const auto& level = run_.levels()[static_cast<std::size_t>(k)];
             const Eigen::Map<const Eigen::VectorXd> watts(level.watts.data(), residual_.functionals);
@@ -302,10 +346,20 @@ private:
         return result;
     }
 
-    // |sum dt z . V^T residual|
-    [[nodiscard]] double consistency(const Eigen::MatrixXd& duals, const Eigen::VectorXd& of_duals) const
+    // |sum dt z . V^T residual|: zero but for cut terms and for the tolerance of Newton's method.
+    // @param of_duals  sizes of their remainders
+    [[nodiscard]] double consistency(const Eigen::MatrixXd& duals, const SeenByTerms& seen,
+                                     const Eigen::VectorXd& of_duals) const
     {
         double sum = 0, rest = 0;
+        const Eigen::MatrixXd functionals = terms_.functionals * duals;
+        for (std::size_t s = 0; s < stretches_.size(); ++s) {
+            const auto first = stretches_[s].first, steps = stretches_[s].count;
+            const Eigen::VectorXd conducted = norms_[s].conducted_between(
+                seen.columns(first, steps), functionals.middleCols(first, steps), seen_.columns(first, steps));
+            for (Eigen::Index k = 0; k < steps; ++k)
+                sum -= duration(first + k) * conducted[k];
+        }
         for (Eigen::Index k = 0; k < count(); ++k) {
             sum += duration(k) * duals.col(k).dot(on_states_.col(k));
             rest += duration(k) * of_duals[k] * remainders_[k];
@@ -314,13 +368,15 @@ private:
     }
 
     // Sets kappa, the shape of each law at each step, and products of the sources' loads.
-    void look_at_laws()
+    // @param rooted_loads  the root times the loads of all stretches
+    void look_at_laws(const Eigen::MatrixXd& rooted_loads)
     {
         const auto sources = static_cast<Eigen::Index>(problem_.sources.size());
         curvatures_ = bends_ = falls_ = jumps_ = Eigen::MatrixXd::Zero(sources, count());
         kappa_ = 1;
         for (std::size_t s = 0; s < stretches_.size(); ++s) {
-            load_products_.push_back(norms_[s].products(stretches_[s].loads));
+            load_products_.push_back(
+                norms_[s].products(rooted_loads.middleCols(static_cast<Eigen::Index>(s) * sources, sources)));
             Eigen::VectorXd rising = Eigen::VectorXd::Zero(sources);
             for (Eigen::Index k = stretches_[s].first; k < stretches_[s].first + stretches_[s].count; ++k)
                 for (Eigen::Index r = 0; r < sources; ++r) {
@@ -456,7 +512,8 @@ private:
     std::vector<Stretch> stretches_;
     std::vector<ResidualNorm> norms_;  ///< of each stretch
     Eigen::VectorXd remainders_;       ///< of each step's conduction
-    Eigen::MatrixXd on_states_;        ///< see residual_on_states()
+    SeenByTerms seen_;                 ///< of the run's states
+    Eigen::MatrixXd on_states_;        ///< see unconducted_on_states()
     double primal_ = 0;                ///< sum of dt |r|^2
     double kappa_ = 1;
     Eigen::MatrixXd curvatures_, bends_, falls_, jumps_;  ///< per source and step, of LawShape

@@ -71,6 +71,7 @@ ResidualTerms restored(const StoredResidual& stored)
         result.remainder.resize(0, result.states);
     result.root = upper_triangle(stored.root, result.count());
     result.products = as_matrix(stored.products);
+    set_directions(result);
     Eigen::Index corrections = 0;
     for (std::size_t q = 0; q < result.terms(); ++q)
         corrections += result.corrections(q);

@@ -25,10 +25,10 @@ Eigen::Index ResidualTerms::corrections(std::size_t term) const
     return term + 1 == terms() ? 0 : std::min(largest_correction, kept(term));
 }
 
-UniformLoads uniform_loads(const DenseTerms& terms)
+UniformLoads uniform_loads(const DenseTerms& terms, const ResidualTerms& residual)
 {
     const auto& [layout, names, interface_area, surface_area] = terms.geometry;
-    UniformLoads result{terms.uniform, {}};
+    UniformLoads result{terms.uniform, transposed_product(residual.factors, terms.uniform), {}};
     const auto functional = [](std::size_t index) { return static_cast<Eigen::Index>(index); };
     for (std::size_t i = 0; i < layout.interfaces; ++i) {
         result.of_term.emplace_back(functional(layout.mean(i, false)), interface_area[i]);
@@ -61,21 +61,46 @@ bool covers(const ResidualTerms& terms, const std::vector<double>& coefficients)
     return true;
 }
 
-void set_products(ResidualTerms& terms)
+// A row of the root is contiguous, and a column of the directions: a few rows at a time.
+void set_directions(ResidualTerms& terms)
 {
+    constexpr Eigen::Index at_a_time = 16;
     std::vector<Eigen::Index> columns;
     for (std::size_t q = 0; q < terms.terms(); ++q)
         for (Eigen::Index k = 0; k < terms.corrections(q); ++k)
             columns.push_back(terms.first_of_term(q) + k);
-    const Eigen::MatrixXd first = terms.root(Eigen::all, columns);
-    terms.products = transposed_product(first, first);
+    const Eigen::Index rows = terms.root.rows();
+    terms.directions.resize(rows, static_cast<Eigen::Index>(columns.size()));
+    for (Eigen::Index first = 0; first < rows; first += at_a_time) {
+        const Eigen::Index count = std::min(at_a_time, rows - first);
+        terms.directions.middleRows(first, count) = terms.root.middleRows(first, count)(Eigen::all, columns);
+    }
+}
+
+void set_products(ResidualTerms& terms)
+{
+    set_directions(terms);
+    terms.products = transposed_product(terms.directions, terms.directions);
+}
+
+SeenByTerms SeenByTerms::columns(Eigen::Index first, Eigen::Index count) const
+{
+    return {means.segment(first, count), deviations.middleCols(first, count), factors.middleCols(first, count)};
+}
+
+SeenByTerms seen_by_terms(const ResidualTerms& terms, const UniformLoads& loads, const Eigen::MatrixXd& states)
+{
+    SeenByTerms seen;
+    seen.means = loads.uniform.transpose() * states / loads.uniform.squaredNorm();
+    seen.deviations = states - loads.uniform * seen.means;
+    seen.factors = transposed_product(terms.factors, seen.deviations);
+    return seen;
 }
 
 ResidualNorm::ResidualNorm(const ResidualTerms& terms, const UniformLoads& loads,
                            const std::vector<double>& coefficients)
     : terms_(&terms), loads_(&loads), coefficients_(coefficients)
 {
-    std::vector<Eigen::Index> chosen, vectors;  // places in products, and among all vectors
     std::vector<double> inverse;
     Eigen::Index place = 0;
     for (std::size_t q = 0; q < terms.terms(); ++q) {
@@ -84,75 +109,67 @@ ResidualNorm::ResidualNorm(const ResidualTerms& terms, const UniformLoads& loads
             remainder_factor_ = std::max(remainder_factor_, coefficients[q] / terms.highest[q]);
         for (Eigen::Index k = 0; k < terms.corrections(q); ++k, ++place)
             if (difference > coefficient_rounding * coefficients[q]) {
-                chosen.push_back(place);
-                vectors.push_back(terms.first_of_term(q) + k);
+                chosen_.push_back(place);
                 inverse.push_back(1 / difference);
             }
     }
-    directions_ = terms.root(Eigen::all, vectors);
-    Eigen::MatrixXd sum = terms.products(chosen, chosen);
+    Eigen::MatrixXd sum = terms.products(chosen_, chosen_);
     sum.diagonal() += Eigen::Map<const Eigen::VectorXd>(inverse.data(), sum.rows());
     correction_.compute(sum);
 }
 
-Eigen::VectorXd ResidualNorm::squares(const Eigen::MatrixXd& columns) const
+Eigen::MatrixXd ResidualNorm::along_corrections(const Eigen::MatrixXd& rooted) const
 {
-    const Eigen::MatrixXd seen = upper_product(terms_->root, columns);
-    const Eigen::MatrixXd along = correction_.matrixL().solve(transposed_product(directions_, seen));
-    return (seen.colwise().squaredNorm() - along.colwise().squaredNorm()).cwiseMax(0.0).transpose();
+    const Eigen::MatrixXd along = transposed_product(terms_->directions, rooted)(chosen_, Eigen::all);
+    return correction_.matrixL().solve(along);
 }
 
-Eigen::MatrixXd ResidualNorm::products(const Eigen::MatrixXd& columns) const
+Eigen::VectorXd ResidualNorm::squares(const Eigen::MatrixXd& rooted) const
 {
-    const Eigen::MatrixXd seen = upper_product(terms_->root, columns);
-    const Eigen::MatrixXd along = correction_.matrixL().solve(transposed_product(directions_, seen));
-    return seen.transpose() * seen - along.transpose() * along;
+    const auto along = along_corrections(rooted);
+    return (rooted.colwise().squaredNorm() - along.colwise().squaredNorm()).cwiseMax(0.0).transpose();
 }
 
-Eigen::RowVectorXd ResidualNorm::means(const Eigen::MatrixXd& states) const
+Eigen::MatrixXd ResidualNorm::products(const Eigen::MatrixXd& rooted) const
 {
-    return loads_->uniform.transpose() * states / loads_->uniform.squaredNorm();
+    const auto along = along_corrections(rooted);
+    return rooted.transpose() * rooted - along.transpose() * along;
 }
 
-Eigen::MatrixXd ResidualNorm::deviations(const Eigen::MatrixXd& states) const
+Eigen::MatrixXd ResidualNorm::conducted(const SeenByTerms& states) const
 {
-    return states - loads_->uniform * means(states);
-}
-
-Eigen::MatrixXd ResidualNorm::conducted(const Eigen::MatrixXd& states) const
-{
-    const auto mean = means(states);
-    const Eigen::MatrixXd seen = transposed_product(terms_->factors, deviations(states));
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(terms_->count(), states.cols());
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(terms_->count(), states.factors.cols());
     for (std::size_t q = 0; q < terms_->terms(); ++q) {
         if (coefficients_[q] == 0)
             continue;
         result.middleRows(terms_->first_of_term(q), terms_->kept(q)) =
-            coefficients_[q] * seen.middleRows(terms_->first[q], terms_->kept(q));
+            coefficients_[q] * states.factors.middleRows(terms_->first[q], terms_->kept(q));
         const auto& [functional, factor] = loads_->of_term[q];
-        result.row(terms_->first_functional() + functional) += coefficients_[q] * factor * mean;
+        result.row(terms_->first_functional() + functional) += coefficients_[q] * factor * states.means;
     }
     return result;
 }
 
-Eigen::VectorXd ResidualNorm::remainder_squares(const Eigen::MatrixXd& states) const
+Eigen::VectorXd ResidualNorm::remainder_squares(const SeenByTerms& states) const
 {
-    return remainder_factor_ * (terms_->remainder * deviations(states)).colwise().squaredNorm().transpose();
+    return remainder_factor_ * (terms_->remainder * states.deviations).colwise().squaredNorm().transpose();
 }
 
-Eigen::MatrixXd ResidualNorm::conducted_on_states(const Eigen::MatrixXd& states,
-                                                  const Eigen::MatrixXd& functionals) const
+Eigen::VectorXd ResidualNorm::conducted_between(const SeenByTerms& z, const Eigen::MatrixXd& functionals,
+                                                const SeenByTerms& x) const
 {
-    const auto mean = means(states);
-    const Eigen::Index of_solid = terms_->first[terms_->terms() - 1];
-    Eigen::MatrixXd seen = transposed_product(terms_->factors, deviations(states)).topRows(of_solid);
-    Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(functionals.rows(), states.cols());
+    Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero(x.factors.cols());
     for (std::size_t q = 0; q + 1 < terms_->terms(); ++q) {
-        seen.middleRows(terms_->first[q], terms_->kept(q)) *= coefficients_[q];
+        if (coefficients_[q] == 0)
+            continue;
+        const Eigen::Index first = terms_->first[q], kept = terms_->kept(q);
+        const Eigen::MatrixXd whole =
+            z.factors.middleRows(first, kept) + loads_->factors.segment(first, kept) * z.means;
         const auto& [functional, factor] = loads_->of_term[q];
-        loads.row(functional) += coefficients_[q] * factor * mean;
+        result += coefficients_[q] * (whole.cwiseProduct(x.factors.middleRows(first, kept)).colwise().sum() +
+                                      factor * functionals.row(functional).cwiseProduct(x.means));
     }
-    return terms_->factors.leftCols(of_solid) * seen + functionals.transpose() * loads;
+    return result.transpose();
 }
 
 }  // namespace deadpoint::reduce

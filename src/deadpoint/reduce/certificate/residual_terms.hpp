@@ -18,12 +18,12 @@ namespace deadpoint::reduce {
 /// What the terms of a conduction matrix do to a uniform temperature of 1 K: their loads are functionals.
 struct UniformLoads {
     Eigen::VectorXd uniform;  ///< the states
+    Eigen::VectorXd factors;  ///< f_j . uniform
     /// Per term: number of a functional of the layout, and its factor, 0 where a term annihilates it.
     std::vector<std::pair<Eigen::Index, double>> of_term;
 };
 struct DenseTerms;
 struct ResidualCut;
-UniformLoads uniform_loads(const DenseTerms& terms);
 
 /// The vectors u_k of the full system in which the residual of a reduced run lies, by their products in K'^-1. K' is a
 /// conduction matrix below those of all values of the box. In order: M V (a vector for each state), the y_j of each
@@ -39,8 +39,9 @@ struct ResidualTerms {
     /// D with |remainder of x in K^-1|^2 <= max_q (coefficient / highest) |D x|^2
     Eigen::MatrixXd remainder;
     Eigen::Index functionals = 0, observed = 0;
-    RowMatrix root;            ///< upper triangle R: u_i K'^-1 u_j = (R^T R)_ij
-    Eigen::MatrixXd products;  ///< of the first y_j of each term, at most `corrections` of them
+    RowMatrix root;              ///< upper triangle R: u_i K'^-1 u_j = (R^T R)_ij
+    Eigen::MatrixXd products;    ///< of the first y_j of each term, at most `corrections` of them
+    Eigen::MatrixXd directions;  ///< R times these y_j
 
     [[nodiscard]] std::size_t terms() const { return lowest.size(); }
     [[nodiscard]] Eigen::Index kept(std::size_t term) const { return first[term + 1] - first[term]; }
@@ -52,6 +53,8 @@ struct ResidualTerms {
     [[nodiscard]] Eigen::Index count() const { return first_observed() + observed; }
 };
 
+UniformLoads uniform_loads(const DenseTerms& terms, const ResidualTerms& residual);
+
 /// What ResidualTerms are to serve.
 struct ResidualTask {
     const HeatProblem& lowest;    ///< with the coefficients of K'
@@ -60,8 +63,20 @@ struct ResidualTask {
     const ResidualCut& cut;
 };
 
-/// Sets ResidualTerms::products from the root.
+/// Sets ResidualTerms::directions from the root.
+void set_directions(ResidualTerms& terms);
+/// Sets ResidualTerms::products and directions from the root.
 void set_products(ResidualTerms& terms);
+
+/// What the terms see of states, column by column. They see the deviation of a state from its mean temperature, and
+/// that mean by its loads, so that the absolute temperature is in no remainder.
+struct SeenByTerms {
+    Eigen::RowVectorXd means;    ///< mean temperatures
+    Eigen::MatrixXd deviations;  ///< of the states from them
+    Eigen::MatrixXd factors;     ///< f_j . deviation
+    [[nodiscard]] SeenByTerms columns(Eigen::Index first, Eigen::Index count) const;
+};
+SeenByTerms seen_by_terms(const ResidualTerms& terms, const UniformLoads& loads, const Eigen::MatrixXd& states);
 
 /// Coefficient of each term in the conduction matrix of a segment, in the order of PreparedTerms::each [W/m2/K], and
 /// 1 for K_0. Films that follow the temperature have their constant one.
@@ -77,29 +92,28 @@ public:
     /// @param coefficients  of K, which the terms cover
     ResidualNorm(const ResidualTerms& terms, const UniformLoads& loads, const std::vector<double>& coefficients);
 
-    /// |u|^2 of a vector for each column: u = sum of the u_k with these coefficients.
-    [[nodiscard]] Eigen::VectorXd squares(const Eigen::MatrixXd& columns) const;
+    /// |u|^2 of a vector for each column: u = sum of the u_k with coefficients c. @param rooted  R c
+    [[nodiscard]] Eigen::VectorXd squares(const Eigen::MatrixXd& rooted) const;
     /// Products of these vectors in the inverse of the sum.
-    [[nodiscard]] Eigen::MatrixXd products(const Eigen::MatrixXd& columns) const;
+    [[nodiscard]] Eigen::MatrixXd products(const Eigen::MatrixXd& rooted) const;
 
-    /// The coefficients of K V x, column by column, without the remainders. Terms see the deviation of x from its mean
-    /// temperature, and that mean by its loads, so that the absolute temperature is in no remainder.
-    [[nodiscard]] Eigen::MatrixXd conducted(const Eigen::MatrixXd& states) const;
+    /// The coefficients of K V x, column by column, without the remainders.
+    [[nodiscard]] Eigen::MatrixXd conducted(const SeenByTerms& states) const;
     /// |remainder of K V x|^2 in K^-1, at most, since K >= sum of theta_q A_q, column by column.
-    [[nodiscard]] Eigen::VectorXd remainder_squares(const Eigen::MatrixXd& states) const;
-    /// V^T (K - K_0) V x without the remainder, column by column. @param functionals  of the layout
-    [[nodiscard]] Eigen::MatrixXd conducted_on_states(const Eigen::MatrixXd& states,
-                                                      const Eigen::MatrixXd& functionals) const;
+    [[nodiscard]] Eigen::VectorXd remainder_squares(const SeenByTerms& states) const;
+    /// V z . (K - K_0) V x without the remainder, for each pair of columns.
+    /// @param functionals  of the layout, of z
+    [[nodiscard]] Eigen::VectorXd conducted_between(const SeenByTerms& z, const Eigen::MatrixXd& functionals,
+                                                    const SeenByTerms& x) const;
 
 private:
-    [[nodiscard]] Eigen::RowVectorXd means(const Eigen::MatrixXd& states) const;
-    [[nodiscard]] Eigen::MatrixXd deviations(const Eigen::MatrixXd& states) const;
+    [[nodiscard]] Eigen::MatrixXd along_corrections(const Eigen::MatrixXd& rooted) const;
 
     const ResidualTerms* terms_;
     const UniformLoads* loads_;
     std::vector<double> coefficients_;
     double remainder_factor_ = 0;             ///< largest coefficient / highest
-    Eigen::MatrixXd directions_;              ///< R Y of vectors with D > 0
+    std::vector<Eigen::Index> chosen_;        ///< columns of ResidualTerms::directions with D > 0
     Eigen::LLT<Eigen::MatrixXd> correction_;  ///< of D^-1 + Y^T K'^-1 Y
 };
 
