@@ -4,12 +4,14 @@
 #include "deadpoint/fem/conduction/float_cycle.hpp"
 #include "deadpoint/fem/conduction/ghosts.hpp"
 #include "deadpoint/fem/conduction/local_rows.hpp"
+#include "deadpoint/fem/conduction/next_correction.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace deadpoint::fem {
@@ -20,8 +22,6 @@ using PerVector = std::array<double, lanes>;
 
 constexpr int most_iterations = 2000;
 constexpr auto remedy = "look for a coefficient of the case that cannot be meant";
-// The norms of residual and correction do not fall alike, but nearly (StageMatrix::test).
-constexpr double caution = 1.2;
 
 DoubleBlock to_block(const PerVector& values) { return {values.data(), std::experimental::element_aligned}; }
 
@@ -103,10 +103,9 @@ public:
     {
         if (!std::ranges::all_of(residual, [](double value) { return std::isfinite(value); }))
             throw ConvergenceError(fmt::format("{} is not finite; {}", what, remedy));
-        const auto falls = ratios(residual, residual_);
-        residual_ = residual;
+        const auto before = std::exchange(residual_, residual);
         for (std::size_t k = 0; k < lanes; ++k)
-            if (!(caution * correction_[k] * falls[k] <= relative_ * size_[k]))
+            if (before[k] > 0 && next_correction(correction_[k], residual[k], before[k]) > relative_ * size_[k])
                 return false;
         return true;
     }

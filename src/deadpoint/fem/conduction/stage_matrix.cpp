@@ -6,6 +6,7 @@
 #include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/conduction/coarse_matrices.hpp"
 #include "deadpoint/fem/conduction/float_cycle.hpp"
+#include "deadpoint/fem/conduction/next_correction.hpp"
 #include "deadpoint/fem/conduction/terms/film_points.hpp"
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 #include "deadpoint/fem/conduction/terms/material_maps.hpp"
@@ -22,8 +23,6 @@ namespace {
 constexpr double largest_reuse = 2.5;
 // Below the value of the shortest step: the mass dominates the matrix [s].
 constexpr double shortest_factor = 1e-7;
-// The norms of residual and correction do not fall alike, but nearly; see test().
-constexpr double caution = 1.2;
 constexpr double largest_growth = 1e10;  // of a residual, before a solve counts as failed
 constexpr int most_iterations = 2000;
 
@@ -125,7 +124,7 @@ PetscErrorCode StageMatrix::test(KSP, PetscInt iteration, PetscReal residual, KS
     else if (residual == 0)
         *reason = KSP_CONVERGED_ATOL;
     else if (iteration > 0) {
-        const double expected = caution * progress.correction * residual / progress.residual;
+        const double expected = next_correction(progress.correction, residual, progress.residual);
         if (expected <= std::max(progress.relative * progress.size, progress.absolute))
             *reason = KSP_CONVERGED_ATOL;
         else if (residual > largest_growth * progress.first_residual)
