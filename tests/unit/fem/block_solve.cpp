@@ -1,8 +1,8 @@
-#include "deadpoint/fem/conduction/block_solve.hpp"
+#include "deadpoint/fem/conduction/multigrid/block_solve.hpp"
 
 #include "deadpoint/error.hpp"
-#include "deadpoint/fem/conduction/coarse_matrices.hpp"
-#include "deadpoint/fem/conduction/float_cycle.hpp"
+#include "deadpoint/fem/conduction/multigrid/coarse_matrices.hpp"
+#include "deadpoint/fem/conduction/multigrid/float_cycle.hpp"
 #include "lattice.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "deadpoint/fem/conduction/coarse_matrices.hpp"
+#include "deadpoint/fem/conduction/multigrid/coarse_matrices.hpp"
 
 #include "deadpoint/fem/algebra/vectors.hpp"
-#include "deadpoint/fem/conduction/float_cycle.hpp"
+#include "deadpoint/fem/conduction/multigrid/float_cycle.hpp"
 #include "lattice.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "deadpoint/fem/conduction/local_rows.hpp"
+#include "deadpoint/fem/conduction/multigrid/local_rows.hpp"
 
 namespace deadpoint::fem {
 namespace {

@@ -1,4 +1,4 @@
-#include "deadpoint/fem/conduction/ghosts.hpp"
+#include "deadpoint/fem/conduction/multigrid/ghosts.hpp"
 
 #include <algorithm>
 

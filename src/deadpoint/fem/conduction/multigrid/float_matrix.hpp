@@ -1,8 +1,8 @@
 #pragma once
 
 #include "deadpoint/fem/algebra/petsc.hpp"
-#include "deadpoint/fem/conduction/blocks.hpp"
-#include "deadpoint/fem/conduction/ghosts.hpp"
+#include "deadpoint/fem/conduction/multigrid/blocks.hpp"
+#include "deadpoint/fem/conduction/multigrid/ghosts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/fem/conduction/float_matrix.hpp"
+#include "deadpoint/fem/conduction/multigrid/float_matrix.hpp"
 
 #include <optional>
 #include <vector>

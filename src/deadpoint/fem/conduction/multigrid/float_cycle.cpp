@@ -1,7 +1,7 @@
-#include "deadpoint/fem/conduction/float_cycle.hpp"
+#include "deadpoint/fem/conduction/multigrid/float_cycle.hpp"
 
 #include "deadpoint/fem/algebra/vectors.hpp"
-#include "deadpoint/fem/conduction/local_rows.hpp"
+#include "deadpoint/fem/conduction/multigrid/local_rows.hpp"
 
 #include <algorithm>
 #include <array>

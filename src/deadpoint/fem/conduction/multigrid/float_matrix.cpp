@@ -1,6 +1,6 @@
-#include "deadpoint/fem/conduction/float_matrix.hpp"
+#include "deadpoint/fem/conduction/multigrid/float_matrix.hpp"
 
-#include "deadpoint/fem/conduction/local_rows.hpp"
+#include "deadpoint/fem/conduction/multigrid/local_rows.hpp"
 
 #include <numeric>
 #include <span>

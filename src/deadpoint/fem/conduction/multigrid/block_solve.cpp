@@ -1,10 +1,10 @@
-#include "deadpoint/fem/conduction/block_solve.hpp"
+#include "deadpoint/fem/conduction/multigrid/block_solve.hpp"
 
 #include "deadpoint/error.hpp"
-#include "deadpoint/fem/conduction/float_cycle.hpp"
-#include "deadpoint/fem/conduction/ghosts.hpp"
-#include "deadpoint/fem/conduction/local_rows.hpp"
-#include "deadpoint/fem/conduction/next_correction.hpp"
+#include "deadpoint/fem/conduction/multigrid/float_cycle.hpp"
+#include "deadpoint/fem/conduction/multigrid/ghosts.hpp"
+#include "deadpoint/fem/conduction/multigrid/local_rows.hpp"
+#include "deadpoint/fem/conduction/multigrid/next_correction.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "deadpoint/fem/conduction/coarse_matrices.hpp"
+#include "deadpoint/fem/conduction/multigrid/coarse_matrices.hpp"
 
 #include "deadpoint/fem/algebra/vectors.hpp"
 
