@@ -131,7 +131,8 @@ Eigen::MatrixXd HeatProjector::Parts::solved(double shift, const Eigen::MatrixXd
     stage.reset(1 / shift);
     stage.combine(1 / shift, nullptr);
     return solve_blocks(stage.assembled(), stage.cycle(), loads / shift, field_tolerance,
-                        "a field of the reduced basis");
+                        "a field of the reduced basis")
+        .columns;
 }
 
 void HeatProjector::Parts::append(const Eigen::VectorXd& field)

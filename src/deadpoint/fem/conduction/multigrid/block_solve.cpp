@@ -115,8 +115,9 @@ private:
     PerVector size_{}, correction_{}, residual_{};
 };
 
-void solve_block(const Product& matrix, FloatCycle& cycle, double relative, Block& residual, Block& solution,
-                 const char* what)
+// Returns the iterations.
+int solve_block(const Product& matrix, FloatCycle& cycle, double relative, Block& residual, Block& solution,
+                const char* what)
 {
     const std::size_t rows = matrix.rows();
     Block correction(rows), direction(rows + matrix.ghosts(), 0), product(rows);
@@ -124,7 +125,7 @@ void solve_block(const Product& matrix, FloatCycle& cycle, double relative, Bloc
     Progress progress(relative);
     progress.started(norms(residual, rows));
     PerVector before{};
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 1; iteration <= most_iterations; ++iteration) {
         cycle.apply(residual, correction);
         progress.corrected(norms(correction, rows));
         const auto now = products(residual, correction, rows);
@@ -139,18 +140,18 @@ void solve_block(const Product& matrix, FloatCycle& cycle, double relative, Bloc
         }
         before = now;
         if (progress.ends(norms(residual, rows), what))
-            return;
+            return iteration;
     }
     throw ConvergenceError(fmt::format("{} did not converge in {} iterations; {}", what, most_iterations, remedy));
 }
 
 }  // namespace
 
-Eigen::MatrixXd solve_blocks(Mat matrix, FloatCycle& cycle, const Eigen::MatrixXd& right, double relative,
-                             const char* what)
+BlockSolution solve_blocks(Mat matrix, FloatCycle& cycle, const Eigen::MatrixXd& right, double relative,
+                           const char* what)
 {
     const Product product(matrix);
-    Eigen::MatrixXd result(right.rows(), right.cols());
+    BlockSolution result{Eigen::MatrixXd(right.rows(), right.cols()), 0};
     Block residual(product.rows()), solution(product.rows());
     for (Eigen::Index first = 0; first < right.cols(); first += lanes) {
         const Eigen::Index count = std::min<Eigen::Index>(lanes, right.cols() - first);
@@ -160,10 +161,11 @@ Eigen::MatrixXd solve_blocks(Mat matrix, FloatCycle& cycle, const Eigen::MatrixX
             for (Eigen::Index k = 0; k < count; ++k)
                 row[static_cast<std::size_t>(k)] = right(i, first + k);
         }
-        solve_block(product, cycle, relative, residual, solution, what);
+        result.iterations =
+            std::max(result.iterations, solve_block(product, cycle, relative, residual, solution, what));
         for (Eigen::Index i = 0; i < right.rows(); ++i)
             for (Eigen::Index k = 0; k < count; ++k)
-                result(i, first + k) = solution[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+                result.columns(i, first + k) = solution[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
     }
     return result;
 }
