@@ -164,6 +164,23 @@ TEST_CASE("bounds hold, with coefficients that the build never saw")
     MESSAGE("largest bound of the gap " << largest);
 }
 
+TEST_CASE("the bound of an output is the same beside how many others")
+{
+    const auto& models = certified().models;
+    const auto large = run_on(models.large, rods::problem());
+    const auto bounds = [&](const std::vector<std::size_t>& asked) {
+        return certify(models.large, *models.residual, rods::problem(), large.time, asked).bounds;
+    };
+    const std::vector<double> alone{bounds({outputs()[0]})[0], bounds({outputs()[1]})[0]};
+    std::vector<std::size_t> many;  // more steps of outputs than are worked on at once
+    while (many.size() * large.time.size() < 3000)
+        many.push_back(outputs()[many.size() % 2]);
+    const auto found = bounds(many);
+    REQUIRE(found.size() == many.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        CHECK(found[k] == Approx(alone[k % 2]).epsilon(1e-9));  // rounding of sums of some thousand products
+}
+
 TEST_CASE("a law that is not straight adds to the bound where it bends")
 {
     const auto terms = std::make_shared<const PreparedTerms>(rods::full_terms());

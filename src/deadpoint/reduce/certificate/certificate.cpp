@@ -158,7 +158,8 @@ public:
         for (std::size_t k = 0; k < outputs.size(); ++k)
             weights.col(static_cast<Eigen::Index>(k)) = weights_of(outputs[k]);
         const auto duals = run_.duals(weights);
-        const auto at_a_time = static_cast<std::size_t>(std::max<Eigen::Index>(1, columns_at_a_time / count()));
+        const auto at_a_time =
+            static_cast<std::size_t>(columns_at_a_time / std::clamp<Eigen::Index>(count(), 1, columns_at_a_time));
         std::vector<double> result;
         for (std::size_t first = 0; first < outputs.size(); first += at_a_time) {
             const std::size_t some = std::min(at_a_time, outputs.size() - first);
