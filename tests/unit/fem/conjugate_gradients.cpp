@@ -1,4 +1,4 @@
-#include "deadpoint/fem/conduction/multigrid/block_solve.hpp"
+#include "deadpoint/fem/conduction/multigrid/conjugate_gradients.hpp"
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/conduction/multigrid/coarse_matrices.hpp"
@@ -32,7 +32,7 @@ struct Solver : lattice::Hierarchy {
     }
     [[nodiscard]] BlockSolution solve(const Eigen::MatrixXd& right, double relative)
     {
-        return solve_blocks(system, *cycle, right, relative, "a test");
+        return solve_together(system, *cycle, right, relative, "a test");
     }
     std::optional<FloatCycle> cycle;
 };

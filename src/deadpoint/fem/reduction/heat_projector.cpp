@@ -6,7 +6,7 @@
 #include "deadpoint/fem/algebra/vectors.hpp"
 #include "deadpoint/fem/conduction/heat_functionals.hpp"
 #include "deadpoint/fem/conduction/heat_system.hpp"
-#include "deadpoint/fem/conduction/multigrid/block_solve.hpp"
+#include "deadpoint/fem/conduction/multigrid/conjugate_gradients.hpp"
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 #include "deadpoint/fem/reduction/basis_fields.hpp"
@@ -130,8 +130,8 @@ Eigen::MatrixXd HeatProjector::Parts::solved(double shift, const Eigen::MatrixXd
     auto& stage = system.stage();
     stage.reset(1 / shift);
     stage.combine(1 / shift, nullptr);
-    return solve_blocks(stage.assembled(), stage.cycle(), loads / shift, field_tolerance,
-                        "a field of the reduced basis")
+    return solve_together(stage.assembled(), stage.cycle(), loads / shift, field_tolerance,
+                          "a field of the reduced basis")
         .columns;
 }
 

@@ -27,8 +27,8 @@ struct ModelParts;
 struct ReduceOptions {
     FreeRanges ranges;
     reduce::BuildOptions build;
-    long long largest_factor =
-        1'000'000;            ///< unknowns up to which sparse factors, of then about 5 GB, solve for fields
+    /// Unknowns up to which sparse factors solve for fields, which then take about 5 GB; beyond it multigrid.
+    long long largest_factor = 1'000'000;
     int full_runs = 0;        ///< with coefficients drawn from the box, of the full model, to compare with
     std::string fields_file;  ///< where the fields of the small model's states are written; empty: nowhere
     /// Existing folder with what was finished before (reduce/kept/build_checkpoint.hpp); empty: none

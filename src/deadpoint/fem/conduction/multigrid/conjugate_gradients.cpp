@@ -1,4 +1,4 @@
-#include "deadpoint/fem/conduction/multigrid/block_solve.hpp"
+#include "deadpoint/fem/conduction/multigrid/conjugate_gradients.hpp"
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/conduction/multigrid/float_cycle.hpp"
@@ -147,8 +147,8 @@ int solve_block(const Product& matrix, FloatCycle& cycle, double relative, Block
 
 }  // namespace
 
-BlockSolution solve_blocks(Mat matrix, FloatCycle& cycle, const Eigen::MatrixXd& right, double relative,
-                           const char* what)
+BlockSolution solve_together(Mat matrix, FloatCycle& cycle, const Eigen::MatrixXd& right, double relative,
+                             const char* what)
 {
     const Product product(matrix);
     BlockSolution result{Eigen::MatrixXd(right.rows(), right.cols()), 0};

@@ -21,7 +21,7 @@ struct BlockSolution {
 /// @param relative  largest norm of a correction, as a share of that of the largest one
 /// @param what      the solution, for errors
 /// @throws ConvergenceError if a column does not converge
-BlockSolution solve_blocks(Mat matrix, FloatCycle& cycle, const Eigen::MatrixXd& right, double relative,
-                           const char* what);
+BlockSolution solve_together(Mat matrix, FloatCycle& cycle, const Eigen::MatrixXd& right, double relative,
+                             const char* what);
 
 }  // namespace deadpoint::fem
