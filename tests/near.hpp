@@ -1,14 +1,13 @@
 #pragma once
 
-#include <doctest/doctest.h>
-
 #include <cmath>
+#include <doctest/doctest.h>
 
 /// A value that a computed one must be close to: `CHECK(gap == near(-32.8e-6, 1e-3))`.
 ///
-/// |computed - value| <= max(relative |value|, absolute). Nothing is added to the scale (doctest's Approx adds 1), so that
-/// micrometres in metres are held as closely as hundreds of kelvin. A value of zero needs an absolute tolerance, in the value's
-/// unit. NaN is close to nothing; an infinity only to itself.
+/// |computed - value| <= max(relative |value|, absolute). Nothing is added to the scale (doctest's Approx adds 1), so
+/// that micrometres in metres are held as closely as hundreds of kelvin. A value of zero needs an absolute tolerance,
+/// in the value's unit. NaN is close to nothing; an infinity only to itself.
 struct Near {
     double value;
     double relative;
@@ -22,10 +21,7 @@ struct Near {
     friend bool operator!=(double computed, const Near& near) { return !(computed == near); }
 };
 
-inline Near near(double value, double relative, double absolute = 0)
-{
-    return {value, relative, absolute};
-}
+inline Near near(double value, double relative, double absolute = 0) { return {value, relative, absolute}; }
 
 namespace doctest {
 

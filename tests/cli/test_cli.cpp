@@ -1,3 +1,5 @@
+#include "near.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -272,7 +274,7 @@ TEST_CASE("probe tells what a probe of the case tells, at the times of the field
     };
     const auto history = content(target + "/history.csv");
     for (const char* time : {"300", "600"}) {  // single precision of the files: 2e-6 K
-        CHECK(value(shown.out, time) == doctest::Approx(value(history, time)).epsilon(1e-6));
+        CHECK(value(shown.out, time) == near(value(history, time), 1e-6));
     }
     REQUIRE(deadpoint(probe + " -o " + table).code == 0);
     CHECK(content(table) == shown.out);
@@ -841,7 +843,7 @@ void check_calibrate(const Folder& folder, const std::string& press, const std::
     CHECK(has(fitted.out, "the data do not contradict the model"));
     const auto table = content(folder / "fitted/parameters.csv");
     const auto row = table.substr(table.find("journals,factor,,") + 17);
-    CHECK(std::stod(row) == doctest::Approx(1.5).epsilon(0.03));  // 0.1 K of 9 K, and the model's stated error
+    CHECK(std::stod(row) == near(1.5, 0.03));  // 0.1 K of 9 K, and the model's stated error
     CHECK(has(content(folder / "fitted/prediction_fast.csv"), "E_SW upper [um]"));
     CHECK(has(content(folder / "fitted/report.html"), "What the data say"));
     CHECK(call(file, "-o " + (folder / "fitted")).code == 5);

@@ -10,6 +10,7 @@
 #include "deadpoint/machine/parts/part_mesh.hpp"
 #include "deadpoint/observer.hpp"
 #include "drawn_here.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -104,7 +105,7 @@ void mesh_at_three_sizes(const Drawing& drawing)
         MESSAGE(drawing.name, " ", cells, ": ", part.cell_count, " cells, quality ", part.min_quality);
         CHECK(part.min_quality >= machine::least_quality);
         // Holes and roundings of a third of the size are left out, and circles have corners.
-        CHECK(part.volume == doctest::Approx(solid.volume).epsilon(0.02 + 0.6 / cells));
+        CHECK(part.volume == near(solid.volume, 0.02 + 0.6 / cells));
         if (cells == 16 && model.solids.size() == 1) {
             if (const auto others = by_hand(path, size)) {
                 MESSAGE(drawing.name, ": ", part.cell_count, " cells, by hand ", *others);

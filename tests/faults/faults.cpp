@@ -1,6 +1,7 @@
 /// Requirement: whatever goes wrong, the program says what, where and what to do, ends with the code of that kind of
 /// error, and leaves no file that reads as whole.
 #include "command.hpp"
+#include "near.hpp"
 #include "plate_case.hpp"
 
 #include <doctest/doctest.h>
@@ -61,8 +62,7 @@ TEST_CASE("a run that is killed leaves a whole result or none, and the same comm
         CHECK_FALSE(fs::exists(target));  // it is named once it is whole
     }
     CHECK(run("", line).code == 0);
-    CHECK(static_cast<double>(size_of(target)) ==
-          doctest::Approx(static_cast<double>(whole)).epsilon(0.01));  // timings differ
+    CHECK(static_cast<double>(size_of(target)) == near(static_cast<double>(whole), 0.01));  // timings differ
 }
 
 TEST_CASE("killed while it replaces a result, the old one or the new one is there")
@@ -142,7 +142,7 @@ TEST_CASE("a STEP file in inches is read in inches")
     REQUIRE(plain.code == 0);
     REQUIRE(in_inches.code == 0);
     // 25.4^3; the hole has coarser facets in the small plate, whose cells are as large, which leaves 0.7 %.
-    CHECK(plate_mass(in_inches.text) / plate_mass(plain.text) == doctest::Approx(16387.06).epsilon(0.01));
+    CHECK(plate_mass(in_inches.text) / plate_mass(plain.text) == near(16387.06, 0.01));
 }
 
 TEST_CASE("a solver that does not converge is exit code 4 with its name, and leaves no result")

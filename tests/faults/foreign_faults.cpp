@@ -1,6 +1,7 @@
 /// Requirement: whatever stands in a mesh or STEP file, nothing is run, written, removed or read beyond it, no process
 /// is left, and the program says what is wrong with it; and what is only unusual is read as it is meant.
 #include "command.hpp"
+#include "near.hpp"
 #include "plate_case.hpp"
 
 #include <bit>
@@ -181,7 +182,7 @@ void expect_read(const std::vector<Attack>& oddities)
         const auto outcome = target.check("mesh", oddity.file);
         CAPTURE(outcome.text);
         CHECK(outcome.code == 0);
-        CHECK(plate_mass(outcome.text) == doctest::Approx(mass).epsilon(1e-9));  // of the same numbers
+        CHECK(plate_mass(outcome.text) == near(mass, 1e-9));  // of the same numbers
         fs::remove(path);
     }
 }

@@ -1,4 +1,5 @@
 /// Tables 1, 2 and A.1 of the paper: what the case of its press carries over.
+#include "near.hpp"
 #include "paper.hpp"
 
 #include <algorithm>
@@ -63,7 +64,7 @@ TEST_CASE("Table 1: the crankshaft of the case has the printed elements, disk an
     CHECK(same(table["disk"]["mass_kg"], disk.mass));
     CHECK(same(table["disk"]["polar_inertia_kg_m2"], disk.polar_inertia));
     CHECK(same(table["disk"]["diametral_inertia_kg_m2"], disk.diametral_inertia));
-    CHECK(disk.position == doctest::Approx(middle(shaft, 17)).epsilon(1e-9));
+    CHECK(disk.position == near(middle(shaft, 17), 1e-9));
     page.row({"disk: mass [kg]", figure(table["disk"]["mass_kg"]), figure(disk.mass), "carried over"});
     // Eq. 6: m d^2 / 8 and m d^2 / 16 of a full disk, which the printed inertias are not
     const double square = disk.mass * std::pow(shaft.sections[16].diameter, 2);
@@ -84,7 +85,7 @@ TEST_CASE("Table 1: the crankshaft of the case has the printed elements, disk an
     for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
         const auto& bearing = shaft.bearings[i];
         const int number = bearings["numbers"][i];
-        CHECK(bearing.position == doctest::Approx(middle(shaft, number)).epsilon(1e-9));
+        CHECK(bearing.position == near(middle(shaft, number), 1e-9));
         CHECK(same(printed("section_5_stiffness_N_per_m"), bearing.stiffness[0][0]));
         CHECK(same(printed("section_5_stiffness_N_per_m"), bearing.stiffness[1][1]));
         CHECK(same(bearings["stiffness_N_per_m"], bearing.stiffness[0][0] / 10));
@@ -152,7 +153,7 @@ TEST_CASE("Table A.1: the joints and masses of the case are the printed ones")
     check("lengths_mm", "l6", between("pivot_h", "links_5_6"));
     check("lengths_mm", "l7", between("links_5_7", "links_7_8"));
     check("lengths_mm", "l8", between("links_11_8", "links_7_8"), "; the pivot is half way");
-    CHECK(between("pivot_p18", "links_7_8") == doctest::Approx(between("links_11_8", "pivot_p18")).epsilon(1e-6));
+    CHECK(between("pivot_p18", "links_7_8") == near(between("links_11_8", "pivot_p18"), 1e-6));
     check("lengths_mm", "l9", between("links_9_8", "link_9_slider_10"));
     check("lengths_mm", "l11", between("links_11_8", "link_11_slider_12"));
 

@@ -7,6 +7,7 @@
 #include "deadpoint/tribology/conductance/conductance.hpp"
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
 #include "deadpoint/tribology/friction/rolling_bearing.hpp"
+#include "near.hpp"
 #include "paper.hpp"
 
 #include <algorithm>
@@ -58,9 +59,9 @@ TEST_CASE("Table 4: static factors by ISO 76, which differ from the printed ones
         const auto own = tribology::static_factors(angular_contact_ball, angle * degree);
         const auto theirs =
             tribology::static_factors(angular_contact_ball, angle * degree, tribology::StaticTable::zheng_2018);
-        CHECK(theirs.axial == doctest::Approx(axial).epsilon(1e-12));
-        CHECK(theirs.radial == doctest::Approx(radial).epsilon(1e-12));
-        CHECK(own.radial == doctest::Approx(radial).epsilon(1e-12));
+        CHECK(theirs.axial == near(axial, 1e-12));
+        CHECK(theirs.radial == near(radial, 1e-12));
+        CHECK(own.radial == near(radial, 1e-12));
         const bool agrees = std::abs(own.axial - axial) < 1e-9;
         CHECK(agrees == (angle > 15));
         CHECK(std::abs(own.axial - axial) < 0.01 + 1e-9);  // one unit of the last digit
@@ -104,7 +105,7 @@ TEST_CASE("Table 5: its viscous parts are those of pins and bearings that all tu
     // good to about 1e-6, the one in whole watts to 1e-4.
     const double per_cube = viscous("pivot_p18") / std::pow(140, 3);
     const auto follows = [&](const char* row, double diameter, double tolerance) {
-        CHECK(viscous(row) == doctest::Approx(per_cube * std::pow(diameter, 3)).epsilon(tolerance));
+        CHECK(viscous(row) == near(per_cube * std::pow(diameter, 3), tolerance));
     };
     follows("crank_pin", 140, 1e-4);
     follows("link_9_slider_10", 120, 1e-4);
@@ -113,14 +114,13 @@ TEST_CASE("Table 5: its viscous parts are those of pins and bearings that all tu
     for (const char* row : {"pivot_h", "links_5_7"})
         follows(row, 80, 2e-6);
     // Palmgren's goes as the cube of the mean diameter, four bearings against two
-    CHECK(viscous("crank_bearings") == doctest::Approx(2 * viscous("links_8_11")).epsilon(1e-5));
-    CHECK(viscous("links_8_11") / viscous("link_11_slider_12") ==
-          doctest::Approx(std::pow(51.0 / 35, 3)).epsilon(1e-5));
+    CHECK(viscous("crank_bearings") == near(2 * viscous("links_8_11"), 1e-5));
+    CHECK(viscous("links_8_11") / viscous("link_11_slider_12") == near(std::pow(51.0 / 35, 3), 1e-5));
     // load parts over diameter: one force at both ends of a link with two pins
     const auto load = [&](const char* row, double diameter) {
         return std::get<casefile::CalibratedFriction>(friction.at(row).law).load_part / diameter;
     };
-    CHECK(load("crank_pin", 140) == doctest::Approx(load("links_3_4_5", 110)).epsilon(2e-4));  // whole watts
-    CHECK(load("links_5_6", 110) == doctest::Approx(load("pivot_h", 80)).epsilon(1e-5));
-    CHECK(load("links_5_7", 80) == doctest::Approx(load("links_7_8_9", 110)).epsilon(1e-5));
+    CHECK(load("crank_pin", 140) == near(load("links_3_4_5", 110), 2e-4));  // whole watts
+    CHECK(load("links_5_6", 110) == near(load("pivot_h", 80), 1e-5));
+    CHECK(load("links_5_7", 80) == near(load("links_7_8_9", 110), 1e-5));
 }

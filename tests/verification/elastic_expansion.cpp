@@ -6,6 +6,7 @@
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 #include "deadpoint/study/translate/materials.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -13,7 +14,6 @@
 // Expansion that follows the temperature. The bar of bar.toml is 1.04 m long.
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -91,9 +91,9 @@ TEST_CASE("a free bar whose expansion follows the temperature, by mean and by in
         Bar bar(with_table(kind));
         const auto warm = bar.model.constant_field(reference + 80);
         // Even strain is in the finite-element space: only rounding remains. It counts from where the run starts.
-        CHECK(bar.direct(warm, reference) == Approx(strain(reference + 80) * length).scale(0).epsilon(1e-9));
+        CHECK(bar.direct(warm, reference) == near(strain(reference + 80) * length, 1e-9));
         CHECK(bar.direct(warm, reference + 20) ==
-              Approx((strain(reference + 80) - strain(reference + 20)) * length).scale(0).epsilon(1e-9));
+              near((strain(reference + 80) - strain(reference + 20)) * length, 1e-9));
         CHECK(std::abs(bar.direct(warm, reference + 80)) < 1e-12);
     }
 }
@@ -104,9 +104,9 @@ TEST_CASE("both kinds of one dilatation curve bend a bar alike, and adjoints giv
     Bar by_mean(with_table("mean")), by_slope(with_table("instantaneous"));
     const auto field = along_bar(by_mean.model);
     const double u = by_mean.direct(field, start);
-    CHECK(by_slope.direct(field, start) == Approx(u).scale(0).epsilon(1e-9));
+    CHECK(by_slope.direct(field, start) == near(u, 1e-9));
     const auto adjoint = by_mean.model.adjoints({by_mean.stretch}).front();
-    CHECK(by_mean.model.apply(adjoint, field, start) == Approx(u).scale(0).epsilon(1e-9));
+    CHECK(by_mean.model.apply(adjoint, field, start) == near(u, 1e-9));
     // The mean height of the ends is the integral of the strain over the volume by the section (Betti), exactly; the
     // strain is interpolated between nodes 31 mm apart at most.
     double whole = 0;
@@ -115,13 +115,13 @@ TEST_CASE("both kinds of one dilatation curve bend a bar alike, and adjoints giv
         const double y = -0.02 + length * (i + 0.5) / parts;
         whole += (strain(reference + 10 + 90 * y * y) - strain(start)) * length / parts;
     }
-    CHECK(u == Approx(whole).scale(0).epsilon(2e-3));
+    CHECK(u == near(whole, 2e-3));
 
     const auto secant = by_mean.model.secant(adjoint, field, start);
     double sum = 0;
     for (std::size_t i = 0; i < secant.owned.size(); ++i)
         sum += secant.owned[i] * (field.owned[i] - start);
-    CHECK(sum == Approx(u).scale(0).epsilon(1e-9));
+    CHECK(sum == near(u, 1e-9));
     CHECK_FALSE(by_mean.model.expands_linearly());
     CHECK(Bar(verification::read("bar")).model.expands_linearly());
 }
@@ -134,9 +134,9 @@ TEST_CASE("a table of one coefficient gives the constant's deformation")
     input.materials.at("steel").expansion_kind = casefile::Material::Expansion::instantaneous;
     Bar table(input);
     const auto field = along_bar(plain.model);
-    CHECK(table.direct(field, 300) == Approx(plain.direct(field, 300)).scale(0).epsilon(1e-12));
+    CHECK(table.direct(field, 300) == near(plain.direct(field, 300), 1e-12));
     CHECK(table.model.apply(table.model.adjoints({table.stretch}).front(), field, 300) ==
-          Approx(plain.model.apply(plain.model.adjoints({plain.stretch}).front(), field, 300)).scale(0).epsilon(1e-12));
+          near(plain.model.apply(plain.model.adjoints({plain.stretch}).front(), field, 300), 1e-12));
 }
 
 TEST_CASE("a run that starts at 40 degC: the history's functional, its rate and its split by part")
@@ -156,16 +156,16 @@ TEST_CASE("a run that starts at 40 degC: the history's functional, its rate and 
                          [&](double, const fem::Field& field) { at_end = bar.direct(field, reference + 20); });
     const auto& series = history.functionals[0];
     CHECK(series.value.front() == 0);
-    CHECK(series.value.back() == Approx(at_end).scale(0).epsilon(1e-8));
+    CHECK(series.value.back() == near(at_end, 1e-8));
     CHECK(at_end > 1e-5);
     double sum = 0;
     for (const auto& part : history.contributions)
         sum += part.back();
-    CHECK(sum == Approx(series.value.back()).scale(0).epsilon(1e-12));
+    CHECK(sum == near(series.value.back(), 1e-12));
     const auto i = history.time.size() - 2;
     const double secant = (series.value[i + 1] - series.value[i]) / (history.time[i + 1] - history.time[i]);
     // The mean of both ends' rates, to second order in the step.
-    CHECK(0.5 * (series.rate[i] + series.rate[i + 1]) == Approx(secant).scale(0).epsilon(1e-2));
+    CHECK(0.5 * (series.rate[i] + series.rate[i + 1]) == near(secant, 1e-2));
 }
 
 TEST_CASE("the page's deformation by modes, where it does not follow the temperature linearly")
@@ -190,7 +190,7 @@ TEST_CASE("the page's deformation by modes, where it does not follow the tempera
         for (std::size_t k = 0; k < view.temperature.modes.size(); ++k)
             t += view.coefficients[k][3] * view.temperature.modes[k][v];
         largest = std::max(largest, norm(u - direct[v]));
-        CHECK(t == Approx(reference + 100 * view.surface.positions[v][1] + 20).scale(0).epsilon(1e-4));
+        CHECK(t == near(reference + 100 * view.surface.positions[v][1] + 20, 1e-4));
     }
     // The modes that are solved leave out 2.5 % of the rise at most.
     CHECK(largest < study::view_deformation_tolerance * strain(reference + 120) * length);

@@ -5,6 +5,7 @@
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 #include "deadpoint/study/translate/materials.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -13,7 +14,6 @@
 #include <map>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -117,21 +117,21 @@ TEST_CASE("bodies of unlike expansion that warm evenly: clearances by d (alpha -
     // A uniform expansion is a linear displacement, which elements, ties and fits reproduce up to the solver; facets of
     // the cylinders scale with them.
     const double exact = 1e-6;
-    CHECK(values.at("clearance guide") == Approx(0.300 * (frame - slide) * rise).scale(0).epsilon(exact));
-    CHECK(values.at("clearance wrist_pin") == Approx(0.060 * (steel - slide) * rise).scale(0).epsilon(exact));
-    CHECK(values.at("clearance crank_bearing front") == Approx(0.080 * (frame - steel) * rise).scale(0).epsilon(exact));
+    CHECK(values.at("clearance guide") == near(0.300 * (frame - slide) * rise, exact));
+    CHECK(values.at("clearance wrist_pin") == near(0.060 * (steel - slide) * rise, exact));
+    CHECK(values.at("clearance crank_bearing front") == near(0.080 * (frame - steel) * rise, exact));
     // the flywheel of cast iron on the same shaft strains it there
-    CHECK(values.at("clearance crank_bearing back") == Approx(0.080 * (frame - steel) * rise).scale(0).epsilon(0.01));
+    CHECK(values.at("clearance crank_bearing back") == near(0.080 * (frame - steel) * rise, 0.01));
     CHECK(std::abs(values.at("clearance crank_pin")) < 1e-6 * 0.090 * steel * rise);
     // seat 1.05 m above the feet, crank throw and rod of steel, slide from pin to face, table 0.15 m above the feet;
     // the crank's play comes on top, metre for metre of what its bearings grow on the radius
     const double gap = rise * (frame * 1.05 - steel * 0.340 - slide * 0.360 - frame * 0.15);
     for (const char* corner : {"front left", "front right", "back left", "back right"})
-        CHECK(values.at(std::string("gap ") + corner) == Approx(gap).scale(0).epsilon(3e-4));  // the same
-    CHECK(press.chain.travel_by_play == Approx(1).scale(0).epsilon(1e-9));
+        CHECK(values.at(std::string("gap ") + corner) == near(gap, 3e-4));  // the same
+    CHECK(press.chain.travel_by_play == near(1, 1e-9));
     const auto growths = press.model.adjoints({press.chain.dimensions[drift::dimension_count]});
     CHECK(press.model.apply(growths[0], press.model.constant_field(start + rise), start) ==
-          Approx(0.5 * 0.080 * (frame - steel) * rise).scale(0).epsilon(exact));
+          near(0.5 * 0.080 * (frame - steel) * rise, exact));
 }
 
 TEST_CASE("one expansion for all: clearances stay, the corners of the half press follow alpha dT L")
@@ -149,8 +149,8 @@ TEST_CASE("one expansion for all: clearances stay, the corners of the half press
             ++clearances;
         }
     CHECK(clearances == 18);  // twelve pins, four bearings with their rings, guides 4 and 10; guide 12 has one face
-    CHECK(values.at("gap front right") == Approx(1.1e-4 * 0.3).scale(0).epsilon(1e-5));
-    CHECK(values.at("gap back right") == Approx(1.1e-4 * 0.3).scale(0).epsilon(1e-5));
+    CHECK(values.at("gap front right") == near(1.1e-4 * 0.3, 1e-5));
+    CHECK(values.at("gap back right") == near(1.1e-4 * 0.3, 1e-5));
 }
 
 TEST_CASE("a slide warmer at the back tilts about its pin by alpha g times the distance to its face")
@@ -170,7 +170,7 @@ TEST_CASE("a slide warmer at the back tilts about its pin by alpha g times the d
     for (const char* side : {"left", "right"}) {
         const double slope =
             (along_z.at(std::string("gap back ") + side) - along_z.at(std::string("gap front ") + side)) / 0.2;
-        CHECK(slope == Approx(alpha * gradient * (-0.7 + 0.34)).scale(0).epsilon(1e-4));
+        CHECK(slope == near(alpha * gradient * (-0.7 + 0.34), 1e-4));
     }
     // The operator stands at z < 0 (front = "-z") and has x > 0 on the left.
     // T = g x: the guide's faces, at x = +-0.15 with their middle at y = -0.575, keep their direction instead.
@@ -180,7 +180,7 @@ TEST_CASE("a slide warmer at the back tilts about its pin by alpha g times the d
         const double slope =
             (along_x.at(std::string("gap ") + side + " left") - along_x.at(std::string("gap ") + side + " right")) /
             0.3;
-        CHECK(slope == Approx(alpha * gradient * (-0.7 + 0.575)).scale(0).epsilon(1e-4));
+        CHECK(slope == near(alpha * gradient * (-0.7 + 0.575), 1e-4));
     }
 }
 
@@ -201,6 +201,6 @@ TEST_CASE("a frame warmer at the back hands its tilt down by crank and rod to th
     for (const char* side : {"left", "right"}) {
         const double slope =
             (values.at(std::string("gap back ") + side) - values.at(std::string("gap front ") + side)) / 0.2;
-        CHECK(slope == Approx(alpha * gradient * 0.9).scale(0).epsilon(1e-4));
+        CHECK(slope == near(alpha * gradient * 0.9, 1e-4));
     }
 }

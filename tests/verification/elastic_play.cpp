@@ -1,5 +1,6 @@
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -9,7 +10,6 @@
 // much as its bushes.
 
 using namespace deadpoint;
-using doctest::Approx;
 using verification::Case;
 
 namespace {
@@ -94,13 +94,13 @@ TEST_CASE("play of the crank's bearings: none, all of it, or until it is used up
     }
     CHECK(used_up);
     CHECK(drift.clearance.rate.back() == 0);
-    CHECK(drift.play.value.back() == Approx(-0.5 * closed).scale(0).epsilon(1e-9));
+    CHECK(drift.play.value.back() == near(-0.5 * closed, 1e-9));
     // all corners go with the slide
     const auto corner = [](const study::RunResult& result) {
         return result.gaps.parallelism->corners[2].gap.value.back();
     };
-    CHECK(corner(limited) - corner(none) == Approx(-0.5 * closed).scale(0).epsilon(1e-6));
-    CHECK(limited.adjoint_check->by_adjoint == Approx(limited.adjoint_check->by_deformation).scale(0).epsilon(1e-7));
+    CHECK(corner(limited) - corner(none) == near(-0.5 * closed, 1e-6));
+    CHECK(limited.adjoint_check->by_adjoint == near(limited.adjoint_check->by_deformation, 1e-7));
     CHECK(limited.adjoint_check->joint_opening < 1e-9 * closed);
     // The causes are those of the gap with what counts of the play: the films of the starter radiate, hence a
     // remainder.

@@ -5,11 +5,11 @@
 #include "deadpoint/study/translate/lookup.hpp"
 #include "deadpoint/study/translate/materials.hpp"
 #include "elastic_model.hpp"
+#include "near.hpp"
 
 #include <cmath>
 
 using namespace deadpoint;
-using doctest::Approx;
 using verification::Elastic;
 using verification::mean_over;
 
@@ -30,7 +30,7 @@ TEST_CASE("a free bar of two bonded blocks stretches by alpha dT L")
             "linear displacements are exact through ties too; rounding"},
            u[0] - u[1]);
     // free of supports: the mean displacement is zero, so both ends move apart evenly
-    CHECK(u[0] == Approx(-u[1]).scale(0).epsilon(1e-6));
+    CHECK(u[0] == near(-u[1], 1e-6));
 }
 
 TEST_CASE("a free bar whose parts have elements of different order and shape stretches alike")
@@ -42,7 +42,7 @@ TEST_CASE("a free bar whose parts have elements of different order and shape str
             Elastic bar(verification::read("bar", {order, shape}));
             const auto u = bar.values("", bar.model.constant_field(293.15 + 50),
                                       {mean_over(bar.machine, "top", 1), mean_over(bar.machine, "bottom", 1)});
-            CHECK(u[0] - u[1] == Approx(1.2e-5 * 50 * 1.04).scale(0).epsilon(1e-9));
+            CHECK(u[0] - u[1] == near(1.2e-5 * 50 * 1.04, 1e-9));
         }
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("a bar clamped at both ends is stressed by -126 MPa and bulges by (1 +
                                mean_over(bar.machine, "right_side", 1)});
     const double lateral = (u[0] - u[1]) / 0.1;
     // Ties carry a uniform stress exactly, so only the solver remains.
-    CHECK(lateral == Approx(1.3 * 1.2e-5 * 50).scale(0).epsilon(1e-8));
+    CHECK(lateral == near(1.3 * 1.2e-5 * 50, 1e-8));
     CHECK(std::abs(u[2]) < 1e-8 * 1.2e-5 * 50);
     const double youngs = 210e9, poisson = 0.3, free_strain = 1.2e-5 * 50;
     // Hooke with strain_y = 0 and equal strains across: sigma_y from both lateral strains
@@ -78,7 +78,7 @@ void check_adjoint(const std::vector<std::string>& overrides)
     const auto direct = bar.values("", field, {stretch});
     const auto adjoint = bar.model.adjoints({stretch});
     // both are the same linear algebra, solved to 1e-10
-    CHECK(bar.model.apply(adjoint[0], field, 293.15) == Approx(direct[0]).scale(0).epsilon(1e-9));
+    CHECK(bar.model.apply(adjoint[0], field, 293.15) == near(direct[0], 1e-9));
 }
 
 }  // namespace
@@ -110,9 +110,9 @@ TEST_CASE("warming the whole press evenly opens the gap by alpha dT L_SW")
     const double per_metre = 1.1e-5 * 10;
     // A uniform expansion is a linear displacement, which elements, ties and circle fits reproduce: what is left is
     // coordinates that the case rounds to 0.1 um, and the solver.
-    CHECK(value(drift::gap) == Approx(per_metre * 0.3).scale(0).epsilon(1e-5));
-    CHECK(value(drift::bearing_to_ground) == Approx(per_metre * 2.7134324).scale(0).epsilon(1e-6));
-    CHECK(value(drift::table_to_ground) == Approx(per_metre * 1.005).scale(0).epsilon(1e-6));
+    CHECK(value(drift::gap) == near(per_metre * 0.3, 1e-5));
+    CHECK(value(drift::bearing_to_ground) == near(per_metre * 2.7134324, 1e-6));
+    CHECK(value(drift::table_to_ground) == near(per_metre * 1.005, 1e-6));
     REQUIRE(adjoints.size() == drift::dimension_count + 4);
     for (std::size_t bearing = drift::dimension_count; bearing < adjoints.size(); ++bearing)
         CHECK(std::abs(model.apply(adjoints[bearing], warm, 293.15)) < 1e-6 * per_metre * 0.3);
@@ -127,7 +127,6 @@ TEST_CASE("a force between the ends of a bar of bonded blocks opens it by L / (E
         drift::add(opening, -1, mean_over(bar.machine, "bottom", 1));
         // A force spread evenly over both ends: a uniform stress, which elements and ties pass exactly.
         const auto under_force = bar.model.deformation_adjoint(opening);
-        CHECK(bar.model.evaluate({opening}, under_force)[0] ==
-              Approx(1.04 / (210e9 * 0.1 * 0.08)).scale(0).epsilon(1e-7));
+        CHECK(bar.model.evaluate({opening}, under_force)[0] == near(1.04 / (210e9 * 0.1 * 0.08), 1e-7));
     }
 }

@@ -7,12 +7,12 @@
 #include "deadpoint/study/drift/press_compliance.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 #include "deadpoint/study/translate/materials.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -48,7 +48,7 @@ TEST_CASE("a symmetric press opens without a tilt to the left or right, and its 
     REQUIRE(press.corners.size() == 4);
     // Mirror images in x; the meshes of the links are not, by a thousandth of the opening over the slide's 0.3 m.
     CHECK(std::abs(press.left_right) * 0.3 < 2e-3 * press.opening);
-    CHECK(press.corners[0].opening == Approx(press.corners[1].opening).epsilon(2e-3));
+    CHECK(press.corners[0].opening == near(press.corners[1].opening, 2e-3));
     // The press is softer than the shank of its rod alone: 60 x 90 mm2, 170 mm between its eyes.
     CHECK(press.stiffness() < 210e9 * 0.06 * 0.09 / 0.17);
     CHECK(press.stiffness() > 1e7);
@@ -61,8 +61,8 @@ TEST_CASE("the opening is the sum of those of the materials, each inverse to its
     for (auto& [name, material] : input.materials)
         material.youngs_modulus *= 2;
     const auto stiffer = compliance_of(input);
-    CHECK(stiffer.opening == Approx(whole.opening / 2).epsilon(1e-7));
-    CHECK(stiffer.front_back == Approx(whole.front_back / 2).scale(0.0).epsilon(1e-5));
+    CHECK(stiffer.opening == near(whole.opening / 2, 1e-7));
+    CHECK(stiffer.front_back == near(whole.front_back / 2, 1e-5));
     // Bodies are in series: 1 / c is what remains when all others are stiff. Moduli differ by body here.
     double sum = 0;
     for (const auto& [body, ignored] : starter().bodies) {
@@ -77,7 +77,7 @@ TEST_CASE("the opening is the sum of those of the materials, each inverse to its
         }
         sum += compliance_of(one).opening;
     }
-    CHECK(sum == Approx(whole.opening).epsilon(1e-5));  // what is hard still gives way by 1e-6
+    CHECK(sum == near(whole.opening, 1e-5));  // what is hard still gives way by 1e-6
 }
 
 TEST_CASE("half a press opens as the whole one")
@@ -90,7 +90,7 @@ TEST_CASE("half a press opens as the whole one")
         input.surfaces.erase(surface);
     const auto half = compliance_of(input);
     // Another mesh: cells at the cut are shared out anew.
-    CHECK(half.opening == Approx(of_starter().opening).epsilon(0.03));
+    CHECK(half.opening == near(of_starter().opening, 0.03));
     CHECK(half.left_right == 0);
     CHECK(half.corners.size() == 4);
 }

@@ -7,6 +7,7 @@
 #include "deadpoint/study/translate/linkage.hpp"
 #include "deadpoint/study/translate/lookup.hpp"
 #include "deadpoint/study/translate/materials.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -37,7 +38,7 @@ struct TwoMeshes {
 };
 
 /// To a share of the value alone: displacements are small beside 1, which doctest would add to it.
-doctest::Approx relative(double value, double share) { return doctest::Approx(value).scale(0).epsilon(share).scale(0); }
+Near relative(double value, double share) { return near(value, share); }
 
 /// Integral of u . (A x) over the outside of a machine, a functional in which every part and direction counts.
 Functional stretch(const Machine& machine)

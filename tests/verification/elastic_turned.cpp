@@ -9,6 +9,7 @@
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/materials.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -17,7 +18,6 @@
 // The starter press turned in the plane, with gravity and all: stroke, forces and gap are those of the upright one.
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -68,9 +68,9 @@ void check_turned(casefile::Foundation::Kind foundation, double degrees)
     const auto upright = figures_of(input, machine, 0);
     const auto found = figures_of(turned(input, angle), turned(machine, angle), angle);
     const double exact = 1e-7;
-    CHECK(found.stroke == Approx(upright.stroke).scale(0).epsilon(exact));
-    CHECK(found.guide == Approx(upright.guide).scale(0).epsilon(exact));
-    CHECK(found.bearing == Approx(upright.bearing).scale(0).epsilon(exact));
+    CHECK(found.stroke == near(upright.stroke, exact));
+    CHECK(found.guide == near(upright.guide, exact));
+    CHECK(found.bearing == near(upright.bearing, exact));
     REQUIRE(found.lengths.size() == upright.lengths.size());
     for (const auto& [name, length] : upright.lengths) {
         CAPTURE(name);

@@ -4,13 +4,13 @@
 #include "deadpoint/study/fields/view_recorder.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/materials.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
 #include <numbers>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -61,9 +61,9 @@ TEST_CASE("modes: fields of rank two need two modes, whatever the number of time
     const auto modes = fem::pod(fields, 1e-5, 10);
     CHECK(modes.modes.size() == 2);
     // 40 K per metre at the top of the upper cap, 1.02 m up, and 15 K on the axis
-    CHECK(modes.largest_rise == Approx(1.02 * 40 + 15).scale(0).epsilon(1e-2));
+    CHECK(modes.largest_rise == near(1.02 * 40 + 15, 1e-2));
     REQUIRE(modes.residual_energy.size() == 2);
-    CHECK(modes.residual_energy[0] == Approx(1));
+    CHECK(modes.residual_energy[0] == near(1, 1e-5));
     CHECK(modes.residual_energy[1] > 0.01);  // neither shape is small beside the other
     CHECK(modes.residual_energy[1] < 0.7);
     CHECK(modes.error < 1e-4);  // float: 6e-8 of 330 K, a few times over
@@ -87,7 +87,7 @@ TEST_CASE("modes: what is left out stays below the tolerance, and the error told
                     value += modes.coefficients[k][j] * modes.modes[k].owned[i];
                 largest = std::max(largest, std::abs(value - static_cast<double>(fields[j][i])));
             }
-        CHECK(largest == Approx(modes.error).scale(0).epsilon(0.02).scale(1e-3));
+        CHECK(largest == near(modes.error, 0.02, 0.02 * 1e-3));
     }
     CHECK(fem::pod(fields, 0.005, 10).modes.size() == 2);
     CHECK(fem::pod(fields, 1e-9, 1).modes.size() == 1);
@@ -100,7 +100,7 @@ TEST_CASE("modes: a field that does not change needs none")
     const auto modes = fem::pod({field, field}, 0.005, 10);
     CHECK(modes.modes.empty());
     CHECK(modes.largest_rise == 0);
-    CHECK(modes.base.owned.front() == Approx(300));
+    CHECK(modes.base.owned.front() == near(300, 1e-5));
 }
 
 TEST_CASE("view: a bar that warms evenly grows by alpha dT x at every vertex and time")
@@ -112,12 +112,12 @@ TEST_CASE("view: a bar that warms evenly grows by alpha dT x at every vertex and
     const auto view =
         recorder.finish(bar.machine, bar.model, start, [&](const fem::Displacement&) { return bar.at_rest(); });
     CHECK(recorder.empty());
-    CHECK(view.largest_rise == Approx(40));
+    CHECK(view.largest_rise == near(40, 1e-5));
     REQUIRE(view.coefficients.size() == 1);
     const auto& place = view.surface.positions;
     for (std::size_t j = 0; j < view.time.size(); ++j)
         for (std::size_t v = 0; v < place.size(); v += 17) {
-            CHECK(sum_of(view.temperature, view, v, j) == Approx(start + 10 * view.time[j]).scale(0).epsilon(1e-7));
+            CHECK(sum_of(view.temperature, view, v, j) == near(start + 10 * view.time[j], 1e-7));
             const Vec3 grown = sum_of(view.displacement, view, v, j) - sum_of(view.displacement, view, 0, j);
             const Vec3 expected = 1.2e-5 * 10 * view.time[j] * (place[v] - place[0]);
             CHECK(norm(grown - expected) < 1e-6 * 1.2e-5 * 40);  // the solver's tolerance and the snapshots' floats
@@ -164,7 +164,7 @@ TEST_CASE("view times: from start to end, denser after each segment's start, nev
     };
     const auto one = study::view_times(segments({3600}));
     CHECK(one.size() == 37);
-    CHECK(one[1] == Approx(3600.0 / (36 * 36)));
+    CHECK(one[1] == near(3600.0 / (36 * 36), 1e-5));
     const auto three = study::view_times(segments({3600, 60, 7200}));
     CHECK(std::ranges::count(three, 3600) == 1);
     CHECK(std::ranges::count(three, 3660) == 1);

@@ -2,6 +2,7 @@
 /// sides; without resistance it is a perfect bond, without conductance it insulates.
 #include "deadpoint/study/reduce/reduce.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -35,12 +36,12 @@ void check_series(const std::vector<std::string>& overrides, const std::string& 
         worst = std::max(worst, std::abs(solved.probe(probe) - exact));
     CAPTURE(meshes);
     CHECK(worst < 1e-8);
-    CHECK(solved.side_a() - solved.side_b() == doctest::Approx(flux / bond).epsilon(1e-8));
+    CHECK(solved.side_a() - solved.side_b() == near(flux / bond, 1e-8));
     // What enters below crosses the bond and leaves above.
-    CHECK(bond * area * (solved.side_a() - solved.side_b()) == doctest::Approx(flux * area).epsilon(1e-8));
+    CHECK(bond * area * (solved.side_a() - solved.side_b()) == near(flux * area, 1e-8));
     REQUIRE(solved.result.bonds.size() == 1);
-    CHECK(solved.result.bonds[0].history.back() == doctest::Approx(flux * area).epsilon(1e-8));
-    CHECK(solved.history().to_air.back() == doctest::Approx(flux * area).epsilon(1e-8));
+    CHECK(solved.result.bonds[0].history.back() == near(flux * area, 1e-8));
+    CHECK(solved.history().to_air.back() == near(flux * area, 1e-8));
 }
 
 }  // namespace
@@ -63,8 +64,8 @@ TEST_CASE("a bond without resistance is a perfect bond")
     for (const double h : {1e5, 1e7}) {
         const auto close = solve("bolted-bars", with_bond("{ value = \"" + std::to_string(h) + " W/m^2/K\" }"));
         const double jump = flux / h;
-        CHECK(close.probe("above") == doctest::Approx(perfect.probe("above")).epsilon(1e-9));
-        CHECK(close.probe("below") - perfect.probe("below") == doctest::Approx(jump).scale(0.0).epsilon(1e-4));
+        CHECK(close.probe("above") == near(perfect.probe("above"), 1e-9));
+        CHECK(close.probe("below") - perfect.probe("below") == near(jump, 1e-4));
     }
 }
 
@@ -75,30 +76,30 @@ TEST_CASE("no heat passes an open bond")
     const auto solved = solve("bolted-bars", overrides);
     CHECK(solved.machine.interfaces.empty());
     REQUIRE(solved.machine.bonds.size() == 1);  // they still move together
-    CHECK(solved.probe("above") == doctest::Approx(20).epsilon(1e-9));
-    CHECK(solved.probe("top") == doctest::Approx(20).epsilon(1e-9));
+    CHECK(solved.probe("above") == near(20, 1e-9));
+    CHECK(solved.probe("top") == near(20, 1e-9));
     const auto part = solved.machine.parts[0].name == "lower" ? 0U : 1U;
     CHECK(solved.history().part_means[part].value.back() - zero_celsius ==
-          doctest::Approx(20 + flux * 3600 / (7850 * 460 * lower)).epsilon(1e-9));
+          near(20 + flux * 3600 / (7850 * 460 * lower), 1e-9));
 }
 
 TEST_CASE("the conductance of a bond may be a resistance, two sides or a law")
 {
     const double by_value = solve("bolted-bars").probe("below");
     CHECK(solve("bolted-bars", with_bond("{ resistance = \"3.3333333333e-4 m^2 K/W\" }")).probe("below") ==
-          doctest::Approx(by_value).epsilon(1e-9));
+          near(by_value, 1e-9));
     CHECK(solve("bolted-bars", with_bond("{ side_a = \"4000 W/m^2/K\", side_b = \"12000 W/m^2/K\" }")).probe("below") ==
-          doctest::Approx(by_value).epsilon(1e-9));
+          near(by_value, 1e-9));
     // A film of oil: k / d = 0.14 / 50e-6 = 2800 W/m2/K.
     const auto oil = solve(
         "bolted-bars", with_bond("{ law = \"oil_film\", fluid_conductivity = \"0.14 W/m/K\", thickness = \"50 um\" }"));
-    CHECK(oil.side_a() - oil.side_b() == doctest::Approx(flux / 2800).epsilon(1e-8));
+    CHECK(oil.side_a() - oil.side_b() == near(flux / 2800, 1e-8));
     // Cooper, Mikic and Yovanovich without gas: h = 1.25 k m / s (P / H)^0.95.
     const auto rough = solve("bolted-bars", with_bond("{ law = \"cooper_mikic_yovanovich\", roughness = \"2 um\", "
                                                       "slope = 0.15, hardness = \"2.5 GPa\", pressure = \"5 MPa\", "
                                                       "fluid_conductivity = \"1e-9 W/m/K\" }"));
     const double h = 1.25 * conductivity * 0.15 / 2e-6 * std::pow(5e6 / 2.5e9, 0.95);
-    CHECK(rough.side_a() - rough.side_b() == doctest::Approx(flux / h).epsilon(1e-5));  // 1e-9 W/m/K remain in the gap
+    CHECK(rough.side_a() - rough.side_b() == near(flux / h, 1e-5));  // 1e-9 W/m/K remain in the gap
 }
 
 TEST_CASE("a reduced run has the conductance of a bond as a parameter")

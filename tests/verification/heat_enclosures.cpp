@@ -3,6 +3,7 @@
 #include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/materials.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -10,7 +11,6 @@
 // Enclosed air as an unknown beside the field.
 
 using namespace verification;
-using doctest::Approx;
 
 namespace {
 
@@ -88,7 +88,7 @@ TEST_CASE("air that exchanges much with the room is the room")
     // The same equations but for 1 W over 1e5 W/K; the steps may differ by their tolerance.
     CHECK(largest_difference(open, enclosed) < 2e-3);
     CHECK(enclosed.history().energy.mismatch() < 1e-8);
-    CHECK(enclosed.history().energy.to_air == Approx(open.history().energy.to_air).epsilon(1e-4));
+    CHECK(enclosed.history().energy.to_air == near(open.history().energy.to_air, 1e-4));
 }
 
 TEST_CASE("a sealed box at rest passes on what it makes: temperatures by the balance")
@@ -105,11 +105,11 @@ TEST_CASE("a sealed box at rest passes on what it makes: temperatures by the bal
     const auto solved = solve(input);
     const double wall = ambient + (power + windage) / outside;
     const double enclosed = wall + (power + windage) / wall_film;
-    CHECK(solved.probe("wall") == Approx(wall).epsilon(1e-6));
-    CHECK(air_at_end(solved) == Approx(enclosed).epsilon(1e-6));
-    CHECK(solved.probe("block") == Approx(enclosed + power / block_film).epsilon(1e-6));
-    CHECK(air(solved).from_surfaces.back() == Approx(-windage).epsilon(1e-5));
-    CHECK(solved.history().to_air.back() == Approx(power + windage).epsilon(1e-6));
+    CHECK(solved.probe("wall") == near(wall, 1e-6));
+    CHECK(air_at_end(solved) == near(enclosed, 1e-6));
+    CHECK(solved.probe("block") == near(enclosed + power / block_film, 1e-6));
+    CHECK(air(solved).from_surfaces.back() == near(-windage, 1e-5));
+    CHECK(solved.history().to_air.back() == near(power + windage, 1e-6));
     // Rounding of k T at a hundred times the conductivity of copper, the same in each of many steps at rest.
     CHECK(solved.history().energy.mismatch() < 1e-7);
 }
@@ -145,9 +145,9 @@ TEST_CASE("half of a box is half of its air")
     const auto whole = solve(lumped({"machine.initial_temperature=80 degC"}));
     const auto half = solve(lumped({"machine.initial_temperature=80 degC", "machine.half_model=true"}));
     CHECK(half.result.symmetry_factor == 2);
-    CHECK(air_at_end(half) == Approx(air_at_end(whole)).epsilon(1e-6));
+    CHECK(air_at_end(half) == near(air_at_end(whole), 1e-6));
     CHECK(largest_difference(whole, half) < 2e-3);
-    CHECK(2 * half.history().energy.to_air == Approx(whole.history().energy.to_air).epsilon(1e-4));
+    CHECK(2 * half.history().energy.to_air == near(whole.history().energy.to_air, 1e-4));
 }
 
 TEST_CASE("changes of air per hour and a volume say the same as a capacity and an exchange")
@@ -178,7 +178,7 @@ TEST_CASE("a run goes on from the air where the last one ended")
     const auto& air_of_rest = rest.thermal.enclosures[0].temperature.value;
     CHECK(air_of_rest.front() - zero_celsius > ambient + 1);
     CHECK(air_of_rest.front() < zero_celsius + 79);
-    CHECK(air_of_rest.back() == Approx(whole.thermal.enclosures[0].temperature.value.back()).epsilon(1e-6));
+    CHECK(air_of_rest.back() == near(whole.thermal.enclosures[0].temperature.value.back(), 1e-6));
 }
 
 namespace {
@@ -222,10 +222,10 @@ TEST_CASE("radiation inside an enclosure: a lamp's power by the fourth powers of
     const auto solved = solve(input);
     const double wall = ambient + zero_celsius + power / (outside * wall_area);
     const double block = std::pow(std::pow(wall, 4) + power / (exchange_area * stefan_boltzmann), 0.25);
-    CHECK(solved.probe("wall") + zero_celsius == Approx(wall).epsilon(1e-7));
-    CHECK(solved.probe("block") + zero_celsius == Approx(block).epsilon(1e-7));
+    CHECK(solved.probe("wall") + zero_celsius == near(wall, 1e-7));
+    CHECK(solved.probe("block") + zero_celsius == near(block, 1e-7));
     CHECK(solved.history().energy.mismatch() < 1e-7);
-    CHECK(solved.history().to_air.back() == Approx(power).epsilon(1e-6));
+    CHECK(solved.history().to_air.back() == near(power, 1e-6));
     CHECK(std::abs(air(solved).from_surfaces.back()) < 1e-9);  // radiation passes the air by
 }
 
@@ -299,10 +299,10 @@ TEST_CASE("bodies and parts begin at temperatures of their own")
     for (const auto* surface : {"block_faces", "wall_inside"})
         input.surfaces.at(surface).film->law = casefile::FilmCoefficient{5};
     const auto solved = solve(input);
-    CHECK(solved.probe("block", 0) == Approx(90).epsilon(1e-12));
-    CHECK(solved.probe("wall", 0) == Approx(10).epsilon(1e-12));  // the part's own, not its body's
+    CHECK(solved.probe("block", 0) == near(90, 1e-12));
+    CHECK(solved.probe("wall", 0) == near(10, 1e-12));  // the part's own, not its body's
     const double begin = 90 * block_heat + 10 * wall_heat;
     const double end = solved.probe("block") * block_heat + solved.probe("wall") * wall_heat;
     CHECK(solved.probe("block") - solved.probe("wall") < 1);
-    CHECK(end == Approx(begin + power * time).epsilon(1e-5));  // the air takes 1e-3 J/K
+    CHECK(end == near(begin + power * time, 1e-5));  // the air takes 1e-3 J/K
 }

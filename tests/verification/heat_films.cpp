@@ -1,4 +1,5 @@
 /// Requirement: a film law acts in the transient as its formula says, and the energy balance still closes.
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -42,9 +43,9 @@ TEST_CASE("a heated block in still air comes to rest where its film law balances
     const double expected = balance(1500, 293.15) - zero_celsius;
     CHECK(expected > 35);  // a rise that the correlation feels
     // The block is not quite at one temperature: 1500 W/m2 over 20 mm of copper are 0.075 K.
-    CHECK(solved.probe("middle") == doctest::Approx(expected).epsilon(0.05 / expected));
+    CHECK(solved.probe("middle") == near(expected, 0.05 / expected));
     CHECK_FALSE(solved.history().film_out_of_range.at(0));
-    CHECK(solved.history().to_air.back() == doctest::Approx(0.6).epsilon(1e-4));  // all that comes in
+    CHECK(solved.history().to_air.back() == near(0.6, 1e-4));  // all that comes in
 }
 
 TEST_CASE("a film follows a daily ambient within each step's tolerance")
@@ -59,8 +60,8 @@ TEST_CASE("a film follows a daily ambient within each step's tolerance")
         lowest = std::min(lowest, solved.probe("middle", 3600.0 * hour));
     }
     // The block lags by about its time constant of 40 min and keeps 1 / sqrt(1 + (2 pi / 36)^2) = 98 % of 5 K.
-    CHECK(highest == doctest::Approx(24.9).epsilon(0.2 / 24.9));
-    CHECK(lowest == doctest::Approx(15.1).epsilon(0.2 / 15.1));
+    CHECK(highest == near(24.9, 0.2 / 24.9));
+    CHECK(lowest == near(15.1, 0.2 / 15.1));
     CHECK(highest < 25);
     CHECK(lowest > 15);
 }

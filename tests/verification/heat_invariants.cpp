@@ -1,5 +1,6 @@
 #include "../record.hpp"
 #include "../scratch_folder.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -236,7 +237,7 @@ TEST_CASE("a segment of operation cut in two gives the same")
     cut.operation[0].duration *= 0.4;
     cut.operation[1].duration *= 0.6;
     const auto solved = solve(cut);
-    CHECK(solved.history().time.back() == doctest::Approx(3600).epsilon(1e-12));
+    CHECK(solved.history().time.back() == near(3600, 1e-12));
     // The steps are others; each may err by the 0.002 K of the case, and errors of steps fade.
     record({"one segment cut in two: largest change", "invariance", "K", 0, 0.02, "ten steps of 0.002 K"},
            largest_difference(base, solved));
@@ -256,7 +257,7 @@ TEST_CASE("the sides of an interface swapped give the same")
     // The chord heights and the axial strips of the other mesh: 1 % of the rise.
     CHECK(std::abs(base.side_a() - swapped.side_b()) < 0.01 * largest_rise(base));
     CHECK(std::abs(base.side_b() - swapped.side_a()) < 0.01 * largest_rise(base));
-    CHECK(swapped.machine.interfaces[0].area == doctest::Approx(base.machine.interfaces[0].area).epsilon(1e-9));
+    CHECK(swapped.machine.interfaces[0].area == near(base.machine.interfaces[0].area, 1e-9));
 }
 
 TEST_CASE("joint heat is exact on any mesh")
@@ -267,7 +268,7 @@ TEST_CASE("joint heat is exact on any mesh")
         record({"heat of a joint, cells times " + std::to_string(scale).substr(0, 3), "20 W for an hour", "J",
                 20 * 3600, 1e-12 * 20 * 3600, "exact on any mesh; rounding"},
                solved.history().energy.generated);
-        CHECK(solved.history().source_heat[0].back() == doctest::Approx(20).epsilon(1e-12));
+        CHECK(solved.history().source_heat[0].back() == near(20, 1e-12));
     }
 }
 
@@ -281,7 +282,7 @@ TEST_CASE("joint heat follows the viscosity at the film temperature")
             continue;
         const double viscosity = 80 * std::pow(30.0 / 80, (film - 20) / 20);
         // A stage uses the tangent of the law, which may differ from it by 1e-5.
-        CHECK(solved.history().source_heat[0][i] == doctest::Approx(20 + 2 * viscosity).epsilon(3e-5));
+        CHECK(solved.history().source_heat[0][i] == near(20 + 2 * viscosity, 3e-5));
     }
     // Generated heat is the integral of the recorded heat: trapezoids against the integrator's own weights.
     double sum = 0;
@@ -289,7 +290,7 @@ TEST_CASE("joint heat follows the viscosity at the film temperature")
     for (std::size_t i = 0; i + 1 < time.size(); ++i)
         sum += 0.5 * (time[i + 1] - time[i]) *
                (solved.history().source_heat[0][i] + solved.history().source_heat[0][i + 1]);
-    CHECK(solved.history().energy.generated == doctest::Approx(sum).epsilon(0.01));
+    CHECK(solved.history().energy.generated == near(sum, 0.01));
     CHECK(solved.history().source_heat[0].front() > 1.2 * solved.history().source_heat[0].back());
 }
 
@@ -310,7 +311,7 @@ void check_linear_field(const std::vector<std::string>& overrides, const std::st
     const auto exact = [](double x, double y, double z) { return 300 + 100 * x - 250 * y + 70 * z - zero_celsius; };
     const auto solved = solve("bonded-blocks", overrides);
     REQUIRE(solved.machine.bonds.size() == 1);
-    CHECK(solved.machine.bonds[0].area == doctest::Approx(0.035 * 0.04).epsilon(1e-9));
+    CHECK(solved.machine.bonds[0].area == near(0.035 * 0.04, 1e-9));
     double worst = 0;
     worst = std::max(worst, std::abs(solved.probe("lower") - exact(0.031, 0.033, 0.017)));
     worst = std::max(worst, std::abs(solved.probe("upper") - exact(0.023, 0.044, 0.021)));
@@ -364,7 +365,7 @@ TEST_CASE("steady responses of two joints are reciprocal")
             "approach to the steady state"},
            one_by_two);
     // Steady: what is generated leaves.
-    CHECK(first.history().to_air.back() + first.history().to_oil.back() == doctest::Approx(50).epsilon(1e-7));
+    CHECK(first.history().to_air.back() + first.history().to_oil.back() == near(50, 1e-7));
 }
 
 TEST_CASE("a machine turned in space keeps its temperatures")
@@ -383,13 +384,12 @@ TEST_CASE("half a symmetric machine stands for the whole")
 {
     const auto whole = solve(shaft_in_block, {}, 0.7);
     const auto half = solve(shaft_in_block, {"machine.half_model=true"}, 0.7);
-    CHECK(half.machine.interfaces[0].area == doctest::Approx(0.5 * whole.machine.interfaces[0].area).epsilon(1e-9));
+    CHECK(half.machine.interfaces[0].area == near(0.5 * whole.machine.interfaces[0].area, 1e-9));
     // Two different meshes of the same machine.
     CHECK(largest_difference(whole, half) < 0.01 * largest_rise(whole));
     CHECK(half.result.symmetry_factor * half.history().energy.generated ==
-          doctest::Approx(whole.history().energy.generated).epsilon(0.005));
-    CHECK(half.result.symmetry_factor * half.history().energy.to_air ==
-          doctest::Approx(whole.history().energy.to_air).epsilon(0.02));
+          near(whole.history().energy.generated, 0.005));
+    CHECK(half.result.symmetry_factor * half.history().energy.to_air == near(whole.history().energy.to_air, 0.02));
 }
 
 TEST_CASE("half a symmetric machine of equal meshes is exact")

@@ -2,6 +2,7 @@
 #include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/materials.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -11,7 +12,6 @@
 using namespace verification;
 using deadpoint::dot;
 using deadpoint::casefile::Table;
-using doctest::Approx;
 
 namespace {
 
@@ -104,7 +104,7 @@ TEST_CASE("a slab whose conductivity follows the temperature: the transform of K
     for (const double share : {0.2, 0.4, 0.6, 0.8}) {
         const auto name = "x" + std::to_string(static_cast<int>(100 * share));
         // Exact at the nodes, where the probes are: what remains is the solver's tolerance.
-        CHECK(solved.probe(name) == Approx(inverse(share * whole, slope)).epsilon(1e-7));
+        CHECK(solved.probe(name) == near(inverse(share * whole, slope), 1e-7));
     }
     CHECK(solved.history().energy.mismatch() < 1e-8);
 }
@@ -133,8 +133,8 @@ TEST_CASE("a bond between a material that follows the temperature and one that d
         (q * 0.57 < 45 * (theta(hot - held) - theta(bond(q))) ? low : high) = q;
     }
     // The profile within a cell is no polynomial; second-order elements of 30 mm follow it to 1e-4 K.
-    CHECK(solved.probe("lower") - held == Approx(bond(low)).epsilon(2e-6));
-    CHECK(solved.probe("upper") - held == Approx(bond(low)).epsilon(2e-6));
+    CHECK(solved.probe("lower") - held == near(bond(low), 2e-6));
+    CHECK(solved.probe("upper") - held == near(bond(low), 2e-6));
     CHECK(solved.history().energy.mismatch() < 1e-8);
 }
 
@@ -149,8 +149,8 @@ TEST_CASE("heat into a block whose capacity follows the temperature is all there
     const double rise = inverse(power * 3600 / (8960 * 8e-6 * 385), slope);
     CHECK(rise > 50);  // as much as a press ever warms
     // The heat stored is exact; 1 W does not make the block uneven.
-    CHECK(solved.history().part_means[0].value.back() - Wave::start == Approx(rise).epsilon(1e-5));
-    CHECK(solved.history().energy.stored == Approx(power * 3600).epsilon(1e-8));
+    CHECK(solved.history().part_means[0].value.back() - Wave::start == near(rise, 1e-5));
+    CHECK(solved.history().energy.stored == near(power * 3600, 1e-8));
     CHECK(solved.history().energy.mismatch() < 1e-8);
 }
 
@@ -239,6 +239,6 @@ TEST_CASE("hot plates: the balance closes, and a table that ends too early is wa
     REQUIRE(listener.warnings.size() == 1);
     CHECK(listener.warnings[0].find("materials.first.conductivity was used from 20.0 to ") == 0);
     CHECK(listener.warnings[0].find("but its table holds from 0.0 to 60.0 degC") != std::string::npos);
-    CHECK(early.thermal.part_lowest[0] == Approx(zero_celsius + 20));
+    CHECK(early.thermal.part_lowest[0] == near(zero_celsius + 20, 1e-5));
     CHECK(early.thermal.part_highest[0] > early.thermal.probes[0].value.back());
 }

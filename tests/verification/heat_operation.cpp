@@ -5,6 +5,7 @@
 #include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/materials.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -58,20 +59,19 @@ TEST_CASE("a cooled circuit agrees with the exchanger formulas at the joints' te
     }
     const double heat = flow * (oil - inlet);
     // Oil and films agree to a thousandth of the step's tolerance of 0.01 K, times h A of 13 W/K.
-    CHECK(circuit(solved).heat.back() == doctest::Approx(heat).epsilon(1e-5));
-    CHECK(circuit(solved).outlet.value.back() == doctest::Approx(oil).epsilon(1e-7));
-    CHECK(circuit(solved).cooler.back() == doctest::Approx(heat).epsilon(1e-5));
+    CHECK(circuit(solved).heat.back() == near(heat, 1e-5));
+    CHECK(circuit(solved).outlet.value.back() == near(oil, 1e-7));
+    CHECK(circuit(solved).cooler.back() == near(heat, 1e-5));
     CHECK(circuit(solved).heat.back() > 20);
-    CHECK(solved.history().to_oil.back() == doctest::Approx(circuit(solved).heat.back()).epsilon(1e-5));
-    CHECK(solved.history().to_air.back() + solved.history().to_oil.back() == doctest::Approx(130).epsilon(1e-5));
+    CHECK(solved.history().to_oil.back() == near(circuit(solved).heat.back(), 1e-5));
+    CHECK(solved.history().to_air.back() + solved.history().to_oil.back() == near(130, 1e-5));
 }
 
 TEST_CASE("oil takes all heat of joints in still air, and warms the later joint")
 {
     const auto both = solve(in_still_air(on_one_circuit()));
     // 130 W over 19 W/K
-    CHECK(circuit(both).outlet.value.back() - circuit(both).inlet.value.back() ==
-          doctest::Approx(130.0 / 19).epsilon(1e-6));
+    CHECK(circuit(both).outlet.value.back() - circuit(both).inlet.value.back() == near(130.0 / 19, 1e-6));
     auto alone = in_still_air(on_one_circuit());
     std::get<casefile::CalibratedFriction>(alone.friction.at("one").law).load_part = 0;
     const auto second = solve(alone);
@@ -113,7 +113,7 @@ TEST_CASE("a sump warms with its own time constant to where it loses what the jo
         lost += 0.5 * 20 * (history.time[i] - history.time[i - 1]) *
                 (circuit(solved).sump.value[i] + circuit(solved).sump.value[i - 1] - 2 * (zero_celsius + 20));
     const double kept = 1.9e7 * (circuit(solved).sump.value.back() - zero_celsius - 20);
-    CHECK(kept + lost == doctest::Approx(history.energy.to_oil).epsilon(2e-3));
+    CHECK(kept + lost == near(history.energy.to_oil, 2e-3));
 }
 
 TEST_CASE("a sump without volume follows at once")
@@ -123,8 +123,7 @@ TEST_CASE("a sump without volume follows at once")
     oil.inlet_temperature.reset();
     oil.sump_loss = 5;
     const auto solved = solve(input);
-    CHECK(5 * (circuit(solved).sump.value.back() - zero_celsius - 20) ==
-          doctest::Approx(circuit(solved).heat.back()).epsilon(1e-5));
+    CHECK(5 * (circuit(solved).sump.value.back() - zero_celsius - 20) == near(circuit(solved).heat.back(), 1e-5));
     CHECK(circuit(solved).inlet.value.back() == circuit(solved).sump.value.back());
 }
 
@@ -181,12 +180,12 @@ TEST_CASE("a motor warms its part by its power over the heat capacity, while the
 {
     const auto solved = solve(with_motor(40));
     // The films of 1e-9 W/m2/K let 1e-9 of it out.
-    CHECK(middle_rise(solved, 1000) == doctest::Approx(40 * 1000 / middle_capacity).epsilon(1e-7));
-    CHECK(middle_rise(solved, 2000) == doctest::Approx(40 * 1000 / middle_capacity).epsilon(1e-7));
+    CHECK(middle_rise(solved, 1000) == near(40 * 1000 / middle_capacity, 1e-7));
+    CHECK(middle_rise(solved, 2000) == near(40 * 1000 / middle_capacity, 1e-7));
     CHECK(solved.history().body_heat[0].back() == 0);
     auto input = with_motor(40);
     input.heat_sources.at("motor").at_rest = true;
-    CHECK(middle_rise(solve(input), 2000) == doctest::Approx(40 * 2000 / middle_capacity).epsilon(1e-7));
+    CHECK(middle_rise(solve(input), 2000) == near(40 * 2000 / middle_capacity, 1e-7));
 }
 
 TEST_CASE("heat on a surface equals a flux of the same power, beside a film on the same surface")
@@ -206,7 +205,7 @@ TEST_CASE("heat on a surface equals a flux of the same power, beside a film on t
     fluxed.operation.pop_back();
     fluxed.surfaces.at("top").heat_flux = deadpoint::casefile::Course{40 / (0.06 * 0.04), {}, {}};
     // The still air of `exposed` must not go from the named faces that carry no condition.
-    CHECK(middle_rise(heated, 1000) == doctest::Approx(middle_rise(solve(fluxed), 1000)).epsilon(1e-9));
+    CHECK(middle_rise(heated, 1000) == near(middle_rise(solve(fluxed), 1000), 1e-9));
 }
 
 TEST_CASE("friction heat can go into the volume of a part")
@@ -216,11 +215,10 @@ TEST_CASE("friction heat can go into the volume of a part")
     std::get<casefile::CalibratedFriction>(input.friction.at("one").law).load_part = 25;
     input.joints.at("first").interfaces[0].heat_into = "middle_block";
     const auto solved = solve(input);
-    CHECK(middle_rise(solved, 1000) == doctest::Approx(25 * 1000 / middle_capacity).epsilon(1e-7));
+    CHECK(middle_rise(solved, 1000) == near(25 * 1000 / middle_capacity, 1e-7));
     // and the joint is as warm as the part in the mean
     const auto& history = solved.history();
-    CHECK(history.source_temperature[0].back() - zero_celsius - 20 ==
-          doctest::Approx(middle_rise(solved, 2000)).epsilon(1e-9));
+    CHECK(history.source_temperature[0].back() - zero_celsius - 20 == near(middle_rise(solved, 2000), 1e-9));
 }
 
 namespace {
@@ -270,16 +268,16 @@ TEST_CASE("a load zone moves heat about without adding any")
         FAIL("no such probe");
         return 0.0;
     };
-    CHECK(above.energy.generated == doctest::Approx(20 * 3600).epsilon(1e-12));
+    CHECK(above.energy.generated == near(20 * 3600, 1e-12));
     CHECK(above.energy.mismatch() < 1e-6);
     CHECK(probe(above, "above") - probe(even, "above") > 0.1);
     CHECK(probe(above, "below") - probe(even, "below") < -0.1);
     // No load part, no zone: the same steps to the last digit.
-    CHECK(probe(none, "above") == doctest::Approx(probe(even, "above")).epsilon(1e-12));
+    CHECK(probe(none, "above") == near(probe(even, "above"), 1e-12));
     // Linear: twice the zoned heat shifts twice as much. The steps differ, each within the case's 0.002 K.
     it.problem.segments[0].zoned_heat = {40.0};
     CHECK(probe(history_of(it), "above") - probe(even, "above") ==
-          doctest::Approx(2 * (probe(above, "above") - probe(even, "above"))).epsilon(0.02));
+          near(2 * (probe(above, "above") - probe(even, "above")), 0.02));
 }
 
 TEST_CASE("rings of different temperature change their heat")
@@ -295,7 +293,7 @@ TEST_CASE("rings of different temperature change their heat")
     const double difference = history.interface_a[0].value.back() - outer;
     CHECK(difference > 2);
     // A stage leaves the heat within 1e-5 of its law.
-    CHECK(history.source_heat[0].back() == doctest::Approx(50 + 0.7 * difference).epsilon(2e-5));
+    CHECK(history.source_heat[0].back() == near(50 + 0.7 * difference, 2e-5));
     CHECK(history.energy.mismatch() < 1e-6);
 }
 
@@ -336,8 +334,7 @@ TEST_CASE("a run goes on from a saved state")
     const auto second = run(input, {file.string(), "", "", {}});
     const auto both = run(whole, {});
 
-    CHECK(second.thermal.interface_a[0].value.front() ==
-          doctest::Approx(first.thermal.interface_a[0].value.back()).epsilon(1e-14));
+    CHECK(second.thermal.interface_a[0].value.front() == near(first.thermal.interface_a[0].value.back(), 1e-14));
     CHECK(second.thermal.oil[0].sump.value.front() == first.thermal.oil[0].sump.value.back());
     CHECK(first.thermal.oil[0].sump.value.back() > zero_celsius + 20.5);
     // Other steps, each within 0.01 K.
@@ -404,5 +401,5 @@ TEST_CASE("segments with films of their own conduct by them")
     it.problem.segments[1].duration = 3.6e7;
     auto only_tight = it;
     only_tight.problem.segments.erase(only_tight.problem.segments.begin());
-    CHECK(drop(history_of(it)) == doctest::Approx(drop(history_of(only_tight))).epsilon(1e-6));
+    CHECK(drop(history_of(it)) == near(drop(history_of(only_tight)), 1e-6));
 }

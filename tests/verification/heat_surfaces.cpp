@@ -1,5 +1,6 @@
 #include "../record.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -32,7 +33,7 @@ TEST_CASE("an interface that overlaps in part conducts where it does, and the re
           {"parts.lower.tetrahedra=true", "parts.upper.order=2"}}) {
         const auto solved = solve("shifted-blocks", overrides);
         const auto& contact = solved.machine.interfaces[0];
-        CHECK(contact.area == doctest::Approx(overlap).epsilon(1e-9));
+        CHECK(contact.area == near(overlap, 1e-9));
         const bool swapped = solved.machine.parts[contact.part_a].name == "upper";
         const std::array<double, 2> rises{(swapped ? solved.side_b() : solved.side_a()) - 20,
                                           (swapped ? solved.side_a() : solved.side_b()) - 20};
@@ -83,7 +84,7 @@ TEST_CASE("faceted circles: a contact keeps its area, a surface in air loses at 
     for (std::size_t i = 0; i < 2; ++i) {
         const auto machine = meshed("two-rings", std::string("parts.outer_ring.size=") + (i == 0 ? "5 mm" : "2 mm"));
         // The other side's facets are other ones: both count as the cylinder between them.
-        CHECK(machine.interfaces[0].area == doctest::Approx(2 * std::numbers::pi * 0.03 * 0.01).epsilon(1e-9));
+        CHECK(machine.interfaces[0].area == near(2 * std::numbers::pi * 0.03 * 0.01, 1e-9));
         const auto& outside = *std::ranges::find(machine.surfaces, "outside", &deadpoint::MeshSurface::name);
         loss[i] = 1 - outside.area / (2 * std::numbers::pi * 0.05 * 0.01);
         count[i] = static_cast<double>(chords(machine, 0.05, 0));

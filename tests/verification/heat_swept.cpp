@@ -1,3 +1,4 @@
+#include "near.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -63,7 +64,7 @@ TEST_CASE("a guide heated over the stroke: the temperature along it is that of t
     MESSAGE("largest error " << worst << " of the peak of " << peak << " K");
     // All heat leaves by the ends: into the slider go 1e-6 W/m2/K in 40 h, 4e-4 K.
     const auto& energy = solved.history().energy;
-    CHECK(energy.generated == doctest::Approx(heat * 40 * 3600).epsilon(1e-9));
+    CHECK(energy.generated == near(heat * 40 * 3600, 1e-9));
     CHECK(std::abs(solved.side_a() - 20) < 1e-3);
 }
 
@@ -85,9 +86,9 @@ TEST_CASE("a swept guide: heat to both sides and to the oil adds up to the sourc
     const auto solved =
         solve("swept-guide", {contact + "conductance.side_a=800 W/m^2/K", contact + "oil=300 W/m^2/K"});  // closes 1e-6
     const auto& energy = solved.history().energy;
-    CHECK(energy.generated == doctest::Approx(heat * 40 * 3600).epsilon(1e-9));
+    CHECK(energy.generated == near(heat * 40 * 3600, 1e-9));
     // Steady: the slider has no other contact, so its face has the mean temperature of the film, for which with the
     // flux q = 1 W / 2 cm2 holds q + h_b (T_b - T_f) + g (T_oil - T_f) = 0 in the mean.
-    CHECK(solved.side_a() == doctest::Approx((5000 + 3000 * solved.side_b() + 300 * 20) / 3300).epsilon(1e-6));
+    CHECK(solved.side_a() == near((5000 + 3000 * solved.side_b() + 300 * 20) / 3300, 1e-6));
     CHECK(energy.to_oil > 0.1 * energy.generated);
 }

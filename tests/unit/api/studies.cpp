@@ -1,12 +1,12 @@
 /// Requirement: sweeps, refinement and comparison of a press give what single runs give.
 #include "../../scratch_folder.hpp"
 #include "deadpoint/study.hpp"
+#include "near.hpp"
 #include "starter.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 TEST_CASE("a sweep's runs are those of single presses, by name; one that fails says why")
 {
@@ -17,7 +17,7 @@ TEST_CASE("a sweep's runs are those of single presses, by name; one that fails s
     CHECK(runs[2].settings[0] == std::pair<std::string, std::string>("operation.0.speed", "60 rpm"));
     REQUIRE(runs[2].result);
     auto alone = starter({"operation.0.speed=60 rpm"});
-    CHECK(runs[2].result->gap().values.back() == Approx(alone.run().gap().values.back()).epsilon(1e-6));
+    CHECK(runs[2].result->gap().values.back() == near(alone.run().gap().values.back(), 1e-6));
     REQUIRE(runs[0].result);
     CHECK(runs[0].result->joint_heat("guide").values.back() < runs[2].result->joint_heat("guide").values.back());
     CHECK_FALSE(runs[1].result);
@@ -58,7 +58,7 @@ slide = "1 K"
     const auto comparison = compare(scratch.path / "results", reference);
     REQUIRE(comparison.values.size() == 1);
     CHECK(comparison.values[0].unit == "K");
-    CHECK(comparison.values[0].reference == Approx(1));
-    CHECK(comparison.values[0].computed == Approx(rise).epsilon(1e-6));
+    CHECK(comparison.values[0].reference == near(1, 1e-5));
+    CHECK(comparison.values[0].computed == near(rise, 1e-6));
     CHECK(comparison.text.find("slide") != std::string::npos);
 }

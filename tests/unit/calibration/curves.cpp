@@ -1,10 +1,11 @@
 /// Requirement: what a sensor shows follows from the rows of a run.
 #include "deadpoint/calibration/curves.hpp"
 
+#include "near.hpp"
+
 #include <cmath>
 #include <doctest/doctest.h>
 
-using doctest::Approx;
 using namespace deadpoint::calibration;
 using Eigen::VectorXd;
 
@@ -19,8 +20,8 @@ TEST_CASE("interpolation is exact for quadratics, piece by piece where segments 
     const std::vector<double> times{0, 0.5, 2.2, 3.9, 4, 4.5, 6, 7};
     const VectorXd found = interpolation(rows, times) * values;
     for (std::size_t k = 0; k < times.size(); ++k)
-        CHECK(found[static_cast<Eigen::Index>(k)] == Approx(f(times[k])).epsilon(1e-12));
-    CHECK((interpolation({0, 2}, {0.5}) * Eigen::Vector2d(1, 3))[0] == Approx(1.5));
+        CHECK(found[static_cast<Eigen::Index>(k)] == near(f(times[k]), 1e-12));
+    CHECK((interpolation({0, 2}, {0.5}) * Eigen::Vector2d(1, 3))[0] == near(1.5, 1e-5));
 }
 
 TEST_CASE("a sensor of first order follows a ramp with its lag, and its derivative is that of differences")
@@ -33,10 +34,10 @@ TEST_CASE("a sensor of first order follows a ramp with its lag, and its derivati
     const double c = 30;
     const auto found = lagged(rows, ramp, c);
     for (int k = 0; k < 6; ++k)
-        CHECK(found.value[k] == Approx(ramp[k] - c * (1 - std::exp(-ramp[k] / c))).epsilon(1e-12));
+        CHECK(found.value[k] == near(ramp[k] - c * (1 - std::exp(-ramp[k] / c)), 1e-12));
     const double h = 1e-4;
     const VectorXd difference =
         (lagged(rows, ramp, c * std::exp(h)).value - lagged(rows, ramp, c * std::exp(-h)).value) / (2 * h);
     for (int k = 0; k < 6; ++k)
-        CHECK(found.by_log_constant[k] == Approx(difference[k]).epsilon(1e-6));
+        CHECK(found.by_log_constant[k] == near(difference[k], 1e-6));
 }

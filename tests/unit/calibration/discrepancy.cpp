@@ -3,12 +3,12 @@
 
 #include "deadpoint/calibration/fit.hpp"
 #include "linear.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace linear;
-using doctest::Approx;
 
 namespace {
 
@@ -43,12 +43,12 @@ TEST_CASE("figures of a curve's residuals are those of their definition")
     VectorXd residual(10);
     residual << 1, -1, 1, -1, 1, -1, 1, -1, 1, 1;
     const auto found = residual_of({"c", time, residual, {0.5, 0, 0, 1}}, residual);
-    CHECK(found.rms == Approx(1));
-    CHECK(found.bias == Approx(0.2));
-    CHECK(found.chi_square == Approx(4));
-    CHECK(found.lag_one == Approx((-8 + 1) / 10.0));
+    CHECK(found.rms == near(1, 1e-5));
+    CHECK(found.bias == near(0.2, 1e-5));
+    CHECK(found.chi_square == near(4, 1e-5));
+    CHECK(found.lag_one == near((-8 + 1) / 10.0, 1e-5));
     // Chi-square of 40 with 10 degrees of freedom: 1.694e-5 (tables), times three tests.
-    CHECK(found.probability == Approx(3 * 1.694e-5).epsilon(1e-3));
+    CHECK(found.probability == near(3 * 1.694e-5, 1e-3));
 }
 
 TEST_CASE("a regular course far below the stated errors is no wrong model, one of their size is")

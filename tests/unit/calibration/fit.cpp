@@ -6,12 +6,12 @@
 #include "deadpoint/calibration/surrogate.hpp"
 #include "deadpoint/error.hpp"
 #include "linear.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace linear;
-using doctest::Approx;
 
 namespace {
 
@@ -57,11 +57,11 @@ TEST_CASE("noise over time is whitened exactly: rho_k = exp(-dt / tau) as an aut
     const VectorXd time = even_times(30), residual = draw(30, 5);
     const double s = 0.3, rho = std::exp(-60.0 / 200);
     const VectorXd white = Whitening({s, 200, 0, 1}, time).apply(residual);
-    CHECK(white[0] == Approx(residual[0] / s).epsilon(1e-12));
+    CHECK(white[0] == near(residual[0] / s, 1e-12));
     for (Index k = 1; k < 30; ++k)
-        CHECK(white[k] == Approx((residual[k] - rho * residual[k - 1]) / (s * std::sqrt(1 - rho * rho))).epsilon(1e-9));
+        CHECK(white[k] == near((residual[k] - rho * residual[k - 1]) / (s * std::sqrt(1 - rho * rho)), 1e-9));
     CHECK(Whitening({s, 200, 0, 1}, time).log_determinant() ==
-          Approx(2 * 30 * std::log(s) + 29 * std::log(1 - rho * rho)).epsilon(1e-12));
+          near(2 * 30 * std::log(s) + 29 * std::log(1 - rho * rho), 1e-12));
 }
 
 TEST_CASE("noise of zero is refused")
@@ -91,7 +91,7 @@ TEST_CASE("the fit of a linear model is its posterior, with correlated noise and
         // Convergence: less than 1e-3 of a standard deviation.
         CHECK(std::abs(found.theta[k] - expected.mean[k]) < 1e-3 * std::sqrt(expected.covariance(k, k)));
         for (Index j = 0; j < 2; ++j)
-            CHECK(found.covariance(k, j) == Approx(expected.covariance(k, j)).epsilon(1e-8));
+            CHECK(found.covariance(k, j) == near(expected.covariance(k, j), 1e-8));
     }
 }
 
@@ -103,8 +103,8 @@ TEST_CASE("the profile of a linear model is its marginal: 1.645 standard deviati
         const auto interval = profile(of, found, k);
         const auto at = static_cast<Index>(k);
         const double half = std::sqrt(2.706 * found.covariance(at, at));
-        CHECK(interval.lower == Approx(found.theta[at] - half).epsilon(1e-3));
-        CHECK(interval.upper == Approx(found.theta[at] + half).epsilon(1e-3));
+        CHECK(interval.lower == near(found.theta[at] - half, 1e-3));
+        CHECK(interval.upper == near(found.theta[at] + half, 1e-3));
         CHECK(!interval.open_below);
         CHECK(!interval.open_above);
     }
@@ -121,7 +121,7 @@ TEST_CASE("a step to values at which the model fails is shortened")
             throw deadpoint::ConvergenceError("too hot");
         return Prediction{VectorXd::Constant(1, std::exp(theta[0])), MatrixXd::Constant(1, 1, std::exp(theta[0]))};
     };
-    CHECK(fit(of, VectorXd::Zero(1)).theta[0] == Approx(std::log(50)).epsilon(1e-3));
+    CHECK(fit(of, VectorXd::Zero(1)).theta[0] == near(std::log(50), 1e-3));
     CHECK_THROWS_AS(fit(of, VectorXd::Constant(1, 11)), deadpoint::ConvergenceError);
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("points of the prior have its standard deviation, and two minima are t
     double sum = 0;
     for (const auto& point : points)
         sum += point[1] * point[1] / 1000;
-    CHECK(sum == Approx(1).epsilon(0.02));  // a Sobol' sequence of 1000 points in two dimensions
+    CHECK(sum == near(1, 0.02));  // a Sobol' sequence of 1000 points in two dimensions
     // theta^2 = 1 has a minimum at each side of zero.
     of.parameters = {{"either", 3}};
     of.model = [](const VectorXd& theta, bool) {
@@ -150,14 +150,14 @@ TEST_CASE("points of the prior have its standard deviation, and two minima are t
     };
     const auto fits = fit_from_many(of, of, 10);
     REQUIRE(!other_minima(fits).empty());
-    CHECK(std::abs(fits.front().theta[0]) == Approx(1).epsilon(1e-3));
+    CHECK(std::abs(fits.front().theta[0]) == near(1, 1e-3));
     // The search runs on a model that is a little off; the minima are those of the problem.
     auto near = of;
     near.model = [](const VectorXd& theta, bool) {
         return Prediction{VectorXd::Constant(1, 1.1 * theta[0] * theta[0] + 1),
                           MatrixXd::Constant(1, 1, 2.2 * theta[0])};
     };
-    CHECK(std::abs(fit_from_many(of, near, 10).front().theta[0]) == Approx(1).epsilon(1e-3));
+    CHECK(std::abs(fit_from_many(of, near, 10).front().theta[0]) == near(1, 1e-3));
     const auto linear_one = problem(pair(0.5, -0.3), {0.05, 0, 0, 1}, 2);
     CHECK(other_minima(fit_from_many(linear_one, linear_one, 10)).empty());
 }
@@ -166,23 +166,23 @@ TEST_CASE("a product is known and its ratio is not")
 {
     const auto of = valley();
     const auto found = fit(of, pair(0, 0));
-    CHECK(found.theta[0] + found.theta[1] == Approx(std::log(2)).epsilon(1e-3));
+    CHECK(found.theta[0] + found.theta[1] == near(std::log(2), 1e-3));
     const auto told = identify(of.parameters, found.white.jacobian);
     REQUIRE(told.combinations.size() == 2);
     CHECK(told.combinations[0].words == "rolling oil x plain oil");
     CHECK(told.combinations[0].by_data);
-    CHECK(told.combinations[0].singular_value == Approx(std::sqrt(2) * 2 / 0.01).epsilon(1e-3));
+    CHECK(told.combinations[0].singular_value == near(std::sqrt(2) * 2 / 0.01, 1e-3));
     CHECK((told.combinations[1].words == "rolling oil / plain oil" ||
            told.combinations[1].words == "plain oil / rolling oil"));
     CHECK(!told.combinations[1].by_data);
-    CHECK(told.shrinkage[0] == Approx(0.5).epsilon(1e-4));  // one of two directions
+    CHECK(told.shrinkage[0] == near(0.5, 1e-4));  // one of two directions
     CHECK(told.covariance.isApprox(found.covariance, 1e-8));
 }
 
 TEST_CASE("the information of a value is that of its precision: 1/2 ln(1 + prior variance / noise variance)")
 {
     const MatrixXd jacobian = MatrixXd::Constant(1, 1, 1 / 0.1);
-    CHECK(information(MatrixXd::Constant(1, 1, 0.49), jacobian) == Approx(0.5 * std::log(1 + 0.49 / 0.01)));
+    CHECK(information(MatrixXd::Constant(1, 1, 0.49), jacobian) == near(0.5 * std::log(1 + 0.49 / 0.01), 1e-5));
 }
 
 TEST_CASE("samples of a normal density have its mean and covariance, those of a banana its moments")
@@ -198,14 +198,14 @@ TEST_CASE("samples of a normal density have its mean and covariance, those of a 
     CHECK(std::abs(mean[0]) < 0.07);
     CHECK(std::abs(mean[1]) < 0.1);
     for (Index k = 0; k < 4; ++k)
-        CHECK(scatter(k / 2, k % 2) == Approx(covariance(k / 2, k % 2)).epsilon(0.1));
+        CHECK(scatter(k / 2, k % 2) == near(covariance(k / 2, k % 2), 0.1));
     CHECK(found.accepted > 0.3);
     // x normal, y = x^2 + normal of 0.5: mean of y is 1, its variance 2 + 0.25.
     const auto banana = [](const VectorXd& x) { return -0.5 * x[0] * x[0] - 2 * std::pow(x[1] - x[0] * x[0], 2); };
     const auto bent = sample(banana, pair(0, 0), MatrixXd::Identity(2, 2), {200000, 5000, 2});
     const double level = bent.theta.row(1).mean();
-    CHECK(level == Approx(1).epsilon(0.07));
-    CHECK((bent.theta.row(1).array() - level).square().mean() == Approx(2.25).epsilon(0.15));
+    CHECK(level == near(1, 0.07));
+    CHECK((bent.theta.row(1).array() - level).square().mean() == near(2.25, 0.15));
 }
 
 TEST_CASE("a surrogate of a quadratic model is that model, and its posterior that of the linear one")
@@ -216,10 +216,10 @@ TEST_CASE("a surrogate of a quadratic model is that model, and its posterior tha
     const auto expected = exact_of(of);
     CHECK(linear_one.checked_error(5) < 1e-8);
     const VectorXd at = pair(0.4, -0.1), off = at - expected.mean, from = best.theta - expected.mean;
-    CHECK(linear_one.log_density(at) - linear_one.log_density(best.theta) ==
-          Approx(-0.5 * off.dot(expected.covariance.inverse() * off) +
-                 0.5 * from.dot(expected.covariance.inverse() * from))
-              .epsilon(1e-6));
+    CHECK(
+        linear_one.log_density(at) - linear_one.log_density(best.theta) ==
+        near(-0.5 * off.dot(expected.covariance.inverse() * off) + 0.5 * from.dot(expected.covariance.inverse() * from),
+             1e-6));
     const auto plain = of.model;
     of.model = [plain](const VectorXd& theta, bool jacobian) {
         auto result = plain(theta, jacobian);

@@ -5,6 +5,7 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/reference.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -14,7 +15,6 @@
 
 using namespace deadpoint;
 using namespace deadpoint::casefile;
-using doctest::Approx;
 namespace fs = std::filesystem;
 
 namespace {
@@ -74,12 +74,12 @@ TEST_CASE("a logger's file becomes curves in SI units, each with its sensor")
     CHECK(slide.output == "slide");
     CHECK(slide.sensor == 0);
     CHECK(slide.time == std::vector<double>{0, 600});
-    CHECK(slide.value.back() == Approx(294.15).epsilon(1e-14));
+    CHECK(slide.value.back() == near(294.15, 1e-14));
     CHECK(file.runs.front().curves.back().sensor == 1);
     CHECK(file.sensors.front().bias_sigma == 0.5);
     CHECK(file.sensors.front().model_sigma == 0.3);
-    CHECK(file.parameters.front().prior == Approx(std::log(2)));
-    CHECK(file.runs.front().input->operation.front().speed == Approx(90 * 2 * M_PI / 60));
+    CHECK(file.parameters.front().prior == near(std::log(2), 1e-5));
+    CHECK(file.runs.front().input->operation.front().speed == near(90 * 2 * M_PI / 60, 1e-5));
 }
 
 TEST_CASE("columns of other names, rises, gaps and dimensions are read as the file says")
@@ -94,7 +94,7 @@ TEST_CASE("columns of other names, rises, gaps and dimensions are read as the fi
     CHECK(curves[0].output == "slide");
     CHECK(curves[0].value == std::vector<double>{1.5, 2.5});
     CHECK(curves[1].of_gap);
-    CHECK(curves[1].value.back() == Approx(-6e-6));
+    CHECK(curves[1].value.back() == near(-6e-6, 1e-5));
     CHECK(file.notes.size() == 2);  // one for each column with a gap
 }
 
@@ -190,7 +190,7 @@ TEST_CASE("an alternative has the case of each run with its own laws, and its mi
     REQUIRE(file.runs.front().alternatives.size() == 1);
     const auto& with = *file.runs.front().alternatives.front();
     CHECK(std::get<casefile::FilmCoefficient>(with.surfaces.at("air_frame").film->law).value == 8);
-    CHECK(with.operation.front().speed == Approx(90 * 2 * M_PI / 60));
+    CHECK(with.operation.front().speed == near(90 * 2 * M_PI / 60, 1e-5));
     CHECK(has(error_of(head + film + run + sensor + other), "the alternative is the case itself"));
     const std::string oil = "set = [\"oil.pins=1 W/m^2/K\"]\n";
     CHECK(has(error_of(head + film + run + sensor + other + oil + other + oil),
@@ -208,7 +208,7 @@ TEST_CASE("shifts have the unit of their keys, limits count from the case's valu
              "[[parameters]]\nname = \"room\"\nkeys = [\"machine.ambient\"]\nkind = \"shift\"\nsigma = \"2 "
              "K\"\nupper = \"5 K\"\n" +
              run + sensor);
-    CHECK(file.parameters[0].least == Approx(std::log(0.5)));
+    CHECK(file.parameters[0].least == near(std::log(0.5), 1e-5));
     CHECK(file.parameters[0].most == 1e300);
     CHECK(file.parameters[1].prior == 2);
     CHECK(file.parameters[1].most == 5);
@@ -232,8 +232,9 @@ TEST_CASE("a file of a case replaces values that other files state, items of lis
                        "replace = [\"surfaces.air_frame.film.coefficient=7 W/m^2/K\", \"operation.0.speed=90 rpm\"]\n");
     const auto whole = scratch.file("case.toml", "include = [\"base.toml\", \"found.toml\"]\n");
     const auto input = read_case(whole).value;
-    CHECK(input.operation.front().speed == Approx(90 * 2 * M_PI / 60));
-    CHECK(read_case(whole, {"operation.0.speed=30 rpm"}).value.operation.front().speed == Approx(30 * 2 * M_PI / 60));
+    CHECK(input.operation.front().speed == near(90 * 2 * M_PI / 60, 1e-5));
+    CHECK(read_case(whole, {"operation.0.speed=30 rpm"}).value.operation.front().speed ==
+          near(30 * 2 * M_PI / 60, 1e-5));
     (void)scratch.file("found.toml", "replace = [\"operation.0.speed=90 kg\"]\n");
     CHECK_THROWS_WITH_AS((void)read_case(whole), doctest::Contains("found.toml:1:12"), InputError);
     (void)scratch.file("found.toml", "replace = \"operation.0.speed=90 rpm\"\n");

@@ -3,13 +3,13 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>
 
 using namespace deadpoint;
 using namespace deadpoint::casefile;
-using doctest::Approx;
 namespace fs = std::filesystem;
 
 namespace {
@@ -78,7 +78,7 @@ to = "80 rpm"
     CHECK(section.parameters[1].low == -3);
     CHECK(section.parameters[1].high == 3);
     CHECK(section.parameters[2].keys == std::vector<std::string>{"operation.0.speed"});
-    CHECK(section.parameters[2].low == Approx(50 * 2 * 3.14159265358979 / 60).epsilon(1e-12));
+    CHECK(section.parameters[2].low == near(50 * 2 * 3.14159265358979 / 60, 1e-12));
     CHECK(section.times == std::vector<double>{600, 3600});
     CHECK(section.method() == SensitivityMethod::sobol);
 }
@@ -137,12 +137,12 @@ from = "10 min"
 )")
                               .optimise;
     CHECK(section.objective() == Objective::warm_up);
-    CHECK(section.rate == Approx(2e-6 / 3600).epsilon(1e-12));
+    CHECK(section.rate == near(2e-6 / 3600, 1e-12));
     CHECK(section.speed_profile->ends == std::vector<double>{1200, 3600});
     CHECK(section.variables[0].name == "pins");
-    CHECK(*section.limits[0].most_value == Approx(303.15).epsilon(1e-12));
+    CHECK(*section.limits[0].most_value == near(303.15, 1e-12));
     CHECK_FALSE(section.limits[0].least_value);
-    CHECK(*section.limits[1].least_value == Approx(-8e-5).epsilon(1e-12));
+    CHECK(*section.limits[1].least_value == near(-8e-5, 1e-12));
     CHECK(section.limits[1].from == 600);
 }
 

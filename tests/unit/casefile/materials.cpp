@@ -2,13 +2,13 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/table.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <string>
 
 using namespace deadpoint;
 using namespace deadpoint::casefile;
-using doctest::Approx;
 
 namespace {
 
@@ -35,15 +35,14 @@ TEST_CASE("the shipped steel over temperature follows the formulas of EN 1993-1-
     const auto& steel = c.materials.at("steel");
     for (const double t : {20.0, 35.0, 75.0, 130.0, 260.0, 400.0}) {
         CAPTURE(t);
-        CHECK(at(steel.conductivity_table, t) == Approx(54 - 3.33e-2 * t).epsilon(1e-5));
+        CHECK(at(steel.conductivity_table, t) == near(54 - 3.33e-2 * t, 1e-5));
         // linear between the points of a cubic
-        CHECK(at(steel.specific_heat_table, t) ==
-              Approx(425 + 0.773 * t - 1.69e-3 * t * t + 2.22e-6 * t * t * t).epsilon(2e-3));
+        CHECK(at(steel.specific_heat_table, t) == near(425 + 0.773 * t - 1.69e-3 * t * t + 2.22e-6 * t * t * t, 2e-3));
         const double elongation = 1.2e-5 * t + 0.4e-8 * t * t - 2.416e-4;
-        CHECK(at(steel.expansion_table, t) * (t - 20) == Approx(elongation).epsilon(1e-6));
+        CHECK(at(steel.expansion_table, t) * (t - 20) == near(elongation, 1e-6));
     }
     CHECK(steel.expansion_kind == Material::Expansion::mean);
-    CHECK(*steel.expansion_reference == Approx(293.15));
+    CHECK(*steel.expansion_reference == near(293.15, 1e-5));
 }
 
 TEST_CASE("tables of a material and enclosures are written as they were read")
@@ -71,7 +70,7 @@ power = "120 W"
     CHECK(steel.specific_heat_table.x.size() == 7);
     CHECK(steel.expansion_table.y == std::vector<double>{1.1e-5, 1.2e-5});
     const auto& air = c.enclosures.at("case");
-    CHECK(*air.volume == Approx(0.8));
+    CHECK(*air.volume == near(0.8, 1e-5));
     CHECK(air.air_changes == 20);
     CHECK_FALSE(air.exchange);
     CHECK(air.power->constant == 120);

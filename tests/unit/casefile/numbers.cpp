@@ -4,13 +4,13 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::casefile;
-using doctest::Approx;
 
 namespace {
 
@@ -42,7 +42,7 @@ TEST_CASE("every number has its path, the names of its list items, its value and
     CHECK(number(input, "friction.pins.viscous_part").value == 0.4);
     CHECK(number(input, "oil.pins").value == 300);
     CHECK(number(input, "surfaces.air_frame.film.emissivity").most == 1);
-    CHECK(number(input, "operation.0.ambient").value == Approx(293.15).epsilon(1e-12));
+    CHECK(number(input, "operation.0.ambient").value == near(293.15, 1e-12));
 }
 
 TEST_CASE("a changed number is what --set makes of it")
@@ -60,7 +60,7 @@ TEST_CASE("a factor acts on a whole curve, a shift on the mean of a daily course
                  "surfaces.feet={ parts = [\"bed\"], select = \"plane\", axis = \"y\", position = \"-1050 mm\", "
                  "heat_flux = { time = [\"0 h\", \"1 h\"], value = [\"10 W/m^2\", \"30 W/m^2\"] } }"});
     change_numbers(input, {{"operation.0.ambient", {1, 2}}, {"surfaces.feet.heat_flux", {3, 0}}});
-    CHECK(input.operation[0].ambient->daily->mean == Approx(295.15).epsilon(1e-12));
+    CHECK(input.operation[0].ambient->daily->mean == near(295.15, 1e-12));
     CHECK(input.operation[0].ambient->daily->amplitude == 3);
     CHECK(input.surfaces.at("feet").heat_flux->table->y == std::vector<double>{30, 90});
 }

@@ -7,6 +7,7 @@
 #include "deadpoint/casefile/files/shipped.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,7 @@ TEST_CASE("values of a case arrive in SI")
     const auto result = read_case(data / "press.toml");
     const Case& c = result.value;
     CHECK(c.machine.half_model);
-    CHECK(c.machine.ambient == doctest::Approx(293.15).epsilon(1e-15));
+    CHECK(c.machine.ambient == near(293.15, 1e-15));
     CHECK(c.materials.at("HT300").youngs_modulus == 135e9);
     CHECK(c.lubricants.at("oil").viscosity.x == std::vector{293.15, 303.15});
     CHECK(c.lubricants.at("oil").viscosity.y == std::vector{70e-6, 50e-6});
@@ -51,7 +52,7 @@ TEST_CASE("values of a case arrive in SI")
     CHECK(c.bodies.at("crank").centre_of_mass == Vec2{0, -0.01375});
     CHECK(c.bodies.at("frame").ground);
     CHECK(std::get<CalibratedFriction>(c.friction.at("crank_bearings").law).reference_speed ==
-          doctest::Approx(20.943951023931955).epsilon(1e-15));
+          near(20.943951023931955, 1e-15));
     const auto& joint = c.joints.at("crank_bearing");
     CHECK(joint.elements.at(0).position == -0.292);
     CHECK(std::get<ContactResistance>(joint.interfaces.at(0).conductance).value == 6.01e-6);
@@ -64,7 +65,7 @@ TEST_CASE("values of a case arrive in SI")
     CHECK(c.bodies.at("lever").mirror);
     CHECK(c.joints.at("guide").preload == 2000);
     CHECK(c.mechanism.slide_body == "slider");
-    CHECK(c.mechanism.speed.x.at(1) == doctest::Approx(3.14159265358979).epsilon(1e-14));
+    CHECK(c.mechanism.speed.x.at(1) == near(3.14159265358979, 1e-14));
     CHECK(c.crankshaft->model == Crankshaft::Model::rigid);
     CHECK(c.crankshaft->sections.at(1).length == 0.0254);
     CHECK(c.crankshaft->sections.at(1).bore == 0.02);
@@ -77,12 +78,12 @@ TEST_CASE("values of a case arrive in SI")
     CHECK_FALSE(c.crankshaft->throw_unbalance);
     CHECK(c.process_force->over_height.x.at(1) == 0.002);
     CHECK(c.process_force->both_ways);
-    CHECK(*c.process_force->to == doctest::Approx(4.97418836818384).epsilon(1e-14));  // 285 deg
+    CHECK(*c.process_force->to == near(4.97418836818384, 1e-14));  // 285 deg
     CHECK(c.operation.size() == 2);
     CHECK(c.operation.at(1).ambient->constant == 291.15);
     CHECK(c.surfaces.at("air").film->ambient->table->x == std::vector{0.0, 3600.0});
     CHECK(c.surfaces.at("gib").within->min[2] == -1000);  // not limited along z
-    CHECK(c.chain->drift_rate_limit == doctest::Approx(1e-6 / 3600).epsilon(1e-15));
+    CHECK(c.chain->drift_rate_limit == near(1e-6 / 3600, 1e-15));
     CHECK(c.output.field_times == std::vector{1800.0, 3600.0, 7200.0});
     CHECK(c.reference->rises.at("P1") == 7.8);
     CHECK(result.files.size() == 2);
@@ -131,8 +132,8 @@ TEST_CASE("shipped values")
         }
         return 0.0;
     };
-    CHECK(at(20) == doctest::Approx(86.28).epsilon(1e-4));
-    CHECK(at(70) == doctest::Approx(11.19).epsilon(5e-4));
+    CHECK(at(20) == near(86.28, 1e-4));
+    CHECK(at(70) == near(11.19, 5e-4));
 }
 
 TEST_CASE("shipped materials lie within what solids of presses have")
@@ -168,8 +169,7 @@ TEST_CASE("shipped oils hold ISO 3448, get thinner with temperature, and have th
         CAPTURE(name);
         const int stated = std::stoi(name.substr(name.rfind('-') + 1));
         CHECK(std::ranges::find(classes, stated) != classes.end());
-        CHECK(viscosity(oil.viscosity, 40) ==
-              doctest::Approx(stated).epsilon(0.1));  // the class is its mid-point, 10 %
+        CHECK(viscosity(oil.viscosity, 40) == near(stated, 0.1));  // the class is its mid-point, 10 %
         CHECK(std::ranges::adjacent_find(oil.viscosity.y, std::less_equal<>()) == oil.viscosity.y.end());
         CHECK((oil.density > 820 && oil.density < 930));
     }
@@ -178,7 +178,7 @@ TEST_CASE("shipped oils hold ISO 3448, get thinner with temperature, and have th
     const double y = viscosity(pao, 100), u = viscosity(pao, 40);
     const double h = 0.05794 * y * y + 10.5156 * y - 28.24;
     const double n = std::log10(h / u) / std::log10(y);
-    CHECK((std::pow(10, n) - 1) / 0.00715 + 100 == doctest::Approx(140).epsilon(0.005));
+    CHECK((std::pow(10, n) - 1) / 0.00715 + 100 == near(140, 0.005));
 }
 
 TEST_CASE("a resolved case reads back as the same case")
@@ -215,7 +215,7 @@ TEST_CASE("overrides")
                                     "probes.P2={ part = \"plate\", position = [\"0 mm\", \"1 mm\", \"0 mm\"] }",
                                     "output.field_times=[\"1 h\"]"})
                        .value;
-    CHECK(c.operation.at(0).speed == doctest::Approx(41.88790204786391).epsilon(1e-15));
+    CHECK(c.operation.at(0).speed == near(41.88790204786391, 1e-15));
     CHECK(c.numerics.size == 0.02);
     CHECK(c.parts.at("shaft").size == 0.008);
     CHECK(c.numerics.order == 1);

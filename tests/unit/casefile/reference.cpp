@@ -4,6 +4,7 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/reference_file.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -88,16 +89,16 @@ opposite_sign = true
     REQUIRE(base.rises.size() == 1);
     CHECK(base.rises[0].time == 10800);
     CHECK(base.rises[0].values.at("top") == 2);
-    CHECK(base.chain.at(0).value == doctest::Approx(-4e-6).epsilon(1e-15));
+    CHECK(base.chain.at(0).value == near(-4e-6, 1e-15));
     CHECK(*base.loads.at(0).force == 21400);
     REQUIRE(base.curves.size() == 2);
     CHECK(base.curves[0].name == "top of m.csv");
     CHECK(base.curves[0].time == std::vector<double>{0, 1800, 3600});
     // 32, 50 and 68 degF are 0, 10 and 20 degC; the offset costs the last digits.
-    CHECK(base.curves[0].value[1] == doctest::Approx(283.15).epsilon(1e-12));
-    CHECK(base.curves[0].value[2] == doctest::Approx(293.15).epsilon(1e-12));
+    CHECK(base.curves[0].value[1] == near(283.15, 1e-12));
+    CHECK(base.curves[0].value[2] == near(293.15, 1e-12));
     CHECK(base.curves[1].time == std::vector<double>{0, 1800});
-    CHECK(base.curves[1].value[1] == doctest::Approx(1e-6).epsilon(1e-12));
+    CHECK(base.curves[1].value[1] == near(1e-6, 1e-12));
     const auto fast = read_reference(file, "fast");
     CHECK(fast.rises.at(0).time == 5400);
     CHECK(fast.chain.empty());
@@ -274,7 +275,7 @@ TEST_CASE("the points of the paper's sweeps are settings that the case takes")
     const auto at = [&](const std::string& point) {
         return read_case(press / "case.toml", points.at(point).set).value;
     };
-    CHECK(at("speed_400").operation.at(0).speed == doctest::Approx(400 * 3.14159265358979 / 30).epsilon(1e-13));
+    CHECK(at("speed_400").operation.at(0).speed == near(400 * 3.14159265358979 / 30, 1e-13));
     CHECK(at("force_100").operation.at(0).force == 100e3);
     CHECK(at("no_load").operation.at(0).force == 0);
     const auto stiff = at("stiffness_1e9");

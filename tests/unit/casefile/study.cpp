@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/files/reference.hpp"
 #include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -79,7 +80,7 @@ name = "base"
     CHECK(fs::path(study.base).filename() == "case.toml");
     CHECK(fs::path(study.base).is_absolute());
     CHECK(study.set == std::vector<std::string>{"numerics.size=40 mm"});
-    CHECK(*study.limits->largest == doctest::Approx(1e-5).epsilon(1e-15));
+    CHECK(*study.limits->largest == near(1e-5, 1e-15));
     CHECK_FALSE(study.limits->final);
     REQUIRE(study.sets.size() == 4);
     const auto& first = study.sets[0].axes;
@@ -231,7 +232,7 @@ TEST_CASE("the shipped working day lasts a day")
         CHECK(segment.ambient.has_value());
     }
     CHECK(day.operation.size() == 5);
-    CHECK(duration == doctest::Approx(86400).epsilon(1e-12));
+    CHECK(duration == near(86400, 1e-12));
 }
 
 TEST_CASE("docs/study-file.md is the page of study files of this program")

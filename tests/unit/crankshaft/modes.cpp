@@ -1,6 +1,7 @@
 #include "deadpoint/crankshaft/modes.hpp"
 
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 #include "shafts.hpp"
 
 #include <cmath>
@@ -18,7 +19,7 @@ void check_frequencies(const std::vector<Mode>& found, const nlohmann::json& exp
     REQUIRE(found.size() >= expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
         CAPTURE(i);
-        CHECK(found[i].frequency == doctest::Approx(expected[i].get<double>()).epsilon(tolerance));
+        CHECK(found[i].frequency == near(expected[i].get<double>(), tolerance));
     }
 }
 
@@ -65,10 +66,10 @@ TEST_CASE("modes: pinned beam against the exact Timoshenko beam, order h^2")
         const Shaft shaft = shafts::pinned_beam(elements);
         const auto& expected = beam["fe_Hz"][std::to_string(elements)];
         for (int i = 0; i < 4; ++i)
-            CHECK(plane_frequency(shaft, i) == doctest::Approx(expected[i].get<double>()).epsilon(1e-9));
+            CHECK(plane_frequency(shaft, i) == near(expected[i].get<double>(), 1e-9));
         const double error = plane_frequency(shaft, 1) / beam["exact_Hz"][1].get<double>() - 1;
         if (elements > 8)  // four elements for two half waves are too coarse for the order
-            CHECK(std::log2(last_error / error) == doctest::Approx(2).epsilon(0.1));
+            CHECK(std::log2(last_error / error) == near(2, 0.1));
         last_error = error;
     }
     CHECK(last_error < 1.1e-4);
@@ -80,8 +81,8 @@ TEST_CASE("modes: tension raises the pinned beam's frequencies")
     Shaft shaft = shafts::pinned_beam(32);
     shaft.axial_load = 2e6;
     for (int i = 0; i < 2; ++i) {
-        CHECK(plane_frequency(shaft, i) == doctest::Approx(expected["fe32"][i].get<double>()).epsilon(1e-9));
-        CHECK(plane_frequency(shaft, i) == doctest::Approx(expected["exact"][i].get<double>()).epsilon(1.1e-4));
+        CHECK(plane_frequency(shaft, i) == near(expected["fe32"][i].get<double>(), 1e-9));
+        CHECK(plane_frequency(shaft, i) == near(expected["exact"][i].get<double>(), 1.1e-4));
     }
 }
 
@@ -102,8 +103,8 @@ TEST_CASE("modes: the pinned beam buckles at Engesser's load and says so")
             buckled = middle;
         }
     }
-    CHECK(stable == doctest::Approx(expected["fe"].get<double>()).epsilon(1e-7));
-    CHECK(stable == doctest::Approx(expected["engesser"].get<double>()).epsilon(2e-5));  // the mesh's error
+    CHECK(stable == near(expected["fe"].get<double>(), 1e-7));
+    CHECK(stable == near(expected["engesser"].get<double>(), 2e-5));  // the mesh's error
 }
 
 TEST_CASE("modes: whirl of the spinning pinned beam, and its sense")
@@ -111,15 +112,15 @@ TEST_CASE("modes: whirl of the spinning pinned beam, and its sense")
     const auto& expected = reference()["checks"]["ss_whirl_2000rad/s"];
     const std::vector<Mode> found = modes_of(shafts::pinned_beam(32), 2000, 4);
     for (std::size_t i = 0; i < 4; ++i) {
-        CHECK(found[i].frequency == doctest::Approx(expected["fe32"][i / 2][i % 2].get<double>()).epsilon(1e-9));
-        CHECK(found[i].frequency == doctest::Approx(expected["exact"][i / 2][i % 2].get<double>()).epsilon(1.2e-4));
+        CHECK(found[i].frequency == near(expected["fe32"][i / 2][i % 2].get<double>(), 1e-9));
+        CHECK(found[i].frequency == near(expected["exact"][i / 2][i % 2].get<double>(), 1.2e-4));
         CHECK(found[i].whirl == (i % 2 == 0 ? Whirl::backward : Whirl::forward));
-        CHECK(std::abs(found[i].circularity) == doctest::Approx(1).epsilon(1e-6));
+        CHECK(std::abs(found[i].circularity) == near(1, 1e-6));
     }
     // The other sense of rotation: the same frequencies, each with its sense relative to the spin.
     const std::vector<Mode> reversed = modes_of(shafts::pinned_beam(32), -2000, 4);
     for (std::size_t i = 0; i < 4; ++i) {
-        CHECK(reversed[i].frequency == doctest::Approx(found[i].frequency).epsilon(1e-10));
+        CHECK(reversed[i].frequency == near(found[i].frequency, 1e-10));
         CHECK(reversed[i].whirl == found[i].whirl);
     }
     for (const Mode& mode : modes_of(shafts::pinned_beam(8), 0, 4))
@@ -150,7 +151,7 @@ TEST_CASE("modes: Jeffcott rotor bounces and tilts as in closed form, the shaft 
     const double tilt = std::sqrt(1000.0 * 1000 + 4 * 5e5) / 2;
     const double expected[]{bounce, bounce, tilt - 500, tilt + 500};
     for (std::size_t i = 0; i < 4; ++i)
-        CHECK(2 * std::numbers::pi * found[i].frequency == doctest::Approx(expected[i]).epsilon(1e-6));
+        CHECK(2 * std::numbers::pi * found[i].frequency == near(expected[i], 1e-6));
     CHECK(found[2].whirl == Whirl::backward);
     CHECK(found[3].whirl == Whirl::forward);
 }
@@ -177,8 +178,7 @@ TEST_CASE("modes: the same rotor in anisotropic bearings, test data of ROSS (tes
     for (std::size_t s = 0; s < 3; ++s)
         for (std::size_t i = 0; i < 5; ++i)
             // Printed to 1e-8 rad/s of 82.
-            CHECK(2 * std::numbers::pi * table[s][i].frequency ==
-                  doctest::Approx(expected[s][i].get<double>()).epsilon(2e-10));
+            CHECK(2 * std::numbers::pi * table[s][i].frequency == near(expected[s][i].get<double>(), 2e-10));
 }
 
 TEST_CASE("critical speeds: where the Campbell diagram meets the line of the speed")
@@ -205,7 +205,7 @@ TEST_CASE("critical speeds: where the Campbell diagram meets the line of the spe
     // Twice per turn: excited at half the frequency.
     const std::vector<CriticalSpeed> twice = critical_speeds(system, 2, 1);
     const double frequency = 2 * twice[0].speed / (2 * std::numbers::pi);
-    CHECK(modes(system, twice[0].speed, 1)[0].frequency == doctest::Approx(frequency).epsilon(1e-10));
+    CHECK(modes(system, twice[0].speed, 1)[0].frequency == near(frequency, 1e-10));
     CHECK_THROWS_AS(critical_speeds(system, 0), InputError);
 }
 
@@ -213,8 +213,7 @@ TEST_CASE("critical speeds: those of a uniform pinned beam are near its frequenc
 {
     const auto& expected = reference()["checks"]["critical_speed_MC_double_count"];
     const auto found = critical_speeds(assemble(shafts::pinned_beam(16)), 1, 2);
-    CHECK(found[0].speed / (2 * std::numbers::pi) ==
-          doctest::Approx(expected["correct_Hz"].get<double>()).epsilon(0.01));
+    CHECK(found[0].speed / (2 * std::numbers::pi) == near(expected["correct_Hz"].get<double>(), 0.01));
     CHECK(found[0].whirl == Whirl::backward);
     CHECK(found[1].whirl == Whirl::forward);
 }
@@ -229,8 +228,8 @@ TEST_CASE("modes: bearing damping shows as damping ratio, and the Campbell table
     const auto table = campbell(assemble(shaft), std::vector<double>{0, 100}, 2);
     REQUIRE(table.size() == 2);
     // c / (2 sqrt(k m)) of the bounce; the shaft's compliance is 1e-3 of the bearings'.
-    CHECK(table[0][0].damping_ratio == doctest::Approx(2e3 / (2 * std::sqrt(2e6 * 100))).epsilon(2e-3));
-    CHECK(table[1][0].frequency == doctest::Approx(modes_of(shaft, 100, 2)[0].frequency).epsilon(1e-12));
+    CHECK(table[0][0].damping_ratio == near(2e3 / (2 * std::sqrt(2e6 * 100)), 2e-3));
+    CHECK(table[1][0].frequency == near(modes_of(shaft, 100, 2)[0].frequency, 1e-12));
 }
 
 TEST_CASE("campbell: a few modes of the resting shaft give what all of them give, at the highest speed too")
@@ -254,7 +253,7 @@ TEST_CASE("campbell: a few modes of the resting shaft give what all of them give
             for (std::size_t i = 0; i < full.size(); ++i) {
                 CAPTURE(i);
                 // 1e-6 is what is promised; the damping ratio is a part of the same eigenvalue.
-                CHECK(table[s][i].frequency == doctest::Approx(full[i].frequency).epsilon(1e-6));
+                CHECK(table[s][i].frequency == near(full[i].frequency, 1e-6));
                 CHECK(std::abs(table[s][i].damping_ratio - full[i].damping_ratio) < 1e-6);
                 CHECK(table[s][i].whirl == full[i].whirl);
             }

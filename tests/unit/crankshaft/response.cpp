@@ -3,6 +3,7 @@
 #include "deadpoint/crankshaft/response/periodic.hpp"
 #include "deadpoint/crankshaft/response/periodic_load.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 #include "shafts.hpp"
 
 #include <algorithm>
@@ -96,9 +97,9 @@ TEST_CASE("static: the crank's load shares over the bearings, and the sag, as in
         const std::vector<Vec2> forces = bearing_forces(system, q);
         // Condition of K is 1e6; both are direct solutions.
         for (std::size_t b = 0; b < 4; ++b)
-            CHECK(forces[b][0] == doctest::Approx(entry["force_on_bearings_N"][b].get<double>()).epsilon(1e-8));
+            CHECK(forces[b][0] == near(entry["force_on_bearings_N"][b].get<double>(), 1e-8));
         const auto sag = q[static_cast<std::size_t>(first_unknown(node_at(system, shafts::crank_middle)))];
-        CHECK(sag == doctest::Approx(entry["v_node9_m"].get<double>()).epsilon(1e-8));
+        CHECK(sag == near(entry["v_node9_m"].get<double>(), 1e-8));
     }
 }
 
@@ -109,8 +110,7 @@ TEST_CASE("static: weight, distributed along the sections, as in the reference")
         const std::vector<double> weight = weight_pattern(system, {-9.81, 0});
         const std::vector<Vec2> forces = bearing_forces(system, static_displacement(system, weight));
         for (std::size_t b = 0; b < 4; ++b)
-            CHECK(forces[b][0] ==
-                  doctest::Approx(entry["gravity_only_force_on_bearings_N"][b].get<double>()).epsilon(1e-8));
+            CHECK(forces[b][0] == near(entry["gravity_only_force_on_bearings_N"][b].get<double>(), 1e-8));
     }
 }
 
@@ -134,9 +134,9 @@ TEST_CASE("static: a housing that sinks under its own weight takes load off the 
     const double sag = 5 * w / (384 * EI) + w / (8 * shear) + 0.5 * w / k - housing * g / support;
     const double give = 1 / (48 * EI) + 1 / (4 * shear) + 0.5 / k + 1 / k + 1 / support;
     const double carried = sag / give;
-    CHECK(forces[1][1] == doctest::Approx(-carried).epsilon(1e-7));
-    CHECK(forces[0][1] == doctest::Approx(-0.5 * (w - carried)).epsilon(1e-7));
-    CHECK(forces[2][1] == doctest::Approx(forces[0][1]).epsilon(1e-9));
+    CHECK(forces[1][1] == near(-carried, 1e-7));
+    CHECK(forces[0][1] == near(-0.5 * (w - carried), 1e-7));
+    CHECK(forces[2][1] == near(forces[0][1], 1e-9));
 }
 
 TEST_CASE("static: on two bearings housings change nothing for the shaft")
@@ -153,7 +153,7 @@ TEST_CASE("static: on two bearings housings change nothing for the shaft")
     shaft.bearings[0].support_stiffness = shafts::isotropic(1e8);
     const auto after = forces(shaft);
     for (std::size_t b = 0; b < 2; ++b)
-        CHECK(after[b][1] == doctest::Approx(before[b][1]).epsilon(1e-8));
+        CHECK(after[b][1] == near(before[b][1], 1e-8));
 }
 
 TEST_CASE("static: without a shear factor a beam only bends; each section has its own")
@@ -170,10 +170,9 @@ TEST_CASE("static: without a shear factor a beam only bends; each section has it
         return static_displacement(system, load)[static_cast<std::size_t>(first_unknown(2) + 1)];
     };
     // Half of the force shears each half over L / 2, and the mean of both ends of that is the middle's share.
-    CHECK(sag(0, 0) == doctest::Approx(1 / (48 * EI)).epsilon(1e-7));
-    CHECK(sag(0.9, 0) == doctest::Approx(1 / (48 * EI) + 1 / (8 * 0.9 * area * G)).epsilon(1e-7));
-    CHECK(sag(0.9, 0.5) ==
-          doctest::Approx(1 / (48 * EI) + 1 / (8 * 0.9 * area * G) + 1 / (8 * 0.5 * area * G)).epsilon(1e-7));
+    CHECK(sag(0, 0) == near(1 / (48 * EI), 1e-7));
+    CHECK(sag(0.9, 0) == near(1 / (48 * EI) + 1 / (8 * 0.9 * area * G), 1e-7));
+    CHECK(sag(0.9, 0.5) == near(1 / (48 * EI) + 1 / (8 * 0.9 * area * G) + 1 / (8 * 0.5 * area * G), 1e-7));
 }
 
 TEST_CASE("static: load in the middle of a pinned beam bends and shears it")
@@ -189,8 +188,8 @@ TEST_CASE("static: load in the middle of a pinned beam bends and shears it")
     const double EI = 210e9 * std::numbers::pi / 64 * 1e-4;
     const double shear = 0.9 * std::numbers::pi / 4 * 0.01 * 210e9 / 2.6;
     // The elements are exact for end loads; bearings give 1e-8, the solver 1e-9.
-    CHECK(sag == doctest::Approx(-1e4 * (1 / (48 * EI) + 1 / (4 * shear))).epsilon(1e-7));
-    CHECK(sag == doctest::Approx(reference()["checks"]["static_centre"]["closed"].get<double>()).epsilon(1e-7));
+    CHECK(sag == near(-1e4 * (1 / (48 * EI) + 1 / (4 * shear)), 1e-7));
+    CHECK(sag == near(reference()["checks"]["static_centre"]["closed"].get<double>(), 1e-7));
 }
 
 TEST_CASE("static: what gives way below two bearings does not change what they carry")
@@ -210,8 +209,8 @@ TEST_CASE("static: what gives way below two bearings does not change what they c
     const std::vector<Vec2> forces = bearing_forces(system, static_displacement(system, load));
     for (std::size_t b = 0; b < 2; ++b) {
         const double share = b == 0 ? 0.7 : 0.3;  // by the lever, the beam being 1 m long
-        CHECK(forces[b][0] == doctest::Approx(share * 3000).epsilon(1e-8));
-        CHECK(forces[b][1] == doctest::Approx(share * -2000).epsilon(1e-8));
+        CHECK(forces[b][0] == near(share * 3000, 1e-8));
+        CHECK(forces[b][1] == near(share * -2000, 1e-8));
     }
 }
 
@@ -231,7 +230,7 @@ TEST_CASE("static: a force spread over the crank keeps sum and moment, and bends
             return unit[static_cast<std::size_t>(first_unknown(node_at(fine, s)) + direction)];
         };
         const double mean = (at(0.3) + 4 * at(0.4) + 2 * at(0.5) + 4 * at(0.6) + at(0.7)) / 12;
-        CHECK(sag == doctest::Approx(mean).epsilon(1e-9));
+        CHECK(sag == near(mean, 1e-9));
     }
     CHECK_THROWS_AS(force_pattern(system, 0.5, 0.3), InputError);  // no node at its ends
 }
@@ -303,8 +302,8 @@ TEST_CASE("periodic response: rectangular pulse on the paper's shaft against the
                 mean += read(n, r) / samples;
             }
             const std::string seat = r == 0 ? "By" : "Ey";
-            CHECK(peak == doctest::Approx(entry["peak_abs_" + seat].get<double>()).epsilon(2e-4));
-            CHECK(mean == doctest::Approx(entry["mean_" + seat].get<double>()).epsilon(1e-7));
+            CHECK(peak == near(entry["peak_abs_" + seat].get<double>(), 2e-4));
+            CHECK(mean == near(entry["mean_" + seat].get<double>(), 1e-7));
         }
     }
 }
@@ -335,7 +334,7 @@ TEST_CASE("periodic response: harmonic balance and Newmark agree with the exact 
         const double error =
             largest_difference(exact, periodic_response(system, speed, load, readings, newmark)) / scale;
         if (last > 0)
-            CHECK(std::log2(last / error) == doctest::Approx(2).epsilon(0.15));
+            CHECK(std::log2(last / error) == near(2, 0.15));
         last = error;
     }
     CHECK(last < 2e-4);
@@ -440,6 +439,5 @@ TEST_CASE("unbalance: a stiff rotor runs at e x^2 / (1 - x^2)")
         CHECK(std::abs(responses[0].y[1] - Complex(0, -1) * expected) < 1e-5 * std::abs(radius));
         CHECK(std::abs(responses[0].bearing_x[0] - 1e6 * expected) < 1e-5 * 1e6 * std::abs(radius));
     }
-    CHECK(1e-4 * 0.25 / 0.75 ==
-          doctest::Approx(reference()["checks"]["jeffcott_unbalance"]["closed"].get<double>()).epsilon(1e-12));
+    CHECK(1e-4 * 0.25 / 0.75 == near(reference()["checks"]["jeffcott_unbalance"]["closed"].get<double>(), 1e-12));
 }

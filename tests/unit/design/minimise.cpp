@@ -3,12 +3,12 @@
 #include "deadpoint/design/minimise.hpp"
 
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint::design;
-using doctest::Approx;
 
 namespace {
 
@@ -54,9 +54,9 @@ TEST_CASE("all methods find the minimum on a limit, worked out with Lagrange's m
         const auto found = minimise(limited_parabola(), {0.1, 0.9}, {method, 300, 1e-8, 1e-8});
         CHECK(found.feasible);
         // The value is flat at the minimum: 1e-6 of it is 1e-3 of the variables.
-        CHECK(found.value == Approx(0.072).epsilon(1e-5));
-        CHECK(found.at[0] == Approx(0.66).epsilon(2e-3));
-        CHECK(found.at[1] == Approx(0.14).epsilon(2e-2));
+        CHECK(found.value == near(0.072, 1e-5));
+        CHECK(found.at[0] == near(0.66, 2e-3));
+        CHECK(found.at[1] == near(0.14, 2e-2));
         CHECK(found.steps.size() > 3);
     }
 }
@@ -64,7 +64,7 @@ TEST_CASE("all methods find the minimum on a limit, worked out with Lagrange's m
 TEST_CASE("Rosenbrock's valley leads to its end, and bounds hold")
 {
     const auto found = minimise(valley(), {0.2, 0.75}, {MinimiseMethod::slsqp, 500, 1e-12, 1e-6});
-    CHECK(found.at[0] == Approx(0.75).epsilon(1e-3));
+    CHECK(found.at[0] == near(0.75, 1e-3));
     CHECK(found.value < 1e-5);
     auto beyond = limited_parabola();
     beyond.limits = 0;
@@ -79,7 +79,7 @@ TEST_CASE("limits that cannot be kept are said, with the point that exceeds them
     problem.evaluate = [](const Point& at, bool) { return Evaluation{at[1], {0, 1}, {1.5 - at[0]}, {{-1, 0}}}; };
     const auto found = minimise(problem, {0.2, 0.5}, {MinimiseMethod::slsqp, 100, 1e-6, 1e-4});
     CHECK_FALSE(found.feasible);
-    CHECK(found.at[0] == Approx(1).epsilon(1e-3));
+    CHECK(found.at[0] == near(1, 1e-3));
 }
 
 TEST_CASE("an error of the function passes through, and a search can be stopped")

@@ -2,6 +2,7 @@
 #include "deadpoint/design/morris.hpp"
 #include "deadpoint/design/sobol.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@
 
 using namespace deadpoint;
 using namespace deadpoint::design;
-using doctest::Approx;
 
 namespace {
 
@@ -107,14 +107,14 @@ TEST_CASE("Sobol' indices of Ishigami's function are within 1 %")
     const double v = v1 + v2 + v13;
     for (const unsigned seed : {1, 2, 3}) {
         const auto found = indices_of(ishigami, 3, 8192, seed);
-        CHECK(found.mean == Approx(a / 2).epsilon(0.01));
-        CHECK(found.variance == Approx(v).epsilon(0.01));
-        CHECK(found.inputs[0].first.value == Approx(v1 / v).epsilon(0.01));
-        CHECK(found.inputs[1].first.value == Approx(v2 / v).epsilon(0.01));
+        CHECK(found.mean == near(a / 2, 0.01));
+        CHECK(found.variance == near(v, 0.01));
+        CHECK(found.inputs[0].first.value == near(v1 / v, 0.01));
+        CHECK(found.inputs[1].first.value == near(v2 / v, 0.01));
         CHECK(std::abs(found.inputs[2].first.value) < 0.01);
-        CHECK(found.inputs[0].total.value == Approx((v1 + v13) / v).epsilon(0.01));
-        CHECK(found.inputs[1].total.value == Approx(v2 / v).epsilon(0.01));
-        CHECK(found.inputs[2].total.value == Approx(v13 / v).epsilon(0.01));
+        CHECK(found.inputs[0].total.value == near((v1 + v13) / v, 0.01));
+        CHECK(found.inputs[1].total.value == near(v2 / v, 0.01));
+        CHECK(found.inputs[2].total.value == near(v13 / v, 0.01));
     }
 }
 
@@ -127,8 +127,8 @@ TEST_CASE("Sobol' indices of the g-function of eight inputs are within 0.01")
         product *= 1 + 1 / (3 * std::pow(1 + weight, 2));
     for (std::size_t k = 0; k < 8; ++k) {
         const double own = 1 / (3 * std::pow(1 + weights[k], 2));
-        CHECK(found.inputs[k].first.value == Approx(own / (product - 1)).scale(1).epsilon(0.01));
-        CHECK(found.inputs[k].total.value == Approx(own * product / (1 + own) / (product - 1)).scale(1).epsilon(0.01));
+        CHECK(found.inputs[k].first.value == near(own / (product - 1), 0.01, 0.01));
+        CHECK(found.inputs[k].total.value == near(own * product / (1 + own) / (product - 1), 0.01, 0.01));
     }
 }
 
@@ -165,32 +165,32 @@ TEST_CASE("an output that does not vary has no indices, and a row with a failed 
     values[17] = values[2 * 4096 + 30] = std::numeric_limits<double>::quiet_NaN();
     const auto found = sobol_indices(values, 3, {10, 0.9, 1});
     CHECK(found.rows == 4094);
-    CHECK(found.inputs[1].total.value == Approx(0.4424).epsilon(0.02));
+    CHECK(found.inputs[1].total.value == near(0.4424, 0.02));
     CHECK_THROWS_AS(sobol_indices(std::vector<double>(7), 3, {}), DomainError);
 }
 
 TEST_CASE("the bound by derivatives lies above the total index, and is 12 / pi^2 of it for a straight line")
 {
     // f = 3 u: V = 9/12, slope 3.
-    CHECK(total_index_bound(std::vector<double>{3, 3}, 0.75) == Approx(12 / (std::numbers::pi * std::numbers::pi)));
+    CHECK(total_index_bound(std::vector<double>{3, 3}, 0.75) == near(12 / (std::numbers::pi * std::numbers::pi), 1e-5));
     // f = cos(pi u) is the function for which the bound is the index itself: V = 1/2, mean slope^2 = pi^2 / 2.
     std::vector<double> slopes;
     for (const auto& point : sobol_points(1, 1024, 1))
         slopes.push_back(-std::numbers::pi * std::sin(std::numbers::pi * point[0]));
-    CHECK(total_index_bound(slopes, 0.5) == Approx(1).epsilon(1e-3));
+    CHECK(total_index_bound(slopes, 0.5) == near(1, 1e-3));
     CHECK(std::isnan(total_index_bound({}, 1)));
 }
 
 TEST_CASE("effects of a linear function are its factors, without scatter")
 {
     const auto found = effects_of([](const Point& u) { return 2 * u[0] - 3 * u[1] + 0 * u[2]; }, 3, 10);
-    CHECK(found[0].strength.value == Approx(2));
-    CHECK(found[1].strength.value == Approx(3));
-    CHECK(found[1].mean == Approx(-3));
+    CHECK(found[0].strength.value == near(2, 1e-5));
+    CHECK(found[1].strength.value == near(3, 1e-5));
+    CHECK(found[1].mean == near(-3, 1e-5));
     CHECK(found[2].strength.value == 0);
-    CHECK(found[0].deviation == Approx(0).scale(1).epsilon(1e-12));
-    CHECK(found[1].strength.low == Approx(3));
-    CHECK(found[1].strength.high == Approx(3));
+    CHECK(found[0].deviation == near(0, 0, 1e-12));
+    CHECK(found[1].strength.low == near(3, 1e-5));
+    CHECK(found[1].strength.high == near(3, 1e-5));
 }
 
 TEST_CASE("effects of products and squares on the four levels are those worked out by hand")
@@ -198,10 +198,10 @@ TEST_CASE("effects of products and squares on the four levels are those worked o
     // u0 u1: the effect of u0 is u1, at levels 0, 1/3, 2/3, 1 alike: mean 1/2, deviation sqrt(5)/6.
     // u2^2: 2 u + 2/3 from the levels 0 and 1/3: mean 1, deviation 1/3.
     const auto found = effects_of([](const Point& u) { return u[0] * u[1] + u[2] * u[2]; }, 3, 4000);
-    CHECK(found[0].strength.value == Approx(0.5).epsilon(0.03));
-    CHECK(found[0].deviation == Approx(std::sqrt(5.0) / 6).epsilon(0.03));
-    CHECK(found[2].strength.value == Approx(1).epsilon(0.03));
-    CHECK(found[2].deviation == Approx(1.0 / 3).epsilon(0.03));
+    CHECK(found[0].strength.value == near(0.5, 0.03));
+    CHECK(found[0].deviation == near(std::sqrt(5.0) / 6, 0.03));
+    CHECK(found[2].strength.value == near(1, 0.03));
+    CHECK(found[2].deviation == near(1.0 / 3, 0.03));
     // 4000 independent magnitudes of deviation 1/3: 90 % within 1.645 / 3 / sqrt(4000) = 0.0087.
-    CHECK(found[2].strength.high - found[2].strength.low == Approx(2 * 0.0087).epsilon(0.2));
+    CHECK(found[2].strength.high - found[2].strength.low == near(2 * 0.0087, 0.2));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/drift/chain.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -23,7 +24,7 @@ inline double value(const Functional& functional, const Displacement& displaceme
     return sum;
 }
 
-inline auto micrometres(double expected) { return doctest::Approx(expected * micrometre).scale(0).epsilon(rounding); }
+inline auto micrometres(double expected) { return near(expected * micrometre, rounding); }
 
 // Two bodies of one part each. Side a of contact c lies on face 2 c beyond those of the machine, side b on face 2 c
 // + 1.

@@ -2,17 +2,17 @@
 
 #include "contacts.hpp"
 #include "deadpoint/exchange/linkage.hpp"
+#include "near.hpp"
 
 using namespace deadpoint;
 using namespace deadpoint::drift;
-using doctest::Approx;
 
 namespace {
 
 constexpr double micro = 1e-6;
 const Vec2 centre{0.3, -0.12};
 
-auto microradians(double expected) { return Approx(expected * micro).scale(0).epsilon(1e-9); }
+auto microradians(double expected) { return near(expected * micro, 1e-9); }
 
 Vec3 tilted(double angle, const Vec3& x) { return cross({angle * micro, 0, 0}, x); }
 
@@ -35,7 +35,7 @@ TEST_CASE("tilt of a bearing: that of its axis, whatever it grows or tapers, hel
         return tilted(30, x) + micro * Vec3{4, -3, 8} + (5e-5 + 2e-3 * x[2]) * arm;
     };
     CHECK(value(fit->angle, displacement) == microradians(30));
-    CHECK(fit->information == Approx(bearing_information(machine, 0, 9)).scale(0).epsilon(1e-9));
+    CHECK(fit->information == near(bearing_information(machine, 0, 9), 1e-9));
     CHECK_FALSE(fit_tilt(machine, {{0, false}}, Vec3{0, 0, 1}, false));  // about its own axis
     CHECK_FALSE(fit_tilt(machine, {}, Vec3{1, 0, 0}, false));
 }

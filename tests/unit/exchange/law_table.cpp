@@ -1,6 +1,7 @@
 #include "deadpoint/exchange/laws/law_table.hpp"
 
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -35,7 +36,7 @@ TEST_CASE("a law as a table keeps the stated tolerance at 1e5 places, and needs 
     CHECK(largest_error(coarse, exact) < 1e-6);
     CHECK(coarse.points().size() < fine.points().size() / 4);  // the error is of fourth order: 10 times, by halving
     // The slope of the cubic is of third order.
-    CHECK(fine(300).slope == doctest::Approx(falling(300).slope).epsilon(1e-7));
+    CHECK(fine(300).slope == near(falling(300).slope, 1e-7));
 }
 
 TEST_CASE("a straight law is two points, exact within and beyond them")
@@ -43,7 +44,7 @@ TEST_CASE("a straight law is two points, exact within and beyond them")
     const LawTable table([](double t) { return LawValue{5 - 0.02 * (t - 300), -0.02, true}; });
     CHECK(table.points().size() == 2);
     for (const double at : {1.0, 213.15, 300.0, 573.15, 2000.0})
-        CHECK(table(at).value == doctest::Approx(5 - 0.02 * (at - 300)).epsilon(1e-14));
+        CHECK(table(at).value == near(5 - 0.02 * (at - 300), 1e-14));
 }
 
 TEST_CASE("a kink is met to its place, a jump becomes a steep line")
@@ -51,8 +52,8 @@ TEST_CASE("a kink is met to its place, a jump becomes a steep line")
     const LawTable kink([](double t) {
         return t < 320 ? LawValue{2000 - 40 * (t - 320), -40, true} : LawValue{2000 - 5 * (t - 320), -5, true};
     });
-    CHECK(kink(319.9).value == doctest::Approx(2004).epsilon(1e-9));
-    CHECK(kink(320.1).value == doctest::Approx(1999.5).epsilon(1e-9));
+    CHECK(kink(319.9).value == near(2004, 1e-9));
+    CHECK(kink(320.1).value == near(1999.5, 1e-9));
     const LawTable jump([](double t) { return LawValue{t < 320 ? 100.0 : 20.0, 0, true}; });
     CHECK(jump(320 - 1e-5).value == 100);
     CHECK(jump(320 + 1e-5).value == 20);
@@ -101,7 +102,7 @@ TEST_CASE("a table times a factor, plus an offset, is that of the law times the 
 {
     const LawTable table = LawTable(falling).affine(0.25, 30);
     CHECK(largest_error(table, [](double t) { return 30 + 0.25 * falling(t).value; }) < 1e-10);
-    CHECK(table(300).slope == doctest::Approx(0.25 * falling(300).slope).epsilon(1e-7));
+    CHECK(table(300).slope == near(0.25 * falling(300).slope, 1e-7));
     CHECK(table.points() == LawTable(falling).points());
     CHECK(!table(600).in_range);
 }

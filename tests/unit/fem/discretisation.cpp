@@ -3,6 +3,7 @@
 #include "bricks.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -11,7 +12,6 @@
 using namespace deadpoint;
 using namespace deadpoint::fem;
 using bricks::Brick;
-using doctest::Approx;
 
 namespace {
 
@@ -74,7 +74,7 @@ TEST_CASE("unknowns sit on the lattice of the elements' order, one at each place
                 const Vec3 spacing{0.6 / (2 * order), 0.4 / order, 1.5 / (3 * order)}, low{-0.2, 0.1, 0};
                 for (std::size_t c = 0; c < 3; ++c) {
                     step[c] = std::lround((x[c] - low[c]) / spacing[c]);
-                    CHECK(x[c] == Approx(low[c] + static_cast<double>(step[c]) * spacing[c]).epsilon(1e-13));
+                    CHECK(x[c] == near(low[c] + static_cast<double>(step[c]) * spacing[c], 1e-13));
                 }
                 seen.insert(step);
             }
@@ -108,8 +108,8 @@ TEST_CASE("shape functions at faces: a polynomial of the elements' order and its
                 const auto x = middle_of(part.machine, part.machine.faces[f]);
                 part.space.evaluate(f, x, true, shape);
                 // The library ends its search for the place in a tetrahedron early.
-                CHECK(at(shape, values) == Approx(field(x)).epsilon(tetrahedra ? 1e-11 : 1e-13));
-                CHECK(at(shape, std::vector<double>(values.size(), 1.0)) == Approx(1).epsilon(1e-14));
+                CHECK(at(shape, values) == near(field(x), tetrahedra ? 1e-11 : 1e-13));
+                CHECK(at(shape, std::vector<double>(values.size(), 1.0)) == near(1, 1e-14));
                 const Vec3 exact =
                     order == 1 ? Vec3{2, -5, 0.5} : Vec3{2 + 2 * x[0], -5 - 2 * x[2], 0.5 - 2 * x[1] + 6 * x[2]};
                 CHECK(norm(gradient_at(shape, values) - exact) < 1e-11);
@@ -127,7 +127,7 @@ TEST_CASE("in bent cells a linear field and its gradient are exact too")
     for (std::uint32_t f = 0; f < part.machine.faces.size(); ++f) {
         const auto x = middle_of(part.machine, part.machine.faces[f]);
         part.space.evaluate(f, x, true, shape);
-        CHECK(at(shape, values) == Approx(linear(x)).epsilon(1e-12));
+        CHECK(at(shape, values) == near(linear(x), 1e-12));
         CHECK(norm(gradient_at(shape, values) - Vec3{2, -5, 0.5}) < 1e-10);
     }
 }
@@ -166,10 +166,10 @@ TEST_CASE("a point is found in the cell of its part; one off the part is brought
     PointShape shape;
     for (const Vec3& x : {Vec3{-0.1, 0.15, 0.2}, Vec3{0.39, 0.49, 1.49}, Vec3{0.1, 0.3, 0.75}}) {
         part.space.evaluate_in_part(0, x, shape);
-        CHECK(at(shape, values) == Approx(linear(x)).epsilon(1e-12));
+        CHECK(at(shape, values) == near(linear(x), 1e-12));
     }
     part.space.evaluate_in_part(0, {0.45, 0.3, 0.7}, shape);  // 50 mm beside the face at 0.4
-    CHECK(at(shape, values) == Approx(linear({0.4, 0.3, 0.7})).epsilon(1e-12));
+    CHECK(at(shape, values) == near(linear({0.4, 0.3, 0.7}), 1e-12));
     CHECK_THROWS_WITH_AS(part.space.evaluate_in_part(0, {0.4 + 0.6, 0.3, 0.7}, shape),
                          doctest::Contains("outside its part 'part 0'"), InputError);
     CHECK_THROWS_WITH_AS(part.space.evaluate_in_part(0, {40, 0, 0}, shape), doctest::Contains("near a probe"),
@@ -184,9 +184,9 @@ TEST_CASE("a cell continued beyond itself is the same polynomial there, and tell
         PointShape shape;
         const Vec3 beyond{0.46, 0.3, 0.7};  // a tenth of the cell beyond its face
         const double outside = part.space.continue_cell(0, beyond, shape);
-        CHECK(at(shape, values) == Approx(linear(beyond)).epsilon(1e-12));
+        CHECK(at(shape, values) == near(linear(beyond), 1e-12));
         if (!tetrahedra)
-            CHECK(outside == Approx(0.1).epsilon(1e-12));
+            CHECK(outside == near(0.1, 1e-12));
         CHECK(outside > 0);
     }
 }
@@ -195,11 +195,11 @@ TEST_CASE("the depth behind a face is the cell's volume over the face's area")
 {
     const bricks::Space hexahedra(box({2, 1, 3}), 1), tetrahedra(box({2, 1, 3}, true), 1);
     for (const auto f : bricks::side(hexahedra.machine, 0, 0, true))
-        CHECK(hexahedra.space.depth(f) == Approx(0.3).epsilon(1e-13));
+        CHECK(hexahedra.space.depth(f) == near(0.3, 1e-13));
     for (const auto f : bricks::side(hexahedra.machine, 0, 2, false))
-        CHECK(hexahedra.space.depth(f) == Approx(0.5).epsilon(1e-13));
+        CHECK(hexahedra.space.depth(f) == near(0.5, 1e-13));
     for (const auto f : bricks::side(tetrahedra.machine, 0, 0, true))  // V = A h / 3
-        CHECK(tetrahedra.space.depth(f) == Approx(0.1).epsilon(1e-13));
+        CHECK(tetrahedra.space.depth(f) == near(0.1, 1e-13));
 }
 
 TEST_CASE("a cell's nodes are found by their unknowns, whatever the numbering")
@@ -265,16 +265,16 @@ TEST_CASE("bonded cells: their points cover the bond once, with both sides' shap
         ++pairs;
         CHECK(pair.part_a == 0);
         CHECK(pair.part_b == 1);
-        CHECK(pair.depth_a == Approx(0.5).epsilon(1e-13));
-        CHECK(pair.depth_b == Approx(1).epsilon(1e-13));
+        CHECK(pair.depth_a == near(0.5, 1e-13));
+        CHECK(pair.depth_b == near(1, 1e-13));
         for (const auto& point : pair.points) {
             area += point.weight;
-            CHECK(at(point.a, values) == Approx(at(point.b, values)).epsilon(1e-12));
+            CHECK(at(point.a, values) == near(at(point.b, values), 1e-12));
             CHECK(norm(gradient_at(point.b, values) - Vec3{2, -5, 0.5}) < 1e-11);
             CHECK(point.normal == Vec3{0, 0, 1});
         }
     });
-    CHECK(area == Approx(1).epsilon(1e-14));
+    CHECK(area == near(1, 1e-14));
     CHECK(pairs == 8);  // 2 x 2 faces on 3 strips, of which the middle one lies on both halves
 }
 
@@ -290,7 +290,7 @@ TEST_CASE("a functional takes its entries in any order, and those of one unknown
     // Its load is the transposed.
     const auto load = bricks::vector_of(part.space, std::vector<double>(8, 0.0));
     add_to(load, functional, 4);
-    CHECK(bricks::dense(load).dot(bricks::dense(vector)) == Approx(4 * 200).epsilon(1e-14));
+    CHECK(bricks::dense(load).dot(bricks::dense(vector)) == near(4 * 200, 1e-14));
 }
 
 TEST_CASE("what is gathered on every rank is the vector as it is then, as often as it is asked for")

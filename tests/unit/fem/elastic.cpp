@@ -11,6 +11,7 @@
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/elastic/stress_recovery.hpp"
 #include "deadpoint/fem/fields.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <numeric>
@@ -19,7 +20,6 @@
 using namespace deadpoint;
 using namespace deadpoint::fem;
 using bricks::Brick;
-using doctest::Approx;
 
 namespace {
 
@@ -146,7 +146,7 @@ TEST_CASE("ties: the finer side's nodes follow the coarser side's, with weights 
                 place = place + weight * places[static_cast<std::size_t>(node)];
                 CHECK((!ties.is_tied(node) || before.contains(node)));
             }
-            CHECK(sum == Approx(1).epsilon(1e-12));
+            CHECK(sum == near(1, 1e-12));
             CHECK(norm(place - places[static_cast<std::size_t>(tie.node)]) < 1e-12);
             before.insert(tie.node);
         }
@@ -323,7 +323,7 @@ TEST_CASE("a load in equilibrium does no work in a rigid motion, and is the tran
         CHECK(std::abs(bricks::dense(balanced).dot(bricks::column(motion))) < 1e-11);
     }
     CHECK(bricks::dense(balanced).dot(bricks::column(field)) ==
-          Approx(bricks::column(load).dot(bricks::dense(relative))).epsilon(1e-11));
+          near(bricks::column(load).dot(bricks::dense(relative)), 1e-11));
 }
 
 TEST_CASE("an evenly warm machine of free bonded blocks grows by alpha dT x")
@@ -392,7 +392,7 @@ TEST_CASE("patch test: blocks that are pulled stand under uniform stress, across
         const StressRecovery stress(both.space, steel, part, {u.data(), nullptr, {}});
         for (std::size_t node = 0; node < stress.nodes().size(); ++node) {
             const auto s = stress.at_node(node);
-            CHECK(s[1] == Approx(1e6).epsilon(1e-6));
+            CHECK(s[1] == near(1e6, 1e-6));
             for (const std::size_t c : {0, 2, 3, 4, 5})
                 CHECK(std::abs(s[c]) < 1);
         }
@@ -411,7 +411,7 @@ TEST_CASE("adjoint weights give what the deformation gives, for any rise")
             bricks::values_of(both.space, [](const Vec3& x) { return 30 + 200 * x[0] * x[1] - 90 * x[2]; });
         const double direct = solver.evaluate(wanted, solver.displacement(Field{rise}))[0];
         const auto adjoint = solver.adjoints(wanted)[0];
-        CHECK(bricks::column(adjoint.owned).dot(bricks::column(rise)) == Approx(direct).scale(0).epsilon(1e-8));
+        CHECK(bricks::column(adjoint.owned).dot(bricks::column(rise)) == near(direct, 1e-8));
         CHECK(std::abs(direct) > 1e-9);
     }
 }
@@ -427,9 +427,9 @@ TEST_CASE("duals of loads in equilibrium are reciprocal: the work of one load in
     pull(both.machine, 1, 0, false, {-3e5, 0, 0}, sideways);
     const double one = solver.evaluate({sideways}, solver.dual(upward))[0];
     const double other = solver.evaluate({upward}, solver.dual(sideways))[0];
-    CHECK(one == Approx(other).scale(0).epsilon(1e-8));
+    CHECK(one == near(other, 1e-8));
     // Uniform stress narrows the upper block by nu sigma / E over 0.2 m, where 3e5 Pa pull on 0.1 x 0.1 m2.
-    CHECK(one == Approx(-0.3 * 2e5 / 2.1e11 * 0.2 * 3e5 * 0.01).scale(0).epsilon(1e-7));
+    CHECK(one == near(-0.3 * 2e5 / 2.1e11 * 0.2 * 3e5 * 0.01, 1e-7));
 }
 
 TEST_CASE("a column without contraction stands under its own weight as a bar does, and its feet carry it")
@@ -449,7 +449,7 @@ TEST_CASE("a column without contraction stands under its own weight as a bar doe
         CHECK(apart(part.space, displacement.owned, exact) < 1e-7 * 6.6e-8);
         ForceGauge gauge{"feet", ForceGauge::Kind::feet, 0, Axis::y};
         const double weight = 7800 * 9.81 * 0.2 * 0.6 * 0.1;
-        CHECK(solver.forces({gauge}, loads, displacement)[0] == Approx(weight).epsilon(1e-8));
+        CHECK(solver.forces({gauge}, loads, displacement)[0] == near(weight, 1e-8));
     }
 }
 
@@ -465,7 +465,7 @@ TEST_CASE("pads give way by weight over stiffness")
     const auto places = part.space.support_points();
     for (std::size_t i = 0; i < places.size(); ++i)
         if (places[i][1] < 1e-9)
-            CHECK(u[3 * i + 1] == Approx(-7800 * 9.81 * 0.6 / 1e9).scale(0).epsilon(1e-7));  // rho g H over k
+            CHECK(u[3 * i + 1] == near(-7800 * 9.81 * 0.6 / 1e9, 1e-7));  // rho g H over k
 }
 
 TEST_CASE("a machine that its weight would carry off is refused")
@@ -499,11 +499,11 @@ TEST_CASE("an initial strain that nothing hinders becomes the strain, without st
 TEST_CASE("Hooke's law: uniaxial strain, shear and pressure by their moduli")
 {
     const auto stretched = hooke(steel, {1e-4, 0, 0, 0, 0, 0});
-    CHECK(stretched[0] == Approx(1e-4 * 2.1e11 * 0.7 / (1.3 * 0.4)).epsilon(1e-13));
-    CHECK(stretched[1] == Approx(stretched[0] * 0.3 / 0.7).epsilon(1e-13));
-    CHECK(hooke(steel, {0, 0, 0, 1e-4, 0, 0})[3] == Approx(2.1e11 / 1.3 * 1e-4).epsilon(1e-13));
+    CHECK(stretched[0] == near(1e-4 * 2.1e11 * 0.7 / (1.3 * 0.4), 1e-13));
+    CHECK(stretched[1] == near(stretched[0] * 0.3 / 0.7, 1e-13));
+    CHECK(hooke(steel, {0, 0, 0, 1e-4, 0, 0})[3] == near(2.1e11 / 1.3 * 1e-4, 1e-13));
     const auto pressed = hooke(steel, {1e-4, 1e-4, 1e-4, 0, 0, 0});
-    CHECK(pressed[2] == Approx(3e-4 * 2.1e11 / (3 * 0.4)).epsilon(1e-13));
+    CHECK(pressed[2] == near(3e-4 * 2.1e11 / (3 * 0.4), 1e-13));
 }
 
 TEST_CASE("recovered stress: linear with elements of second order exactly, and of first order at every node")
@@ -535,6 +535,6 @@ TEST_CASE("warm but free: no stress is recovered; warm and held: that of the ris
         clamped(part.space, steel, 0, {held.data(), rise.data(), {}});
     for (const double s : free.at_node(5))
         CHECK(std::abs(s) < 1);
-    CHECK(clamped.at_node(5)[0] == Approx(-2.1e11 * 6e-4 / 0.4).epsilon(1e-12));  // -E alpha dT / (1 - 2 nu)
+    CHECK(clamped.at_node(5)[0] == near(-2.1e11 * 6e-4 / 0.4, 1e-12));  // -E alpha dT / (1 - 2 nu)
     CHECK(std::abs(clamped.at_node(5)[3]) < 1);
 }

@@ -5,6 +5,7 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/estimate/error_estimate.hpp"
 #include "deadpoint/fem/estimate/pod.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@
 using namespace deadpoint;
 using namespace deadpoint::fem;
 using bricks::Brick;
-using doctest::Approx;
 
 namespace {
 
@@ -54,14 +54,14 @@ TEST_CASE("of x squared between the nodes, elements of first order miss k V h^2 
         const double h = 1.0 / n;
         // The gradient of the nodes' field is 2 x in the middle of a cell: 2 (x - middle) is missed.
         const double exact = 45 * 2 * h * h / 3;
-        CHECK(conduction_errors(at.space, one_steel, t, {t})[0][0] == Approx(exact).epsilon(1e-6));
+        CHECK(conduction_errors(at.space, one_steel, t, {t})[0][0] == near(exact, 1e-6));
         // Bilinear: twice the dual is twice the error, and a dual across sees none.
         auto twice = t;
         for (double& value : twice.owned)
             value *= -2;
         const auto across = field(at.space, [](const Vec3& x) { return x[1] * x[1]; });
         const auto errors = conduction_errors(at.space, one_steel, t, {twice, across});
-        CHECK(errors[0][0] == Approx(-2 * exact).epsilon(1e-6));
+        CHECK(errors[0][0] == near(-2 * exact, 1e-6));
         CHECK(std::abs(errors[1][0]) < 1e-6 * exact);
     }
 }
@@ -84,8 +84,8 @@ TEST_CASE("each part has its own error, by its own conductivity")
     const auto t = field(both.space, [](const Vec3& x) { return x[0] < 3.5 ? x[0] * x[0] : 7 * x[0]; });
     const auto errors = conduction_errors(both.space, {steel, copper, steel}, t, {t});
     REQUIRE(errors[0].size() == 3);
-    CHECK(errors[0][0] == Approx(45 / 4.0 / 3).epsilon(1e-6));
-    CHECK(errors[0][1] == Approx(390 / 16.0 / 3).epsilon(1e-6));
+    CHECK(errors[0][0] == near(45 / 4.0 / 3, 1e-6));
+    CHECK(errors[0][1] == near(390 / 16.0 / 3, 1e-6));
     CHECK(std::abs(errors[0][2]) < 1e-6);
 }
 
@@ -98,7 +98,7 @@ TEST_CASE("the estimate of a rough field falls with the square of the cell size,
         errors.push_back(conduction_errors(at.space, one_steel, t, {t})[0][0]);
     }
     CHECK(errors[1] > 0);
-    CHECK(std::log2(errors[0] / errors[1]) == Approx(2).epsilon(0.1));
+    CHECK(std::log2(errors[0] / errors[1]) == near(2, 0.1));
 }
 
 TEST_CASE("of a stretched box, elements of first order miss (lambda + 2 mu) V h^2 / 3")
@@ -109,12 +109,12 @@ TEST_CASE("of a stretched box, elements of first order miss (lambda + 2 mu) V h^
         u.owned.insert(u.owned.end(), {x[0] * x[0], 0, 0});
     const double e = 2.1e11, nu = 0.3;
     const double modulus = e * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
-    CHECK(deformation_errors(at.space, one_steel, u, {u})[0][0] == Approx(modulus * 2 * 0.25 / 3).epsilon(1e-6));
+    CHECK(deformation_errors(at.space, one_steel, u, {u})[0][0] == near(modulus * 2 * 0.25 / 3, 1e-6));
     Displacement sheared;  // a shear of the same shape: mu for lambda + 2 mu
     for (const auto& x : at.space.support_points())
         sheared.owned.insert(sheared.owned.end(), {0, x[0] * x[0], 0});
     CHECK(deformation_errors(at.space, one_steel, sheared, {sheared})[0][0] ==
-          Approx(e / (2 * (1 + nu)) * 2 * 0.25 / 3).epsilon(1e-6));
+          near(e / (2 * (1 + nu)) * 2 * 0.25 / 3, 1e-6));
 }
 
 TEST_CASE("a rigid motion and an even strain have no error")
@@ -182,8 +182,8 @@ TEST_CASE("fields of two shapes have two modes that make each of them again")
         for (std::size_t i = 0; i < 40; ++i)
             largest = std::max(largest, std::abs(rebuilt(modes, j, i) - static_cast<double>(fields[j][i])));
     CHECK(largest < 1e-4);  // float: 3e-5 at 300 K
-    CHECK(modes.error == Approx(largest).scale(1).epsilon(1e-4));
-    CHECK(modes.residual_energy[0] == Approx(1).epsilon(1e-12));
+    CHECK(modes.error == near(largest, 1e-4, 1e-4));
+    CHECK(modes.residual_energy[0] == near(1, 1e-12));
     CHECK(modes.residual_energy[1] < modes.residual_energy[0]);
     // Modes are orthogonal, the strongest first.
     const auto first = bricks::column(modes.modes[0].owned), second = bricks::column(modes.modes[1].owned);
@@ -209,7 +209,7 @@ TEST_CASE("as few modes as the tolerance allows, and never more than wanted")
             for (std::size_t i = 0; i < later.size(); ++i)
                 largest =
                     std::max(largest, std::abs(static_cast<double>(later[i]) - static_cast<double>(fields[0][i])));
-        CHECK(modes.largest_rise == Approx(largest).epsilon(1e-12));
+        CHECK(modes.largest_rise == near(largest, 1e-12));
     }
 }
 

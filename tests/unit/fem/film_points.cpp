@@ -9,6 +9,7 @@
 #include "deadpoint/fem/conduction/terms/joint_terms.hpp"
 #include "deadpoint/fem/conduction/terms/prescribed.hpp"
 #include "deadpoint/heat/films.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <memory>
@@ -17,7 +18,6 @@
 using namespace deadpoint;
 using namespace deadpoint::fem;
 using bricks::dense;
-using doctest::Approx;
 
 namespace {
 
@@ -92,11 +92,11 @@ TEST_CASE("at an even temperature a surface gives off area times flux, and the u
     const auto heat = at.heat(even, watts);
     for (std::size_t s = 0; s < 3; ++s) {
         const double flux = heat::film_flux(rising(290)(350), at.problem.surfaces[s].emissivity, 350, 290);
-        CHECK(heat.lost[s] == Approx(at.areas[s] * flux).epsilon(1e-13));
+        CHECK(heat.lost[s] == near(at.areas[s] * flux, 1e-13));
         CHECK(heat.to_surfaces[s] == 0);
         CHECK(heat.untested[s] == 0);
     }
-    CHECK(watts.sum() == Approx(-(heat.lost[0] + heat.lost[1] + heat.lost[2])).epsilon(1e-13));
+    CHECK(watts.sum() == near(-(heat.lost[0] + heat.lost[1] + heat.lost[2]), 1e-13));
 }
 
 TEST_CASE("radiation of an uneven surface is the integral of its fourth power")
@@ -111,8 +111,8 @@ TEST_CASE("radiation of an uneven surface is the integral of its fourth power")
     for (const auto& [y, z, sign] : {std::tuple(1.0, 1.0, 1), {0.0, 1.0, -1}, {1.0, 0.0, -1}, {0.0, 0.0, 1}})
         integral += sign * std::pow(330 + 20 * y + 10 * z, 6) / (30.0 * 20 * 10);
     const double expected = heat::stefan_boltzmann * (integral - std::pow(290.0, 4));
-    CHECK(heat.lost[0] == Approx(0.6 * expected).epsilon(1e-9));  // of 5e12 in the sixth powers
-    CHECK(heat.lost[1] == Approx(0.7 * expected).epsilon(1e-9));
+    CHECK(heat.lost[0] == near(0.6 * expected, 1e-9));  // of 5e12 in the sixth powers
+    CHECK(heat.lost[1] == near(0.7 * expected, 1e-9));
 }
 
 TEST_CASE("a film's tangent is the derivative of its heat")
@@ -140,7 +140,7 @@ TEST_CASE("slopes by the air: of the convection alone, point by point")
     DEADPOINT_PETSC(VecAssemblyBegin(load));
     DEADPOINT_PETSC(VecAssemblyEnd(load));
     // h + h' (T - T_air) = 4 + 0.2 (T - 290), whose mean over the surface is that at its middle.
-    CHECK(dense(load).sum() == Approx(4 + 0.2 * (345 - 290)).epsilon(1e-13));
+    CHECK(dense(load).sum() == near(4 + 0.2 * (345 - 290), 1e-13));
     const auto before = dense(load);
     at.points->add_slopes({}, temperature, load);
     CHECK(dense(load) == before);
@@ -152,9 +152,9 @@ TEST_CASE("where a law leaves its range the area is told")
     Eigen::VectorXd watts;
     const auto heat =
         at.heat(bricks::column(at.both.space, [](const Vec3& x) { return x[0] < 1.5 ? 420.0 : 350.0; }), watts);
-    CHECK(heat.untested[0] == Approx(1).epsilon(1e-13));
+    CHECK(heat.untested[0] == near(1, 1e-13));
     CHECK(heat.untested[1] == 0);
-    CHECK(heat.untested[2] == Approx(0.5).epsilon(1e-13));
+    CHECK(heat.untested[2] == near(0.5, 1e-13));
 }
 
 TEST_CASE("films of given coefficients are those of constant films")
@@ -191,9 +191,8 @@ TEST_CASE("surfaces of a room give each other what they take, and at one tempera
     const auto apart =
         at.heat(bricks::column(at.both.space, [](const Vec3& x) { return x[0] < 1.5 ? 400.0 : 300.0; }), watts);
     CHECK(apart.to_surfaces[0] ==
-          Approx(0.5 * heat::stefan_boltzmann * (std::pow(400.0, 4) - std::pow(300.0, 4))).epsilon(1e-11));
-    CHECK(apart.lost[0] - apart.to_surfaces[0] ==
-          Approx(heat::film_flux(rising(290)(400), 0, 400, 290)).epsilon(1e-12));
+          near(0.5 * heat::stefan_boltzmann * (std::pow(400.0, 4) - std::pow(300.0, 4)), 1e-11));
+    CHECK(apart.lost[0] - apart.to_surfaces[0] == near(heat::film_flux(rising(290)(400), 0, 400, 290), 1e-12));
 }
 
 TEST_CASE("a room's tangent with its coupling is the derivative of its heat, at one temperature")
@@ -219,7 +218,7 @@ TEST_CASE("a room's tangent with its coupling is the derivative of its heat, at 
     auto of_other =
         bricks::vector_of(at.both.space, std::vector<double>(static_cast<std::size_t>(at.both.space.total), 0.0));
     at.points->multiply_rooms(1, other, of_other);
-    CHECK(dense(out).dot(dense(other)) == Approx(dense(of_other).dot(direction)).epsilon(1e-11));
+    CHECK(dense(out).dot(dense(other)) == near(dense(of_other).dot(direction), 1e-11));
     at.points->forget_rooms();
     const auto before = dense(out);
     at.points->multiply_rooms(1, in, out);

@@ -5,13 +5,13 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <numeric>
 
 using namespace deadpoint;
 using namespace deadpoint::fem;
-using doctest::Approx;
 
 namespace {
 
@@ -77,22 +77,22 @@ TEST_CASE("means and integrals of a linear field, with elements of either order"
         const Functionals at(order);
         const auto& layout = at.layout();
         CHECK(layout.count() == 2 + 2 + 2 + 3 + 2 + 2);
-        CHECK(at.functionals.part_volume()[0] == Approx(2).epsilon(1e-13));
-        CHECK(at.functionals.part_volume()[1] == Approx(1).epsilon(1e-13));
+        CHECK(at.functionals.part_volume()[0] == near(2, 1e-13));
+        CHECK(at.functionals.part_volume()[1] == near(1, 1e-13));
         // A linear field's mean is its value in the middle.
-        CHECK(at.value(layout.part(0)) == Approx(field({1, 0.5, 0.5})).epsilon(1e-13));
-        CHECK(at.value(layout.part(1)) == Approx(field({1, 0.5, 1.25})).epsilon(1e-13));
+        CHECK(at.value(layout.part(0)) == near(field({1, 0.5, 0.5}), 1e-13));
+        CHECK(at.value(layout.part(1)) == near(field({1, 0.5, 1.25}), 1e-13));
         for (const bool side_b : {false, true})
-            CHECK(at.value(layout.mean(0, side_b)) == Approx(field({1, 0.5, 1})).epsilon(1e-13));
-        CHECK(at.value(layout.surface(0)) == Approx(2 * field({1, 0.5, 1.5})).epsilon(1e-13));
-        CHECK(at.value(layout.surface(1)) == Approx(0.5 * 2 * field({1, 0, 0.5})).epsilon(1e-13));
-        CHECK(at.value(layout.probe(0)) == Approx(field({0.3, 0.4, 1.2})).epsilon(1e-13));
-        CHECK(at.value(layout.probe(1)) == Approx(field({1.9, 0.9, 0.1})).epsilon(1e-13));
+            CHECK(at.value(layout.mean(0, side_b)) == near(field({1, 0.5, 1}), 1e-13));
+        CHECK(at.value(layout.surface(0)) == near(2 * field({1, 0.5, 1.5}), 1e-13));
+        CHECK(at.value(layout.surface(1)) == near(0.5 * 2 * field({1, 0, 0.5}), 1e-13));
+        CHECK(at.value(layout.probe(0)) == near(field({0.3, 0.4, 1.2}), 1e-13));
+        CHECK(at.value(layout.probe(1)) == near(field({1.9, 0.9, 0.1}), 1e-13));
         const auto& geometry = at.functionals.geometry();
-        CHECK(geometry.surface_area[0] == Approx(2).epsilon(1e-13));
-        CHECK(geometry.surface_area[1] == Approx(1).epsilon(1e-13));
+        CHECK(geometry.surface_area[0] == near(2, 1e-13));
+        CHECK(geometry.surface_area[1] == near(1, 1e-13));
         CHECK(geometry.surface_area[2] == 0);  // prescribed: it has no film to give heat
-        CHECK(geometry.interface_area[0] == Approx(2).epsilon(1e-13));
+        CHECK(geometry.interface_area[0] == near(2, 1e-13));
         CHECK(geometry.interface_names[0] == "guide.face");
     }
 }
@@ -103,7 +103,7 @@ TEST_CASE("a watt of each load is a watt")
     const auto& layout = at.layout();
     for (const auto k : {layout.mean(0, false), layout.mean(0, true), layout.part(0), layout.part(1), layout.body(0),
                          layout.body(1), layout.probe(0)})
-        CHECK(at.watts(k) == Approx(1).epsilon(1e-13));
+        CHECK(at.watts(k) == near(1, 1e-13));
     CHECK(at.watts(layout.surface(2)) == 0);
 }
 
@@ -111,8 +111,8 @@ TEST_CASE("heat in parts is even over their volume, heat over a surface even ove
 {
     const Functionals at(1);
     const double middle = (2 * field({1, 0.5, 0.5}) + field({1, 0.5, 1.25})) / 3;
-    CHECK(at.value(at.layout().body(0)) == Approx(middle).epsilon(1e-13));
-    CHECK(at.value(at.layout().body(1)) == Approx(field({1, 0.5, 1.5})).epsilon(1e-13));
+    CHECK(at.value(at.layout().body(0)) == near(middle, 1e-13));
+    CHECK(at.value(at.layout().body(1)) == near(field({1, 0.5, 1.5}), 1e-13));
 }
 
 TEST_CASE("loads are the transposed of values")
@@ -127,7 +127,7 @@ TEST_CASE("loads are the transposed of values")
     double expected = 0;
     for (std::size_t k = 0; k < watts.size(); ++k)
         expected += watts[k] * at.value(k);
-    CHECK(bricks::dense(load).dot(bricks::dense(at.temperature)) == Approx(expected).epsilon(1e-13));
+    CHECK(bricks::dense(load).dot(bricks::dense(at.temperature)) == near(expected, 1e-13));
 }
 
 TEST_CASE("probes of another problem replace those there were")
@@ -138,7 +138,7 @@ TEST_CASE("probes of another problem replace those there were")
     at.functionals.adopt(other);
     CHECK(at.layout().probes == 1);
     CHECK(at.layout().count() == 12);
-    CHECK(at.value(at.layout().probe(0)) == Approx(field({1, 0.5, 0.5})).epsilon(1e-13));
+    CHECK(at.value(at.layout().probe(0)) == near(field({1, 0.5, 0.5}), 1e-13));
 }
 
 TEST_CASE("a load zone moves heat about without adding any: over a film on both sides alike")
@@ -150,7 +150,7 @@ TEST_CASE("a load zone moves heat about without adding any: over a film on both 
         const auto zone = at.layout().zone(0, side_b);
         CHECK(std::abs(at.watts(zone)) < 1e-13);
         // Centre of load of a triangle over 0..2 at 4/3, against 1: 2 K/m x 1/3 m.
-        CHECK(at.value(zone) == Approx(2 / 3.0).epsilon(1e-10));
+        CHECK(at.value(zone) == near(2 / 3.0, 1e-10));
     }
     // Without a zone there is none, also after there was one.
     at.functionals.set_zones(problem().interfaces);
@@ -165,7 +165,7 @@ TEST_CASE("in a part's volume the zone is side a's, with the density of every po
     law.load_zone = [](const Vec3& x) { return x[2] < 0.5 ? 0.0 : 1.0; };  // the upper layer of cells
     at.functionals.set_zones(at.given.interfaces);
     CHECK(std::abs(at.watts(at.layout().zone(0, false))) < 1e-13);
-    CHECK(at.value(at.layout().zone(0, false)) == Approx(8 * 0.25).epsilon(1e-10));  // 0.75 against 0.5
+    CHECK(at.value(at.layout().zone(0, false)) == near(8 * 0.25, 1e-10));  // 0.75 against 0.5
     CHECK(at.functionals[at.layout().zone(0, true)].local.empty());
 }
 
@@ -195,6 +195,6 @@ TEST_CASE("shape functions that vanish at a point are left out, and its value st
     CHECK(shape.count == 8);
     CHECK(few.count == 4);
     const auto values = bricks::values_of(part.space, field);
-    CHECK(value_at(few, values.data()) == Approx(field({0.25, 0.5, 1})).epsilon(1e-14));
-    CHECK(value_at(shape, values.data()) == Approx(value_at(few, values.data())).epsilon(1e-14));
+    CHECK(value_at(few, values.data()) == near(field({0.25, 0.5, 1}), 1e-14));
+    CHECK(value_at(shape, values.data()) == near(value_at(few, values.data()), 1e-14));
 }

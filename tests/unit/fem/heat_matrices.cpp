@@ -6,6 +6,7 @@
 #include "deadpoint/fem/conduction/heat_system.hpp"
 #include "deadpoint/heat/run.hpp"
 #include "deadpoint/observer.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +15,6 @@ using namespace deadpoint::fem;
 using bricks::Brick;
 using bricks::column;
 using bricks::dense;
-using doctest::Approx;
 
 namespace {
 
@@ -86,7 +86,7 @@ TEST_CASE("one cube: entries as on paper")
             const Vec3 apart = places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)];
             const auto edges = std::lround(dot(apart, apart) / (h * h));  // 0, 1, 2 or 3 between two corners
             const double mass = 7800 * 500 * h * h * h / 27 / std::pow(2.0, static_cast<double>(edges));
-            CHECK(at.m(i, j) == Approx(mass).scale(0).epsilon(1e-13));
+            CHECK(at.m(i, j) == near(mass, 1e-13));
             // k h (1/3, 0, -1/12, -1/12): products of the line's 1 / h (1 -1) and h / 6 (2 1).
             const std::array<double, 4> share{1 / 3.0, 0, -1 / 12.0, -1 / 12.0};
             CHECK(std::abs(at.k(i, j) - 45 * h * share[static_cast<std::size_t>(edges)]) < 1e-13 * 45 * h);
@@ -105,13 +105,13 @@ TEST_CASE("the mass of polynomials of the elements' order is their integral")
             const auto x = column(part.space, [](const Vec3& p) { return p[0]; });
             const auto z = column(part.space, [](const Vec3& p) { return p[2]; });
             const double c = 7800 * 500 * volume;
-            CHECK(one.dot(at.m * one) == Approx(c).epsilon(1e-12));
-            CHECK(x.dot(at.m * x) == Approx(c * 0.36 / 3).epsilon(1e-12));
-            CHECK(x.dot(at.m * z) == Approx(c * 0.3 * 0.25).epsilon(1e-12));
+            CHECK(one.dot(at.m * one) == near(c, 1e-12));
+            CHECK(x.dot(at.m * x) == near(c * 0.36 / 3, 1e-12));
+            CHECK(x.dot(at.m * z) == near(c * 0.3 * 0.25, 1e-12));
             if (order == 2) {
                 const auto square = column(part.space, [](const Vec3& p) { return p[0] * p[0]; });
-                CHECK(square.dot(at.m * z) == Approx(c * 0.12 * 0.25).epsilon(1e-12));
-                CHECK(square.dot(at.m * square) == Approx(c * std::pow(0.6, 4) / 5).epsilon(1e-12));
+                CHECK(square.dot(at.m * z) == near(c * 0.12 * 0.25, 1e-12));
+                CHECK(square.dot(at.m * square) == near(c * std::pow(0.6, 4) / 5, 1e-12));
             }
         }
 }
@@ -126,14 +126,14 @@ TEST_CASE("conduction of polynomials of the elements' order is the integral of k
             const Matrices at(part.space, still());
             const auto f = column(part.space, [](const Vec3& p) { return 2 * p[0] - 3 * p[1] + p[2]; });
             const auto g = column(part.space, [](const Vec3& p) { return p[0] + p[2]; });
-            CHECK(f.dot(at.k * f) == Approx(45 * volume * 14).epsilon(1e-12));
-            CHECK(f.dot(at.k * g) == Approx(45 * volume * 3).epsilon(1e-12));
+            CHECK(f.dot(at.k * f) == near(45 * volume * 14, 1e-12));
+            CHECK(f.dot(at.k * g) == near(45 * volume * 3, 1e-12));
             CHECK((at.k - at.k.transpose()).norm() < 1e-14 * at.k.norm());
             CHECK((at.k * Eigen::VectorXd::Ones(at.k.rows())).norm() < 1e-13 * at.k.norm());
             if (order == 2) {
                 const auto square = column(part.space, [](const Vec3& p) { return p[0] * p[0] + p[1] * p[2]; });
                 const double mean = 4 * 0.36 / 3 + 0.25 / 3 + 0.16 / 3;  // of 4 x^2 + z^2 + y^2
-                CHECK(square.dot(at.k * square) == Approx(45 * volume * mean).epsilon(1e-12));
+                CHECK(square.dot(at.k * square) == near(45 * volume * mean, 1e-12));
             }
         }
 }
@@ -150,7 +150,7 @@ TEST_CASE("a film adds the integral of h T^2 over its surface, by the share that
     // Over y = 0..0.4, z = 0..0.5 at x = 0.6; and over x = 0..0.6, y = 0..0.4 at z = 0.
     const double first = 0.5 * std::pow(0.4, 5) / 5 + 2 * std::pow(0.4, 3) / 3 * 0.125 + 0.4 * 0.125 / 3;
     const double second = 0.6 * std::pow(0.4, 5) / 5;
-    CHECK(y.dot((with.k - without.k) * y) == Approx(20 * first + 0.5 * 8 * second).epsilon(1e-11));
+    CHECK(y.dot((with.k - without.k) * y) == near(20 * first + 0.5 * 8 * second, 1e-11));
 }
 
 TEST_CASE("a bond between meshes that do not match passes fields whose flux is continuous, and warms none")
@@ -180,8 +180,8 @@ TEST_CASE("a bond between meshes that do not match passes fields whose flux is c
             else
                 CHECK(std::abs(r) < 1e-12);
         }
-        CHECK(in == Approx(-1).epsilon(1e-12));  // 1 W/m2 over 1 m2
-        CHECK(out == Approx(1).epsilon(1e-12));
+        CHECK(in == near(-1, 1e-12));  // 1 W/m2 over 1 m2
+        CHECK(out == near(1, 1e-12));
         // No field but a constant conducts nothing: symmetric and, by the penalty, positive.
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(at.k);
         CHECK(std::abs(modes.eigenvalues()[0]) < 1e-11 * modes.eigenvalues().maxCoeff());
@@ -314,7 +314,7 @@ TEST_CASE("from point to point of a sweep, films, conductances and oil integrate
         CHECK(system.integrations() == 1);
         // A system made for this point alone agrees: the new coefficients are in.
         HeatSystem alone(both.space, materials, point.problem);
-        CHECK(got == Approx(run(alone, point.problem)).epsilon(1e-10));  // both to 1e-9 K
+        CHECK(got == near(run(alone, point.problem), 1e-10));  // both to 1e-9 K
     }
     CHECK(system.integrations() == all);
     // Another conductivity takes another system, which integrates its cells.

@@ -4,6 +4,7 @@
 #include "bricks.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/conduction/terms/prescribed.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <numeric>
@@ -13,7 +14,6 @@ using namespace deadpoint::fem;
 using bricks::column;
 using bricks::dense;
 using bricks::vector_of;
-using doctest::Approx;
 
 namespace {
 
@@ -109,10 +109,10 @@ TEST_CASE("prescribed unknowns are those of the surface's nodes, each at its own
     const auto values = dense(temperature);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double expected = places[i][2] < 1e-9 ? 307 + 10 * places[i][0] : uneven(places[i]);
-        CHECK(values[static_cast<Eigen::Index>(i)] == Approx(expected).epsilon(1e-14));
+        CHECK(values[static_cast<Eigen::Index>(i)] == near(expected, 1e-14));
     }
     // Their sum: three pairs at x = 0, 0.1, 0.2.
-    CHECK(prescribed.total(temperature) == Approx(6 * 307 + 10 * 2 * 0.3).epsilon(1e-14));
+    CHECK(prescribed.total(temperature) == near(6 * 307 + 10 * 2 * 0.3, 1e-14));
     prescribed.clear(temperature);
     CHECK(prescribed.total(temperature) == 0);
     CHECK(dense(temperature).sum() < values.sum() - 1800);
@@ -133,7 +133,7 @@ TEST_CASE("faces whose centre a condition does not hold are not prescribed, and 
     const PrescribedTemperatures later(other.space, given);
     auto temperature = vector_of(other.space, uneven);
     later.impose(0, temperature);
-    CHECK(later.total(temperature) == Approx(6 * 99).epsilon(1e-14));
+    CHECK(later.total(temperature) == near(6 * 99, 1e-14));
 }
 
 TEST_CASE("a functional without prescribed unknowns is zero there and itself elsewhere")
@@ -161,16 +161,16 @@ TEST_CASE("shares of prescribed temperatures, and of the start, sum over their u
     const auto shares = prescribed.shares(one, left, 7, 290);
     REQUIRE(shares.size() == 2);
     CHECK(shares[0] == 0);
-    CHECK(shares[1] == Approx(0.75 * (6 * 17 + 6)).epsilon(1e-13));
+    CHECK(shares[1] == near(0.75 * (6 * 17 + 6), 1e-13));
     const auto start = vector_of(both.space, [](const Vec3& x) { return x[2] < 1e-9 ? 350.0 : 295.0; });
     const auto of_start = prescribed.start_shares(one, start, 290);
     CHECK(of_start[0] == 0);
-    CHECK(of_start[1] == Approx(6 * 60).epsilon(1e-14));
-    CHECK(of_start[2] == Approx((both.space.total - 6) * 5).epsilon(1e-14));
+    CHECK(of_start[1] == near(6 * 60, 1e-14));
+    CHECK(of_start[2] == near((both.space.total - 6) * 5, 1e-14));
     const auto without = problem(false);
     const PrescribedTemperatures none(both.space, without);
     CHECK_FALSE(none.some());
-    CHECK(none.start_shares(one, start, 290)[1] == Approx(6 * 60 + (both.space.total - 6) * 5).epsilon(1e-14));
+    CHECK(none.start_shares(one, start, 290)[1] == near(6 * 60 + (both.space.total - 6) * 5, 1e-14));
 }
 
 TEST_CASE("vector operations of the system are those of dense vectors")
@@ -190,8 +190,8 @@ TEST_CASE("vector operations of the system are those of dense vectors")
     CHECK(dense(sum).norm() == 0);
     system.copy(of_a, sum);
     CHECK(dense(sum) == a);
-    CHECK(system.dot(of_a, of_b) == Approx(a.dot(b)).epsilon(1e-14));
-    CHECK(system.total(of_a) == Approx(a.sum()).epsilon(1e-14));
+    CHECK(system.dot(of_a, of_b) == near(a.dot(b), 1e-14));
+    CHECK(system.total(of_a) == near(a.sum(), 1e-14));
     CHECK(system.largest(of_b) == b.lpNorm<Eigen::Infinity>());
     CHECK(system.is_finite(of_a));
     Entries(sum).data()[2] = std::nan("");
@@ -200,10 +200,10 @@ TEST_CASE("vector operations of the system are those of dense vectors")
     CHECK_FALSE(system.any(false));
     std::vector<double> lowest(2, 1e300), highest(2, -1e300);
     system.widen(of_a, lowest, highest);
-    CHECK(lowest[0] == Approx(320 - 300 * 0.01).epsilon(1e-14));  // at y = z = 0.1, x = 0
-    CHECK(highest[1] == Approx(360).epsilon(1e-14));
+    CHECK(lowest[0] == near(320 - 300 * 0.01, 1e-14));  // at y = z = 0.1, x = 0
+    CHECK(highest[1] == near(360, 1e-14));
     system.widen(of_b, lowest, highest);
-    CHECK(highest[1] == Approx(360).epsilon(1e-14));
+    CHECK(highest[1] == near(360, 1e-14));
     CHECK(lowest[1] == -1);
 }
 
@@ -223,7 +223,7 @@ TEST_CASE(
         at.system.add_loads(watts, vector);
         load += dense(vector);
     }
-    CHECK(load.sum() == Approx(1).epsilon(1e-13));
+    CHECK(load.sum() == near(1, 1e-13));
     const Eigen::VectorXd right = column(at.both.space, [](const Vec3& x) { return 100 * x[0] - 7 * x[2]; });
     for (const double factor : {0.3, 40.0, 900.0}) {
         CHECK(at.system.build(factor, nothing, {}));
@@ -295,10 +295,10 @@ TEST_CASE("functionals of a deformation: weights times the rise, as a value, as 
     const auto values = at.system.observe(temperature, temperature, false);
     REQUIRE(values.size() == 2 + 2);
     const Eigen::VectorXd rise = column(at.both.space, uneven).array() - 293;
-    CHECK(values[0] == Approx(bricks::column(adjoints[0].owned).dot(rise)).epsilon(1e-13));
-    CHECK(values[2] + values[3] == Approx(values[1]).epsilon(1e-13));
+    CHECK(values[0] == near(bricks::column(adjoints[0].owned).dot(rise), 1e-13));
+    CHECK(values[2] + values[3] == near(values[1], 1e-13));
     const auto slopes = at.system.observe(temperature, temperature, true);
-    CHECK(slopes[0] == Approx(bricks::column(adjoints[0].owned).dot(column(at.both.space, uneven))).epsilon(1e-13));
+    CHECK(slopes[0] == near(bricks::column(adjoints[0].owned).dot(column(at.both.space, uneven)), 1e-13));
     at.system.observe_with({});
     CHECK(at.system.observe(temperature, temperature, false).empty());
 }
@@ -323,12 +323,12 @@ TEST_CASE("heat stored between two even temperatures is the integral of the capa
     const auto to = vector_of(at.both.space, [](const Vec3&) { return 350.0; });
     // c = 500 + 2 (T - 280): its mean over 290..350 is 580.
     const double expected = 7800 * 0.2 * 0.1 * 0.2 * 580 * 60;
-    CHECK(at.system.stored_between(from, to) == Approx(expected).epsilon(1e-12));
-    CHECK(at.system.stored_between(to, from) == Approx(-expected).epsilon(1e-12));
+    CHECK(at.system.stored_between(from, to) == near(expected, 1e-12));
+    CHECK(at.system.stored_between(to, from) == near(-expected, 1e-12));
     auto before = at.system.make_vector(), after = at.system.make_vector();
     at.system.store(from, before);
     at.system.store(to, after);
-    CHECK(dense(after).sum() - dense(before).sum() == Approx(expected).epsilon(1e-12));
+    CHECK(dense(after).sum() - dense(before).sum() == near(expected, 1e-12));
 }
 
 TEST_CASE("conduction follows the transform of Kirchhoff: the flux of a field whose transform is linear")
@@ -356,8 +356,8 @@ TEST_CASE("conduction follows the transform of Kirchhoff: the flux of a field wh
     double in = 0, out = 0;
     for (std::size_t i = 0; i < places.size(); ++i)
         (places[i][0] < 0.05 ? in : places[i][0] > 0.15 ? out : in) += pure[static_cast<Eigen::Index>(i)];
-    CHECK(out == Approx(45 * 40 * 0.1 * 0.2).epsilon(1e-10));  // k_0 times the slope of theta times 0.02 m2
-    CHECK(in == Approx(-out).epsilon(1e-10));
+    CHECK(out == near(45 * 40 * 0.1 * 0.2, 1e-10));  // k_0 times the slope of theta times 0.02 m2
+    CHECK(in == near(-out, 1e-10));
 }
 
 TEST_CASE("the tangent of a stage is the derivative of M h(T) + factor (K T + K_v theta(T))")

@@ -4,6 +4,7 @@
 #include "bricks.hpp"
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <malloc.h>
@@ -13,7 +14,6 @@ using namespace deadpoint::fem;
 using bricks::Brick;
 using bricks::column;
 using bricks::dense;
-using doctest::Approx;
 
 namespace {
 
@@ -87,9 +87,9 @@ TEST_CASE("a film's coefficients are those of the film eliminated")
     const Eigen::Matrix2d left =
         whole.topLeftCorner<2, 2>() - whole.topRightCorner<2, 1>() * whole.bottomLeftCorner<1, 2>() / whole(2, 2);
     const auto c = coefficients_of(law);
-    CHECK(c.aa == Approx(left(0, 0)).epsilon(1e-14));
-    CHECK(c.bb == Approx(left(1, 1)).epsilon(1e-14));
-    CHECK(c.across == Approx(left(0, 1)).epsilon(1e-14));
+    CHECK(c.aa == near(left(0, 0), 1e-14));
+    CHECK(c.bb == near(left(1, 1), 1e-14));
+    CHECK(c.across == near(left(0, 1), 1e-14));
     CHECK(c.turning == 0);
     law.turns_fully = true;
     const auto turning = coefficients_of(law);
@@ -98,8 +98,8 @@ TEST_CASE("a film's coefficients are those of the film eliminated")
     CHECK(turning.aa == c.aa);
     // Without oil the film passes on what it gets: two resistances in series.
     law.oil = 0;
-    CHECK(coefficients_of(law).aa == Approx(1 / (1 / 700.0 + 1 / 200.0)).epsilon(1e-14));
-    CHECK(coefficients_of(law).aa == Approx(-coefficients_of(law).turning).epsilon(1e-14));
+    CHECK(coefficients_of(law).aa == near(1 / (1 / 700.0 + 1 / 200.0), 1e-14));
+    CHECK(coefficients_of(law).aa == near(-coefficients_of(law).turning, 1e-14));
 }
 
 TEST_CASE("on matching faces the terms are the mass of bilinear squares")
@@ -134,10 +134,10 @@ TEST_CASE("on faces that do not match, and of any order, linear fields have thei
         const bricks::Space both(blocks(false), orders);
         const JointTerms terms(both.space, problem_with(false));
         const auto a = of_part(both.space, 0, f), b = of_part(both.space, 1, g);
-        CHECK(a.dot(matrix_of(both.space, terms, {1, 0, 0, 0}) * a) == Approx(integral(of_f, of_f)).epsilon(1e-12));
-        CHECK(b.dot(matrix_of(both.space, terms, {0, 1, 0, 0}) * b) == Approx(integral(of_g, of_g)).epsilon(1e-12));
+        CHECK(a.dot(matrix_of(both.space, terms, {1, 0, 0, 0}) * a) == near(integral(of_f, of_f), 1e-12));
+        CHECK(b.dot(matrix_of(both.space, terms, {0, 1, 0, 0}) * b) == near(integral(of_g, of_g), 1e-12));
         const auto across = matrix_of(both.space, terms, {0, 0, 1, 0});
-        CHECK(a.dot(across * b) == Approx(integral(of_f, of_g)).epsilon(1e-12));
+        CHECK(a.dot(across * b) == near(integral(of_f, of_g), 1e-12));
         CHECK((across - across.transpose()).norm() < 1e-14);
         CHECK(std::abs(a.dot(across * a)) < 1e-14);
     }
@@ -160,7 +160,7 @@ TEST_CASE("a joint that turns couples the means of both sides")
     const JointTerms terms(both.space, problem_with(true));
     const auto turning = matrix_of(both.space, terms, {0, 0, 0, 1});
     const auto a = of_part(both.space, 0, f), b = of_part(both.space, 1, g);
-    CHECK(a.dot(turning * b) == Approx(2 * 2.5 * 4).epsilon(1e-12));  // area, means 1 + 2 - 0.5 and 3 - 1 + 2
+    CHECK(a.dot(turning * b) == near(2 * 2.5 * 4, 1e-12));  // area, means 1 + 2 - 0.5 and 3 - 1 + 2
     CHECK((turning - turning.transpose()).norm() < 1e-14);
     // A temperature that averages out on one side is not seen by the other.
     const auto odd = of_part(both.space, 0, [](const Vec3& x) { return x[0] - 1; });
@@ -179,7 +179,7 @@ TEST_CASE("along the axis of a joint that turns, each strip's mean and slope are
     const auto a = of_part(both.space, 0, f), b = of_part(both.space, 1, g);
     // Linear along the axis: what is coupled are the means across it, point by point along it.
     const double expected = integral({1 - 0.5, 2, 0}, {3 + 2, -1, 0});
-    CHECK(a.dot(turning * b) == Approx(expected).epsilon(1e-12));
+    CHECK(a.dot(turning * b) == near(expected, 1e-12));
 }
 
 TEST_CASE("terms serve joints that turn or do not as they did when integrated")
@@ -222,9 +222,9 @@ TEST_CASE("film terms: of constant films only, by the share that is exposed")
     DEADPOINT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
     const auto whole = dense(matrix);
     const auto b = of_part(both.space, 1, g);
-    CHECK(b.dot(whole * b) == Approx(10 * integral(of_g, of_g)).epsilon(1e-12));
+    CHECK(b.dot(whole * b) == near(10 * integral(of_g, of_g), 1e-12));
     const auto one = of_part(both.space, 0, [](const Vec3&) { return 1.0; });
-    CHECK(one.dot(whole * one) == Approx(4 * 0.25 * 2).epsilon(1e-13));  // 2 x 1 m2 at y = 0, a quarter of it
+    CHECK(one.dot(whole * one) == near(4 * 0.25 * 2, 1e-13));  // 2 x 1 m2 at y = 0, a quarter of it
 }
 
 TEST_CASE("entries of a term are summed by place, whatever order they come in")

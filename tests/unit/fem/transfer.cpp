@@ -6,6 +6,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/transfer/fitted_transfer.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +14,6 @@ using namespace deadpoint;
 using namespace deadpoint::fem;
 using bricks::column;
 using bricks::values_of;
-using doctest::Approx;
 
 namespace {
 
@@ -57,7 +57,7 @@ TEST_CASE("a linear field passes to any other mesh, of either order and shape, a
                   1e-10);
             const std::vector<double> ones(static_cast<std::size_t>(from->space.total), 1.0);
             for (const double one : transfer.apply(ones, 1))
-                CHECK(one == Approx(1).epsilon(1e-13));
+                CHECK(one == near(1, 1e-13));
         }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("parts do not see each other: at a common place each has its own value
     const auto passed = Transfer(coarse.space, fine.space).apply(values, 1);
     const auto of_fine = fine.space.part_of_unknown();
     for (std::size_t i = 0; i < passed.size(); ++i)
-        CHECK(passed[i] == Approx(of_fine[i] + 1).epsilon(1e-13));
+        CHECK(passed[i] == near(of_fine[i] + 1, 1e-13));
 }
 
 TEST_CASE("three values per unknown pass as three fields do")
@@ -95,9 +95,9 @@ TEST_CASE("three values per unknown pass as three fields do")
         three.insert(three.end(), {a[i], b[i], a[i] - b[i]});
     const auto passed = transfer.apply(three, 3), first = transfer.apply(a, 1), second = transfer.apply(b, 1);
     for (std::size_t i = 0; i < first.size(); ++i) {
-        CHECK(passed[3 * i] == Approx(first[i]).epsilon(1e-14));
-        CHECK(passed[3 * i + 1] == Approx(second[i]).epsilon(1e-14));
-        CHECK(passed[3 * i + 2] == Approx(first[i] - second[i]).epsilon(1e-13));
+        CHECK(passed[3 * i] == near(first[i], 1e-14));
+        CHECK(passed[3 * i + 1] == near(second[i], 1e-14));
+        CHECK(passed[3 * i + 2] == near(first[i] - second[i], 1e-13));
     }
 }
 
@@ -109,9 +109,9 @@ TEST_CASE("weights go back by the transposed, of values and of the fit")
     const auto field = values_of(fine.space, wavy);
     const auto weights = values_of(coarse.space, [](const Vec3& x) { return 2 - x[0] + x[1] * x[2]; });
     CHECK(column(weights).dot(column(down.apply(field, 1))) ==
-          Approx(column(down.apply_transposed(weights)).dot(column(field))).epsilon(1e-13));
+          near(column(down.apply_transposed(weights)).dot(column(field)), 1e-13));
     CHECK(column(weights).dot(column(fitted.apply(field))) ==
-          Approx(column(fitted.apply_transposed(weights)).dot(column(field))).epsilon(1e-11));
+          near(column(fitted.apply_transposed(weights)).dot(column(field)), 1e-11));
 }
 
 TEST_CASE("the fit passes linear fields exactly, and what the coarse mesh can hold comes back as it was")
@@ -162,8 +162,8 @@ TEST_CASE("a place is found in its cell, and beside the part in the cell it is l
         CHECK(found.unit.distance(dealii::Point<3>(0.5, 0.5, 0.5)) < 1e-12);
     }
     const auto beside = finder.find({2.1, 0.25, 0.25});  // a fifth of a cell beyond x = 2
-    CHECK(beside.outside == Approx(0.2).epsilon(1e-10));
-    CHECK(at.space.maps.centre(beside.cell)[0] == Approx(1.75).epsilon(1e-12));
+    CHECK(beside.outside == near(0.2, 1e-10));
+    CHECK(at.space.maps.centre(beside.cell)[0] == near(1.75, 1e-12));
 }
 
 TEST_CASE("meshes of different numbers of parts are refused")

@@ -3,6 +3,7 @@
 
 #include "bricks.hpp"
 #include "deadpoint/fem/space/cell_values.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <set>
@@ -10,7 +11,6 @@
 using namespace deadpoint;
 using namespace deadpoint::fem;
 using bricks::Brick;
-using doctest::Approx;
 
 namespace {
 
@@ -127,15 +127,15 @@ TEST_CASE("values in a cell: weights sum to its volume, gradients are those of t
                         gradient += field[static_cast<std::size_t>(unknowns[i])] * v.shape_grad(i, q);
                     }
                     const auto x = v.quadrature_point(q);
-                    CHECK(value == Approx(linear({x[0], x[1], x[2]})).epsilon(1e-12));
+                    CHECK(value == near(linear({x[0], x[1], x[2]}), 1e-12));
                     CHECK((gradient - dealii::Tensor<1, 3>({2, -5, 0.5})).norm() < 1e-11);
                     own += v.JxW(q);
                 }
-                CHECK(own == Approx(part.space.maps.volume(cell)).epsilon(1e-13));
+                CHECK(own == near(part.space.maps.volume(cell), 1e-13));
                 volume += own;
             }
             // The map is trilinear; its determinant is 1 + 0.004 x^2 - 0.008 y^2 + 0.005 z^2 - 0.0008 xyz.
             if (!tetrahedra)
-                CHECK(volume == Approx(2 + 0.008 / 3 - 0.064 / 3 + 0.01 / 3 - 0.0004).epsilon(1e-13));
+                CHECK(volume == near(2 + 0.008 / 3 - 0.064 / 3 + 0.01 / 3 - 0.0004, 1e-13));
         }
 }

@@ -2,6 +2,7 @@
 
 #include "deadpoint/exchange/machine.hpp"
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -65,13 +66,13 @@ TEST_CASE("the adjoint of the steps: each cause is its finite difference, and al
     const auto causes = adjoint.causes(history.time.size() - 1);
 
     // The problem is linear in each cause: a difference over the whole of it is exact.
-    CHECK(causes.body_heat[0] == doctest::Approx(value - functional(all_causes(0, 200, 150, 300))).epsilon(1e-10));
-    CHECK(causes.surfaces[1] == doctest::Approx(value - functional(all_causes(80, 0, 150, 300))).epsilon(1e-10));
-    CHECK(causes.friction[0] == doctest::Approx(value - functional(all_causes(80, 200, 0, 300))).epsilon(1e-10));
-    CHECK(causes.oil[0] == doctest::Approx(value - functional(all_causes(80, 200, 150, reference))).epsilon(1e-10));
+    CHECK(causes.body_heat[0] == near(value - functional(all_causes(0, 200, 150, 300)), 1e-10));
+    CHECK(causes.surfaces[1] == near(value - functional(all_causes(80, 0, 150, 300)), 1e-10));
+    CHECK(causes.friction[0] == near(value - functional(all_causes(80, 200, 0, 300)), 1e-10));
+    CHECK(causes.oil[0] == near(value - functional(all_causes(80, 200, 150, reference)), 1e-10));
     const double sum = causes.friction[0] + causes.oil[0] + causes.body_heat[0] + causes.start +
                        std::accumulate(causes.surfaces.begin(), causes.surfaces.end(), 0.0);
-    CHECK(sum == doctest::Approx(value).epsilon(1e-12));
+    CHECK(sum == near(value, 1e-12));
 }
 
 TEST_CASE("causes at an earlier time leave later steps out")
@@ -85,7 +86,7 @@ TEST_CASE("causes at an earlier time leave later steps out")
     const auto causes = adjoint.causes(row);
     const double sum = causes.friction[0] + causes.oil[0] + causes.body_heat[0] + causes.start + causes.surfaces[0] +
                        causes.surfaces[1];
-    CHECK(sum == doctest::Approx(history.probes[1].value[row] - reference).epsilon(1e-12));
+    CHECK(sum == near(history.probes[1].value[row] - reference, 1e-12));
 }
 
 namespace {
@@ -124,7 +125,7 @@ TEST_CASE("with enclosed air as booked the causes still make the functional")
     adjoint.weights() = lumps::loads_of(run.machine, Eigen::Vector2d(1, -2));
     const auto causes = adjoint.causes(history.time.size() - 1);
     const double value = history.probes[0].value.back() - 2 * history.probes[1].value.back() + reference;
-    CHECK(sum_of(causes) == doctest::Approx(value).epsilon(1e-11));
+    CHECK(sum_of(causes) == near(value, 1e-11));
     CHECK(causes.surfaces[0] < 0);  // air warmer than the reference warms lump 1, which counts with -2
 }
 
@@ -144,7 +145,7 @@ TEST_CASE("with films that follow the temperature, each with its mean coefficien
     adjoint.weights() = lumps::loads_of(run.machine, Eigen::Vector2d(0, 1));
     const auto causes = adjoint.causes(history.time.size() - 1);
     // One lump a surface: the mean coefficient makes exactly the heat that was lost, to the solve's 1e-7 K.
-    CHECK(sum_of(causes) == doctest::Approx(history.probes[1].value.back() - reference).epsilon(1e-6));
+    CHECK(sum_of(causes) == near(history.probes[1].value.back() - reference, 1e-6));
 }
 
 TEST_CASE("heat into a part's volume, with a load zone that moves some of it, is that joint's friction")
@@ -172,7 +173,7 @@ TEST_CASE("heat into a part's volume, with a load zone that moves some of it, is
     const auto causes = adjoint.causes(history.time.size() - 1);
     const double value =
         weights.dot(lumps::temperatures_of(three_lumps(), run.temperature()) - Eigen::Vector3d::Constant(reference));
-    CHECK(sum_of(causes) == doctest::Approx(value).epsilon(1e-12));
+    CHECK(sum_of(causes) == near(value, 1e-12));
 
     for (auto& segment : problem.segments) {
         segment.zoned_heat = {0};
@@ -186,7 +187,7 @@ TEST_CASE("heat into a part's volume, with a load zone that moves some of it, is
     without.go({}, observer);
     const double rest = weights.dot(lumps::temperatures_of(three_lumps(), without.temperature()) -
                                     Eigen::Vector3d::Constant(reference));
-    CHECK(causes.friction[0] == doctest::Approx(value - rest).epsilon(1e-10));
+    CHECK(causes.friction[0] == near(value - rest, 1e-10));
 }
 
 TEST_CASE("two joints that share a source each have their part of its heat as a cause")
@@ -204,14 +205,14 @@ TEST_CASE("two joints that share a source each have their part of its heat as a 
     adjoint.weights() = lumps::loads_of(three_lumps(), weights);
     const auto causes = adjoint.causes(history.time.size() - 1);
     const double value = weights.dot(run.temperatures() - Eigen::Vector3d::Constant(reference));
-    CHECK(sum_of(causes) == doctest::Approx(value).epsilon(1e-12));
-    CHECK(causes.friction[0] != doctest::Approx(causes.friction[1]).epsilon(0.01));
+    CHECK(sum_of(causes) == near(value, 1e-12));
+    CHECK(causes.friction[0] != near(causes.friction[1], 0.01));
     for (auto& segment : problem.segments)
         segment.heat[0] = [](double) { return LawValue{0, 0, true}; };
     lumps::Run still(machine, problem, 291);
     still.go();
     const double rest = weights.dot(still.temperatures() - Eigen::Vector3d::Constant(reference));
-    CHECK(causes.friction[0] + causes.friction[1] == doctest::Approx(value - rest).epsilon(1e-10));
+    CHECK(causes.friction[0] + causes.friction[1] == near(value - rest, 1e-10));
 }
 
 TEST_CASE("before the first step the start is the only cause")
@@ -222,7 +223,7 @@ TEST_CASE("before the first step the start is the only cause")
     heat::HeatAdjoint<lumps::DenseSystem> adjoint(run.run, reference);
     adjoint.weights() = lumps::loads_of(three_lumps(), weights);
     const auto causes = adjoint.causes(0);
-    CHECK(causes.start == doctest::Approx(weights.sum() * (291 - reference)).epsilon(1e-13));
+    CHECK(causes.start == near(weights.sum() * (291 - reference), 1e-13));
     CHECK(sum_of(causes) == causes.start);
     CHECK(adjoint.iterations() == 0);
 }

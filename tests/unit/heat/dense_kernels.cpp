@@ -5,6 +5,7 @@
 #include "deadpoint/reduce/dense/symmetric_matrix.hpp"
 #include "deadpoint/reduce/dense/tridiagonal.hpp"
 #include "deadpoint/reduce/online/conduction.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 
@@ -86,8 +87,7 @@ TEST_CASE("a symmetric matrix keeps its lower half, multiplies, and is summed wi
         }
         const MatrixXd lower = matrices[0].triangularView<Eigen::Lower>();
         CHECK(packed[0].lower() == lower);
-        CHECK(packed[0].product(packed[1]) ==
-              doctest::Approx(matrices[0].cwiseProduct(matrices[1]).sum()).epsilon(rounding * n));
+        CHECK(packed[0].product(packed[1]) == near(matrices[0].cwiseProduct(matrices[1]).sum(), rounding * n));
         MatrixXd expected = matrices[0];
         for (std::size_t count = 1; count <= 6; ++count) {
             const VectorXd x = VectorXd::Random(n);

@@ -5,6 +5,7 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/heat/films.hpp"
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -13,7 +14,6 @@
 
 using namespace deadpoint;
 using namespace deadpoint::reduce;
-using doctest::Approx;
 
 namespace {
 
@@ -49,8 +49,8 @@ TEST_CASE("a joint conducts what its contact layer does: each side's flux over t
         const Eigen::VectorXd watts = lumps::watts_of(pair, out);
         // Oil of 0 K: the matrix holds no oil temperature.
         const double layer = (law.film_a * 330 + law.film_b * 310) / (law.film_a + law.film_b + law.oil);
-        CHECK(watts[0] == Approx(0.1 * law.film_a * (330 - layer)).epsilon(1e-11));
-        CHECK(watts[1] == Approx(0.1 * law.film_b * (310 - layer)).epsilon(1e-11));
+        CHECK(watts[0] == near(0.1 * law.film_a * (330 - layer), 1e-11));
+        CHECK(watts[1] == near(0.1 * law.film_b * (310 - layer), 1e-11));
     }
 }
 
@@ -79,8 +79,8 @@ TEST_CASE("sizes of a correction are in kelvin: the largest mean or probe, not t
     problem.surfaces = {lumps::film(10)};
     const lumps::Machine machine{{2e3, 5e3}, {}, {{0, 1, 0.1}}, {{1, 0.25}}, {}};
     DenseSystem system(lumps::terms_of(machine, problem), problem);
-    CHECK(system.largest(lumps::states_of(machine, Eigen::Vector2d(-3, 2))) == Approx(3).epsilon(1e-14));
-    CHECK(system.largest(lumps::states_of(machine, Eigen::Vector2d(1, -2))) == Approx(2).epsilon(1e-14));
+    CHECK(system.largest(lumps::states_of(machine, Eigen::Vector2d(-3, 2))) == near(3, 1e-14));
+    CHECK(system.largest(lumps::states_of(machine, Eigen::Vector2d(1, -2))) == near(2, 1e-14));
 }
 
 TEST_CASE("a film without a term is refused by name, a flux needs none")
@@ -180,7 +180,7 @@ TEST_CASE("a film's heat over an uneven surface is that of all its points, to th
         std::vector<double> result;
         for (const double amplitude : {16.0, 8.0, 4.0}) {
             const auto [booked, lost] = plate.heat(spread(amplitude));
-            CHECK(lost == Approx(booked).epsilon(1e-12));
+            CHECK(lost == near(booked, 1e-12));
             result.push_back(std::abs(booked - Plate::pointwise(spread(amplitude), flux)));
         }
         return result;
@@ -189,8 +189,8 @@ TEST_CASE("a film's heat over an uneven surface is that of all its points, to th
     const auto of_convection = errors(Plate(natural_convection()), convection);
     for (const auto* error : {&of_radiation, &of_convection}) {
         // What is left out is q''' times the skewness: an eighth at half the amplitude, q'''' makes the rest.
-        CHECK((*error)[0] / (*error)[1] == Approx(8).epsilon(0.15));
-        CHECK((*error)[1] / (*error)[2] == Approx(8).epsilon(0.1));
+        CHECK((*error)[0] / (*error)[1] == near(8, 0.15));
+        CHECK((*error)[1] / (*error)[2] == near(8, 0.1));
     }
     // The law at the mean alone would leave out the variance: 7 and 2 W of some 100 W.
     CHECK(of_radiation[0] < 0.1);
@@ -211,7 +211,7 @@ TEST_CASE("a film over an uneven surface takes heat where it is warm: the tangen
     const double slope = 4 * 0.8 * heat::stefan_boltzmann * std::pow(330.0, 3);
     for (int k = 0; k < Plate::count; ++k) {
         const double flux = -watts[k] * plate.terms.uniform[k] / (Plate::area / Plate::count);
-        CHECK(flux - booked.lost[0] / Plate::area == Approx(slope * (uneven[k] - even[k])).epsilon(1e-9));
+        CHECK(flux - booked.lost[0] / Plate::area == near(slope * (uneven[k] - even[k]), 1e-9));
     }
 }
 
@@ -240,11 +240,11 @@ TEST_CASE("surfaces that radiate to each other exchange heat and lose none, howe
     Eigen::VectorXd watts = system.make_vector();
     const Eigen::VectorXd uneven = spread(16);
     const auto booked = system.add_films(films.following(0, {}), plate.states(uneven), watts);
-    CHECK(booked.to_surfaces[0] == Approx(-booked.to_surfaces[1]).epsilon(1e-12));
+    CHECK(booked.to_surfaces[0] == near(-booked.to_surfaces[1], 1e-12));
     CHECK(std::abs(system.total(watts)) < 1e-12 * std::abs(booked.lost[0]) * Plate::count);
     const auto mean_power = [&](int begin) { return uneven.segment(begin, 12).array().square().square().mean(); };
     const double exact = 0.1 * heat::stefan_boltzmann * (mean_power(0) - mean_power(12));
-    CHECK(booked.lost[0] == Approx(exact).epsilon(2e-3));  // third order: the means of T^4 without skewness
+    CHECK(booked.lost[0] == near(exact, 2e-3));  // third order: the means of T^4 without skewness
 }
 
 TEST_CASE("a film whose slope grows many times within a run is followed: the matrix is reduced anew where it must be")
@@ -267,8 +267,8 @@ TEST_CASE("a film whose slope grows many times within a run is followed: the mat
     problem.time_tolerance = 1e-4;
     lumps::Run run({{500}, {}, {}, {{0, 1.0}}, {0}}, problem, 291);
     const auto& history = run.go();
-    CHECK(interpolate(history.time, history.probes[0], 2e4) == Approx(390).epsilon(1e-9));
+    CHECK(interpolate(history.time, history.probes[0], 2e4) == near(390, 1e-9));
     const double end = std::pow(1e-6 + 3 * 2e-4 / 500 * 4000, -1 / 3.0);
-    CHECK(history.probes[0].value.back() - 290 == Approx(end).epsilon(1e-3));  // the errors of steps add up
-    CHECK(history.energy.mismatch() < 1e-7);                                   // Newton ends at 1e-7 K
+    CHECK(history.probes[0].value.back() - 290 == near(end, 1e-3));  // the errors of steps add up
+    CHECK(history.energy.mismatch() < 1e-7);                         // Newton ends at 1e-7 K
 }

@@ -3,13 +3,13 @@
 
 #include "deadpoint/error.hpp"
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <random>
 
 using namespace deadpoint;
 using namespace deadpoint::reduce;
-using doctest::Approx;
 
 namespace {
 
@@ -101,7 +101,7 @@ TEST_CASE("numbers of 32 bits and cut columns create no heat")
     const Eigen::VectorXd any = uniform.cwiseProduct(Eigen::VectorXd::LinSpaced(12, 290, 330));
     const auto gives = [&](const LowRankTerm& term, const Eigen::VectorXd& integral) {
         CHECK((matrix_of(term) * uniform - integral).norm() < 1e-13 * integral.norm());
-        CHECK(uniform.dot(matrix_of(term) * any) == Approx(integral.dot(any)).epsilon(1e-13));
+        CHECK(uniform.dot(matrix_of(term) * any) == near(integral.dot(any), 1e-13));
     };
     gives(joint.aa, 0.2 * plate.functional(layout.mean(0, false)));
     gives(joint.bb, 0.2 * plate.functional(layout.mean(0, true)));
@@ -118,7 +118,7 @@ TEST_CASE("columns after the first hold what differs from the mean: the variance
         plate.terms.films[0].factor.rightCols(5).transpose() * plate.terms.uniform.cwiseProduct(temperatures);
     const Eigen::VectorXd covered = temperatures.segment(2, 6);
     const double variance = (covered.array() - covered.mean()).square().mean();
-    CHECK(deviations.squaredNorm() / 0.3 == Approx(variance).epsilon(1e-12));
+    CHECK(deviations.squaredNorm() / 0.3 == near(variance, 1e-12));
 }
 
 TEST_CASE("terms of other states are refused by name")

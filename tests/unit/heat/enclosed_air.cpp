@@ -2,6 +2,7 @@
 #include "deadpoint/heat/enclosed_air.hpp"
 
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@
 
 using namespace deadpoint;
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 namespace {
 
@@ -71,12 +71,11 @@ TEST_CASE("a stage with its air eliminated has the solution of the stage with th
     const Eigen::VectorXd field = reduced.partialPivLu().solve(field_right);
     CHECK((field - expected.head<3>()).norm() < 1e-13 * expected.norm());
     const auto solution = at.air->solution(of_air, field);
-    CHECK(solution[0] == Approx(expected[3]).epsilon(1e-12));
-    CHECK(solution[1] == Approx(expected[4]).epsilon(1e-12));
+    CHECK(solution[0] == near(expected[3], 1e-12));
+    CHECK(solution[1] == near(expected[4], 1e-12));
     CHECK(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(reduced).eigenvalues()[0] > 0);
-    CHECK(at.air->update(of_air, field) ==
-          Approx(std::max(std::abs(expected[3]), std::abs(expected[4]))).epsilon(1e-12));
-    CHECK(at.air->temperatures()[0] == Approx(295 - expected[3]).epsilon(1e-13));
+    CHECK(at.air->update(of_air, field) == near(std::max(std::abs(expected[3]), std::abs(expected[4])), 1e-12));
+    CHECK(at.air->temperatures()[0] == near(295 - expected[3], 1e-13));
     CHECK(at.air->at_start() == std::vector<double>{295, 310});  // until the step is accepted
 }
 
@@ -127,15 +126,15 @@ TEST_CASE("the air of a closed room alone goes through a step as TR-BDF2 does")
     const double z = -4.0 / 3000 * dt;
     const double of_middle = (1 + diagonal * z) / (1 - diagonal * z);
     const double of_end = (bdf_middle * of_middle - bdf_now) / (1 - diagonal * z);
-    CHECK(middle - 290 == Approx(5 * of_middle).epsilon(1e-12));
-    CHECK(at.air->temperatures()[0] - 290 == Approx(5 * of_end).epsilon(1e-12));
-    CHECK(at.air->temperatures()[1] == Approx(310).epsilon(1e-14));  // exchanges with nobody
+    CHECK(middle - 290 == near(5 * of_middle, 1e-12));
+    CHECK(at.air->temperatures()[0] - 290 == near(5 * of_end, 1e-12));
+    CHECK(at.air->temperatures()[1] == near(310, 1e-14));  // exchanges with nobody
 
     const double end = at.air->temperatures()[0];
-    CHECK(at.air->accept(dt) == Approx(3000 * (end - 295)).epsilon(1e-10));
+    CHECK(at.air->accept(dt) == near(3000 * (end - 295), 1e-10));
     const auto state = at.air->states()[0];
     CHECK(state.start == end);
-    CHECK(state.slope == Approx(-4.0 / 3000 * (end - 290)).epsilon(1e-10));  // the stage's own formula
+    CHECK(state.slope == near(-4.0 / 3000 * (end - 290), 1e-10));  // the stage's own formula
 }
 
 TEST_CASE("a first guess goes along the slope where it is known, and stays where it is not")
@@ -147,11 +146,11 @@ TEST_CASE("a first guess goes along the slope where it is known, and stays where
     at.air->begin_first_stage(100, false, balance);
     CHECK(at.air->temperatures() == std::vector<double>{295, 310});
     at.air->begin_first_stage(100, true, balance);
-    CHECK(at.air->temperatures()[0] == Approx(295 + gamma_stage * 2).epsilon(1e-15));
-    CHECK(at.air->temperatures()[1] == Approx(310 - gamma_stage * 1).epsilon(1e-15));
+    CHECK(at.air->temperatures()[0] == near(295 + gamma_stage * 2, 1e-15));
+    CHECK(at.air->temperatures()[1] == near(310 - gamma_stage * 1, 1e-15));
     // The second guess goes straight through the first stage.
     at.air->begin_second_stage();
-    CHECK(at.air->temperatures()[0] == Approx(297).epsilon(1e-15));
+    CHECK(at.air->temperatures()[0] == near(297, 1e-15));
 }
 
 TEST_CASE("states come back as they were given")
@@ -180,6 +179,6 @@ TEST_CASE("the residual of a first step's error estimate is that of the heat kep
         stages[i].air[1].to_room = 5;
     }
     const auto result = at.air->first_error(50, {&stages[0], &stages[1], &stages[2]});
-    CHECK(result[0] == Approx(step_error(50, 100, 60, 45)).epsilon(1e-13));
+    CHECK(result[0] == near(step_error(50, 100, 60, 45), 1e-13));
     CHECK(std::abs(result[1]) < 1e-12);  // even heat has no error
 }

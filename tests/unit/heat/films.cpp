@@ -4,13 +4,13 @@
 
 #include "deadpoint/heat/balance.hpp"
 #include "deadpoint/heat/functionals.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 namespace {
 
@@ -63,12 +63,12 @@ struct Surfaces {
 
 TEST_CASE("a film without emission is h (T - T_air), radiation alone is eps sigma (T^4 - T_a^4)")
 {
-    CHECK(film_flux(constant(15), 0, 330, 300) == Approx(450).epsilon(1e-15));
+    CHECK(film_flux(constant(15), 0, 330, 300) == near(450, 1e-15));
     const double exact = 0.9 * stefan_boltzmann * (std::pow(420.0, 4) - std::pow(290.0, 4));
-    CHECK(film_flux(constant(0), 0.9, 420, 290) == Approx(exact).epsilon(1e-13));  // factored: no digits lost
+    CHECK(film_flux(constant(0), 0.9, 420, 290) == near(exact, 1e-13));  // factored: no digits lost
     CHECK(film_flux(constant(15), 0.9, 300, 300) == 0);
-    CHECK(film_flux(constant(15), 0.9, 290, 420) == Approx(-film_flux(constant(15), 0.9, 420, 290)).epsilon(1e-15));
-    CHECK(stefan_boltzmann == Approx(5.670374419e-8).epsilon(1e-12));  // CODATA 2018, exact by definition
+    CHECK(film_flux(constant(15), 0.9, 290, 420) == near(-film_flux(constant(15), 0.9, 420, 290), 1e-15));
+    CHECK(stefan_boltzmann == near(5.670374419e-8, 1e-12));  // CODATA 2018, exact by definition
 }
 
 TEST_CASE("near the surroundings' temperature radiation keeps its digits")
@@ -76,7 +76,7 @@ TEST_CASE("near the surroundings' temperature radiation keeps its digits")
     constexpr double tiny = 1e-9;
     const double flux = film_flux(constant(0), 1, 300 + tiny, 300);
     const double difference = (300 + tiny) - 300;  // as numbers have it
-    CHECK(flux == Approx(4 * stefan_boltzmann * 27e6 * difference).epsilon(1e-10));
+    CHECK(flux == near(4 * stefan_boltzmann * 27e6 * difference, 1e-10));
 }
 
 TEST_CASE("the slope of a film is the derivative of its flux")
@@ -87,7 +87,7 @@ TEST_CASE("the slope of a film is the derivative of its flux")
         const double by_difference =
             (film_flux(law(surface + h), 0.6, surface + h, 300) - film_flux(law(surface - h), 0.6, surface - h, 300)) /
             (2 * h);
-        CHECK(film_slope(law(surface), 0.6, surface, 300) == Approx(by_difference).epsilon(1e-8));  // h^2, rounding
+        CHECK(film_slope(law(surface), 0.6, surface, 300) == near(by_difference, 1e-8));  // h^2, rounding
     }
 }
 
@@ -95,8 +95,8 @@ TEST_CASE("the slope of a film that weakens as it warms stays above a quarter of
 {
     // 20 W/m2/K that lose 1 W/m2/K a kelvin, 60 K above the air: the derivative is -40.
     CHECK(film_slope({20, -1, true}, 0, 360, 300) == 5);
-    CHECK(film_slope({20, -0.1, true}, 0, 360, 300) == Approx(14).epsilon(1e-15));  // above it: the derivative
-    CHECK(film_slope({20, -1, true}, 1, 360, 300) == Approx(5 + 4 * stefan_boltzmann * 360 * 360 * 360).epsilon(1e-14));
+    CHECK(film_slope({20, -0.1, true}, 0, 360, 300) == near(14, 1e-15));  // above it: the derivative
+    CHECK(film_slope({20, -1, true}, 1, 360, 300) == near(5 + 4 * stefan_boltzmann * 360 * 360 * 360, 1e-14));
     CHECK(film_slope({0, -5, true}, 0, 360, 300) == 0);
 }
 
@@ -133,11 +133,11 @@ TEST_CASE("a film's law is that of the segment that was entered")
     Surfaces at;
     FilmBalance films(at.problem, at.geometry);
     films.enter(at.problem.segments[0]);
-    CHECK(films.law(6, 300)(316).value == Approx(8).epsilon(1e-15));
+    CHECK(films.law(6, 300)(316).value == near(8, 1e-15));
     films.enter(at.problem.segments[1]);
-    CHECK(films.law(6, 300)(316).value == Approx(24).epsilon(1e-15));
-    CHECK(films.law(6, 307)(316).value == Approx(18).epsilon(1e-15));  // by the air that it faces
-    CHECK(films.law(5, 300)(316).value == 3);                          // no law: the constant
+    CHECK(films.law(6, 300)(316).value == near(24, 1e-15));
+    CHECK(films.law(6, 307)(316).value == near(18, 1e-15));  // by the air that it faces
+    CHECK(films.law(5, 300)(316).value == 3);                // no law: the constant
     CHECK(films.law(5, 300)(316).slope == 0);
 }
 
@@ -166,20 +166,20 @@ TEST_CASE("constant films and fluxes: each watt goes to the room, to an enclosur
     films.enter(at.problem.segments[0]);
     films.evaluate(at.values, 8, at.air, at.balance, at.watts);
     // Surfaces 0 and 1 into the room: h A (T - T_air).
-    CHECK(at.balance.to_air == Approx(12 * 0.5 * (310 - 294) + 8 * 2 * (312 - 288)).epsilon(1e-13));
-    CHECK(at.balance.air[1].from_surfaces == Approx(5 * 1.5 * (314 - 300)).epsilon(1e-13));
+    CHECK(at.balance.to_air == near(12 * 0.5 * (310 - 294) + 8 * 2 * (312 - 288), 1e-13));
+    CHECK(at.balance.air[1].from_surfaces == near(5 * 1.5 * (314 - 300), 1e-13));
     CHECK(at.balance.air[0].from_surfaces == 0);
-    CHECK(at.balance.flux == Approx(180 * 0.25).epsilon(1e-15));
+    CHECK(at.balance.flux == near(180 * 0.25, 1e-15));
     // Loads per area: what the air brings, h T_air, and the flux; -h T is the matrix's.
     const auto& layout = at.geometry.layout;
-    CHECK(at.watts[layout.surface(0)] == Approx(12 * 294.0).epsilon(1e-15));
-    CHECK(at.watts[layout.surface(1)] == Approx(8 * 288.0).epsilon(1e-15));
-    CHECK(at.watts[layout.surface(2)] == Approx(5 * 300.0).epsilon(1e-15));
-    CHECK(at.watts[layout.surface(3)] == Approx(180).epsilon(1e-15));
+    CHECK(at.watts[layout.surface(0)] == near(12 * 294.0, 1e-15));
+    CHECK(at.watts[layout.surface(1)] == near(8 * 288.0, 1e-15));
+    CHECK(at.watts[layout.surface(2)] == near(5 * 300.0, 1e-15));
+    CHECK(at.watts[layout.surface(3)] == near(180, 1e-15));
     CHECK(at.watts[layout.surface(4)] == 0);
     CHECK(at.watts[layout.surface(5)] == 0);  // books what it gives off by itself
     for (const std::size_t s : {0, 1, 2, 3, 5, 6})
-        CHECK(at.balance.film_mean[s] == Approx(310 + 2.0 * static_cast<double>(s)).epsilon(1e-15));
+        CHECK(at.balance.film_mean[s] == near(310 + 2.0 * static_cast<double>(s), 1e-15));
     CHECK(at.balance.film_mean[4] == 0);
 }
 
@@ -194,7 +194,7 @@ TEST_CASE("a constant film's matrix and load together are what it gives off")
         const auto k = at.geometry.layout.surface(s);
         lost += at.problem.surfaces[s].coefficient * at.values[k] - at.watts[k] * at.geometry.surface_area[s];
     }
-    CHECK(lost == Approx(at.balance.to_air).epsilon(1e-12));
+    CHECK(lost == near(at.balance.to_air, 1e-12));
 }
 
 TEST_CASE("a surface whose area another part covers wholly takes no part")
@@ -206,7 +206,7 @@ TEST_CASE("a surface whose area another part covers wholly takes no part")
     films.evaluate(at.values, 8, at.air, at.balance, at.watts);
     CHECK(at.watts[at.geometry.layout.surface(0)] == 0);
     CHECK(at.balance.film_mean[0] == 0);
-    CHECK(at.balance.to_air == Approx(8 * 2 * (312 - 288)).epsilon(1e-13));
+    CHECK(at.balance.to_air == near(8 * 2 * (312 - 288), 1e-13));
 }
 
 TEST_CASE("what films that follow the temperature lose is booked to its taker, less what other surfaces receive")

@@ -1,12 +1,13 @@
 /// Requirement: each functional has a place of its own, and loads are the transposed of values.
 #include "deadpoint/heat/functionals.hpp"
 
+#include "near.hpp"
+
 #include <cmath>
 #include <doctest/doctest.h>
 #include <set>
 
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 TEST_CASE("each functional has a number of its own, none is left out")
 {
@@ -57,9 +58,9 @@ TEST_CASE("loads are the transposed of values: watts . values is the same either
     double work = 0;
     for (std::size_t k = 0; k < 4; ++k)
         work += watts[k] * values[k];
-    CHECK(work == Approx(40 * value_of(loads, values)).epsilon(1e-14));
+    CHECK(work == near(40 * value_of(loads, values), 1e-14));
     CHECK(watts[1] == 0);
-    CHECK(watts[0] == Approx(30).epsilon(1e-15));
+    CHECK(watts[0] == near(30, 1e-15));
     add_watts(watts, loads, -40);
     for (const double w : watts)
         CHECK(std::abs(w) < 1e-12);  // of 280 W: rounding

@@ -5,13 +5,13 @@
 #include "deadpoint/heat/balance.hpp"
 #include "deadpoint/heat/functionals.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 namespace {
 
@@ -110,7 +110,7 @@ TEST_CASE("slopes of oil and air are those of the parabola through a step's thre
     for (const auto* series :
          {&history.oil[0].inlet, &history.oil[0].outlet, &history.oil[0].sump, &history.enclosures[0].temperature}) {
         CHECK(series->rate[0] == 0);  // open until the first step is there
-        CHECK(series->rate[1] == Approx(slope).epsilon(1e-11));
+        CHECK(series->rate[1] == near(slope, 1e-11));
     }
 }
 
@@ -124,8 +124,8 @@ TEST_CASE("a segment's first slopes become those of the secant, other rows stay"
     const auto& history = recorder.history();
     CHECK(history.probes[0].rate[0] == 2);
     CHECK(history.functionals[1].rate[0] == 2);
-    CHECK(history.oil[0].sump.rate[0] == Approx(0.5).epsilon(1e-15));
-    CHECK(history.enclosures[0].temperature.rate[0] == Approx(0.5).epsilon(1e-15));
+    CHECK(history.oil[0].sump.rate[0] == near(0.5, 1e-15));
+    CHECK(history.enclosures[0].temperature.rate[0] == near(0.5, 1e-15));
     CHECK(history.probes[0].rate[1] == 9);
     // No step behind the last row: nothing to take a secant of.
     const auto before = history.probes[0].rate;
@@ -146,10 +146,10 @@ TEST_CASE("the heat of steps is summed by the weights of their stages: exact for
     }
     const double integral = 100 * time + 3 * time * time;
     const auto& energy = recorder.history().energy;
-    CHECK(energy.generated == Approx(integral).epsilon(1e-14));
-    CHECK(energy.to_air == Approx(2 * integral).epsilon(1e-14));
-    CHECK(energy.to_oil == Approx(3 * integral).epsilon(1e-14));
-    CHECK(energy.from_surfaces == Approx(4 * integral + 33).epsilon(1e-14));
+    CHECK(energy.generated == near(integral, 1e-14));
+    CHECK(energy.to_air == near(2 * integral, 1e-14));
+    CHECK(energy.to_oil == near(3 * integral, 1e-14));
+    CHECK(energy.from_surfaces == near(4 * integral + 33, 1e-14));
     CHECK(energy.stored == 39);
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("the history's cubic goes through a cubic exactly, between its rows to
     }
     const auto& history = recorder.history();
     for (double t = 0; t <= 7; t += 0.25)
-        CHECK(interpolate(history.time, history.probes[0], t) == Approx(y(t)).epsilon(1e-13));
+        CHECK(interpolate(history.time, history.probes[0], t) == near(y(t), 1e-13));
     CHECK(interpolate(history.time, history.probes[0], -5) == 300);  // held beyond
     CHECK(interpolate(history.time, history.probes[0], 99) == y(7));
 }

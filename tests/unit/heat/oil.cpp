@@ -1,5 +1,6 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -46,8 +47,8 @@ TEST_CASE("oil in series: each joint warms what reaches the next, as a chain of 
     const double first = exchange * (350 - 303), reaches_second = 303 + first / flow;
     const double second = exchange * (350 - reaches_second);
     const auto& oil = run.run.history().oil[0];
-    CHECK(oil.outlet.value[0] == doctest::Approx(reaches_second + second / flow).epsilon(1e-12));
-    CHECK(oil.heat[0] == doctest::Approx(first + second).epsilon(1e-11));  // settled to 1e-9 K
+    CHECK(oil.outlet.value[0] == near(reaches_second + second / flow, 1e-12));
+    CHECK(oil.heat[0] == near(first + second, 1e-11));  // settled to 1e-9 K
 }
 
 TEST_CASE("a sump that feeds the joints itself: energy closes, and the steady state is that of the balance")
@@ -57,8 +58,8 @@ TEST_CASE("a sump that feeds the joints itself: energy closes, and the steady st
     problem.segments[0].duration = 2e6;  // 48 time constants of 6.2e5 J/K over 15 W/K
     lumps::Run run(four_lumps(), problem, 350);
     const auto& history = run.go();
-    CHECK(history.oil[0].sump.value.back() == doctest::Approx(290).epsilon(1e-6));  // all cools to the ambient
-    CHECK(history.energy.mismatch() < 1e-10);                                       // of 4e7 J: rounding of the sums
+    CHECK(history.oil[0].sump.value.back() == near(290, 1e-6));  // all cools to the ambient
+    CHECK(history.energy.mismatch() < 1e-10);                    // of 4e7 J: rounding of the sums
 }
 
 TEST_CASE("a sump and two lumps against the matrix exponential: within the time tolerance, and second order")
@@ -96,7 +97,7 @@ TEST_CASE("a sump and two lumps against the matrix exponential: within the time 
         return run.go().oil[0].sump.value.back() - 290 - exact[1];
     };
     const double order = std::log2(sump_error(200) / sump_error(100));
-    CHECK(order == doctest::Approx(2).epsilon(0.05));
+    CHECK(order == near(2, 0.05));
 
     problem.fixed_step = 0;
     problem.time_tolerance = 0.002;

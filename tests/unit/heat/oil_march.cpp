@@ -6,13 +6,13 @@
 #include "deadpoint/heat/joints.hpp"
 #include "deadpoint/heat/oil.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 namespace {
 
@@ -73,11 +73,11 @@ TEST_CASE("oil reaches the interfaces of one joint at one temperature and the ne
     const auto reaches = at.march(0, 310);
     CHECK(reaches[0] == 303);
     CHECK(reaches[1] == 303);
-    CHECK(reaches[2] == Approx(leaves(0.3, 303)).epsilon(1e-14));  // 0.2 + 0.1 m2
+    CHECK(reaches[2] == near(leaves(0.3, 303), 1e-14));  // 0.2 + 0.1 m2
     const auto& state = at.balance.oil[0];
     CHECK(state.inlet == 303);
-    CHECK(state.outlet == Approx(leaves(0.3, leaves(0.3, 303))).epsilon(1e-14));
-    CHECK(state.heat == Approx(flow * (state.outlet - 303)).epsilon(1e-12));
+    CHECK(state.outlet == near(leaves(0.3, leaves(0.3, 303)), 1e-14));
+    CHECK(state.heat == near(flow * (state.outlet - 303), 1e-12));
 }
 
 TEST_CASE("the cooler takes what brings the sump's oil to the inlet's temperature")
@@ -86,9 +86,9 @@ TEST_CASE("the cooler takes what brings the sump's oil to the inlet's temperatur
     at.march(0, 310);
     const auto& state = at.balance.oil[0];
     CHECK(state.sump == 310);
-    CHECK(state.cooler == Approx(flow * (310 - 303)).epsilon(1e-14));
+    CHECK(state.cooler == near(flow * (310 - 303), 1e-14));
     // What comes from the joints stays in the sump, or leaves by the cooler or to the room.
-    CHECK(2e4 * state.sump_rate == Approx(state.heat - state.cooler - loss * (310 - ambient)).epsilon(1e-12));
+    CHECK(2e4 * state.sump_rate == near(state.heat - state.cooler - loss * (310 - ambient), 1e-12));
 }
 
 TEST_CASE("without a cooler the sump feeds the joints, which take or give what the sump loses or gains")
@@ -98,8 +98,8 @@ TEST_CASE("without a cooler the sump feeds the joints, which take or give what t
     const auto& state = at.balance.oil[0];
     CHECK(state.inlet == 310);
     CHECK(state.cooler == 0);
-    CHECK(state.outlet == Approx(leaves(0.3, leaves(0.3, 310))).epsilon(1e-14));
-    CHECK(2e4 * state.sump_rate == Approx(state.heat - loss * (310 - ambient)).epsilon(1e-12));
+    CHECK(state.outlet == near(leaves(0.3, leaves(0.3, 310)), 1e-14));
+    CHECK(2e4 * state.sump_rate == near(state.heat - loss * (310 - ambient), 1e-12));
 }
 
 TEST_CASE("the sump at a stage's end meets C s = C known + factor (flow (outlet - s) - loss (s - ambient))")
@@ -112,8 +112,8 @@ TEST_CASE("the sump at a stage's end meets C s = C known + factor (flow (outlet 
             at.march(factor, 310);
             const auto& state = at.balance.oil[0];
             const double gains = flow * (state.outlet - state.sump) - loss * (state.sump - ambient);
-            CHECK(2e4 * state.sump == Approx(2e4 * 310 + factor * gains).epsilon(1e-11));
-            CHECK(state.sump_rate == Approx(gains / 2e4).epsilon(1e-9));
+            CHECK(2e4 * state.sump == near(2e4 * 310 + factor * gains, 1e-11));
+            CHECK(state.sump_rate == near(gains / 2e4, 1e-9));
         }
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("a long stage brings the sump to where it loses what it gains")
     // Per kelvin of the inlet the outlet rises by (1 - A U / flow)^2; all solids are at 340 K.
     const double passed = std::pow(1 - 0.3 * conductance / flow, 2);
     const double to_solids = flow * (1 - passed);
-    CHECK(at.balance.oil[0].sump == Approx((to_solids * 340 + loss * ambient) / (to_solids + loss)).epsilon(1e-8));
+    CHECK(at.balance.oil[0].sump == near((to_solids * 340 + loss * ambient) / (to_solids + loss), 1e-8));
 }
 
 TEST_CASE("a sump's relaxation is minus the derivative of its rate by its temperature")
@@ -136,7 +136,7 @@ TEST_CASE("a sump's relaxation is minus the derivative of its rate by its temper
         at.march(0, 312);
         const auto after = at.balance.oil[0];
         const double by_difference = (after.sump_rate - before.sump_rate) / 2;  // straight
-        CHECK(before.sump_relaxation == Approx(-by_difference).epsilon(1e-10));
+        CHECK(before.sump_relaxation == near(-by_difference, 1e-10));
         CHECK(before.sump_relaxation > 0);
     }
 }
@@ -149,7 +149,7 @@ TEST_CASE("a sump without capacity follows at once, whatever was known of it")
             at.problem.oil[0].sump_capacity = 0;
             at.march(77, known);
             const auto& state = at.balance.oil[0];
-            CHECK(flow * (state.outlet - state.sump) == Approx(loss * (state.sump - ambient)).epsilon(1e-11));
+            CHECK(flow * (state.outlet - state.sump) == near(loss * (state.sump - ambient), 1e-11));
             CHECK(state.sump_rate == 0);
             CHECK(state.sump_relaxation == 0);
         }
@@ -162,11 +162,11 @@ TEST_CASE("oil that stands takes no heat along and reaches every joint as it is"
     const auto reaches = at.march(100, 310);
     const auto& state = at.balance.oil[0];
     for (const double t : reaches)
-        CHECK(t == Approx(state.sump).epsilon(1e-15));
+        CHECK(t == near(state.sump, 1e-15));
     CHECK(state.heat == 0);
     CHECK(state.outlet == state.inlet);
     // The sump cools by itself: s (C + f G) = C known + f G ambient.
-    CHECK(state.sump == Approx((2e4 * 310 + 100 * loss * ambient) / (2e4 + 100 * loss)).epsilon(1e-14));
+    CHECK(state.sump == near((2e4 * 310 + 100 * loss * ambient) / (2e4 + 100 * loss), 1e-14));
 }
 
 TEST_CASE("a sump that nothing ties to anything keeps its temperature, also without capacity")
@@ -201,8 +201,8 @@ TEST_CASE("what the stages know of a sump makes a whole step that of TR-BDF2")
     const double z = -loss / 2e4 * dt;
     const double of_middle = (1 + diagonal * z) / (1 - diagonal * z);
     const double of_end = (bdf_middle * of_middle - bdf_now) / (1 - diagonal * z);
-    CHECK(middle.oil[0].sump - ambient == Approx(40 * of_middle).epsilon(1e-12));
-    CHECK(end.oil[0].sump - ambient == Approx(40 * of_end).epsilon(1e-12));
+    CHECK(middle.oil[0].sump - ambient == near(40 * of_middle, 1e-12));
+    CHECK(end.oil[0].sump - ambient == near(40 * of_end, 1e-12));
     oil.accept(end);
     CHECK(oil.sumps()[0] == end.oil[0].sump);
 }
@@ -222,12 +222,12 @@ TEST_CASE("a sump's error: that of its slopes, sharper for a sump that forgets s
     const double raw = std::abs(step_error(dt, 0.03, 0.012, 0.01));
     // One that forgets within a step: the error itself.
     end.oil[0].sump_relaxation = 10;
-    CHECK(oil.step_error(dt, true, start, middle, end) == Approx(raw).epsilon(1e-12));
-    CHECK(oil.step_error(dt, false, start, middle, end) == Approx(raw / (1 + diagonal * dt * 10)).epsilon(1e-12));
+    CHECK(oil.step_error(dt, true, start, middle, end) == near(raw, 1e-12));
+    CHECK(oil.step_error(dt, false, start, middle, end) == near(raw / (1 + diagonal * dt * 10), 1e-12));
     // One that forgets nothing: of the segment's ten steps each may err by a tenth, not by the step's share.
     end.oil[0].sump_relaxation = 0;
     const double of_a_step = heat::step_tolerance(at.problem.time_tolerance) / at.problem.time_tolerance;
-    CHECK(oil.step_error(dt, true, start, middle, end) == Approx(raw * of_a_step * 1000 / dt).epsilon(1e-12));
+    CHECK(oil.step_error(dt, true, start, middle, end) == near(raw * of_a_step * 1000 / dt, 1e-12));
     // No circuit, no error.
     CHECK(oil.step_error(dt, true, {}, {}, {}) == 0);
 }

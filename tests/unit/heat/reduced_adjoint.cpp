@@ -2,6 +2,7 @@
 
 #include "deadpoint/exchange/machine.hpp"
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -139,8 +140,8 @@ TEST_CASE("one basis serves the causes at two times")
     reduce::ReducedAdjoint<lumps::DenseSystem> both(run.system, over, reference), one(run.system, over, reference);
     const auto first = both.causes(load, 105);
     const auto again = both.causes(load, 80), alone = one.causes(load, 80);
-    CHECK(again.friction[0] == doctest::Approx(alone.friction[0]).epsilon(1e-3));
-    CHECK(again.body_heat[0] == doctest::Approx(alone.body_heat[0]).epsilon(1e-3));
+    CHECK(again.friction[0] == near(alone.friction[0], 1e-3));
+    CHECK(again.body_heat[0] == near(alone.body_heat[0], 1e-3));
     CHECK(again.fields < first.fields + alone.fields);
 }
 
@@ -162,7 +163,7 @@ TEST_CASE("the basis is large enough where two more fields change no cause; the 
     causes.start = 0.001008;  // 8e-3 of it, but 5e-4 of the smallest that counts
     search.add(causes);
     CHECK(!search.wants_more(10));
-    CHECK(search.result(10).change == doctest::Approx(0.002).epsilon(1e-9));
+    CHECK(search.result(10).change == near(0.002, 1e-9));
     CHECK(search.result(10).fields == 10);
     CHECK(search.result(10).friction[1] == -1.0025);
 }

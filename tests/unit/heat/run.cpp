@@ -3,13 +3,13 @@
 #include "deadpoint/heat/run.hpp"
 
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 namespace {
 
@@ -77,7 +77,7 @@ TEST_CASE("steps double at most, and begin anew with each segment")
             CHECK(step.duration <= 2 * before * (1 + 1e-12));
         before = step.duration;
         segment = step.segment;
-        CHECK(step.end.time - step.start.time == Approx(step.duration).epsilon(1e-9));
+        CHECK(step.end.time - step.start.time == near(step.duration, 1e-9));
     }
 }
 
@@ -91,8 +91,8 @@ TEST_CASE("a fixed step is kept but for a segment's end, and never refused")
     const auto& steps = run.run.steps();
     REQUIRE(steps.size() == 8 + 5);  // 3000 = 6 x 400 + 2 x 300, 2000 = 5 x 400
     CHECK(steps[5].duration == 400);
-    CHECK(steps[6].duration == Approx(300).epsilon(1e-12));
-    CHECK(steps[7].duration == Approx(300).epsilon(1e-12));
+    CHECK(steps[6].duration == near(300, 1e-12));
+    CHECK(steps[7].duration == near(300, 1e-12));
 }
 
 TEST_CASE("heat that is switched on within a run makes steps short that were too long")
@@ -105,7 +105,7 @@ TEST_CASE("heat that is switched on within a run makes steps short that were too
     CHECK(history.rejected_steps > 3);
     // The jump is missed by less than a step's quadrature: 2500 s of 5 kW.
     CHECK(history.energy.mismatch() < 1e-12);
-    CHECK(history.energy.generated == Approx(5000 * 2500.0).epsilon(1e-4));
+    CHECK(history.energy.generated == near(5000 * 2500.0, 1e-4));
 }
 
 TEST_CASE("fields at wanted times come in order, once, and lie on the curve of the probes")
@@ -124,8 +124,8 @@ TEST_CASE("fields at wanted times come in order, once, and lie on the curve of t
     const auto& history = run.run.go(hooks, observer);
     CHECK(times == problem.field_times);
     for (std::size_t k = 0; k < times.size(); ++k)
-        CHECK(values[k] == Approx(interpolate(history.time, history.probes[0], times[k])).epsilon(1e-12));
-    CHECK(values.front() == Approx(290).epsilon(1e-15));
+        CHECK(values[k] == near(interpolate(history.time, history.probes[0], times[k]), 1e-12));
+    CHECK(values.front() == near(290, 1e-15));
     CHECK(values.back() == run.temperatures()[0]);
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("each accepted step is told once, with its time")
     REQUIRE(times.size() == run.run.steps().size());
     CHECK(between == static_cast<int>(times.size()));
     for (std::size_t k = 0; k < times.size(); ++k)
-        CHECK(times[k] == Approx(run.run.steps()[k].end.time).epsilon(1e-13));
+        CHECK(times[k] == near(run.run.steps()[k].end.time, 1e-13));
 }
 
 TEST_CASE("a run that is stopped between any two steps goes on bit by bit, across segments too")
@@ -225,6 +225,6 @@ TEST_CASE("energy of a run with heat, film and a change of air closes, and its s
     const auto& history = run.go();
     CHECK(history.energy.mismatch() < 1e-12);
     const auto end = run.temperatures();
-    CHECK(history.energy.stored == Approx(2e4 * (end[0] - 300) + 5e4 * (end[1] - 300)).epsilon(1e-11));
-    CHECK(history.energy.generated == Approx(100 * 3000.0).epsilon(1e-12));
+    CHECK(history.energy.stored == near(2e4 * (end[0] - 300) + 5e4 * (end[1] - 300), 1e-11));
+    CHECK(history.energy.generated == near(100 * 3000.0, 1e-12));
 }

@@ -2,13 +2,13 @@
 #include "deadpoint/heat/sources.hpp"
 
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 namespace {
 
@@ -67,8 +67,8 @@ TEST_CASE("watts into the lumps: what is made less what the air and the oil take
     // Heat into enclosed air is no heat of the room's, and the air's power is none of the lumps'.
     const double lost = balance.to_air - balance.air[0].to_room + balance.air[0].from_surfaces + balance.to_oil;
     const double made = balance.generated - balance.air[0].power;
-    CHECK(lumps::watts_of(machine(), rate.watts - conducted).sum() == Approx(made - lost).epsilon(1e-12));
-    CHECK(made == Approx(balance.source_heat[0] + 80).epsilon(1e-14));
+    CHECK(lumps::watts_of(machine(), rate.watts - conducted).sum() == near(made - lost, 1e-12));
+    CHECK(made == near(balance.source_heat[0] + 80, 1e-14));
 }
 
 TEST_CASE("each scalar of the balance by its own formula")
@@ -78,15 +78,15 @@ TEST_CASE("each scalar of the balance by its own formula")
     CHECK(balance.body_heat[0] == 80);
     CHECK(balance.air[0].temperature == 298);
     CHECK(balance.air[0].power == 25);
-    CHECK(balance.air[0].to_room == Approx(4 * (298 - 290.0)).epsilon(1e-15));
-    CHECK(balance.air[0].from_surfaces == Approx(7 * 0.4 * (320 - 298)).epsilon(1e-14));
+    CHECK(balance.air[0].to_room == near(4 * (298 - 290.0), 1e-15));
+    CHECK(balance.air[0].from_surfaces == near(7 * 0.4 * (320 - 298), 1e-14));
     const double radiated = 0.8 * stefan_boltzmann * 0.2 * (std::pow(330.0, 4) - std::pow(290.0, 4));
-    CHECK(balance.to_air == Approx(12 * 0.5 * 20 + 32 + radiated).epsilon(1e-13));
+    CHECK(balance.to_air == near(12 * 0.5 * 20 + 32 + radiated, 1e-13));
     // tau = film without heat + H / (A S), H = law(tau): a straight law, solved on paper.
     const double film = (700 * 330.0 + 500 * 320.0 + 150 * 300.0) / 1350, self = 1 / 135.0;
     const double heat = (500 - 3 * (film - 290)) / (1 + 3 * self);
-    CHECK(balance.source_heat[0] == Approx(heat).epsilon(1e-11));
-    CHECK(balance.to_oil == Approx(15 * (film + self * heat - 300)).epsilon(1e-11));
+    CHECK(balance.source_heat[0] == near(heat, 1e-11));
+    CHECK(balance.to_oil == near(15 * (film + self * heat - 300), 1e-11));
 }
 
 TEST_CASE("the slope of the sources by a lump's temperature is the film's and the law's together")
@@ -110,8 +110,8 @@ TEST_CASE("corrections of the joint's heat go to both sides")
     const Eigen::VectorXd before = rate.watts;
     at.sources.correct(rate, {40});
     const Eigen::VectorXd change = lumps::watts_of(machine(), rate.watts - before);
-    CHECK(change[0] == Approx(40 * 700 / 1350.0).epsilon(1e-11));
-    CHECK(change[1] == Approx(40 * 500 / 1350.0).epsilon(1e-11));
+    CHECK(change[0] == near(40 * 700 / 1350.0, 1e-11));
+    CHECK(change[1] == near(40 * 500 / 1350.0, 1e-11));
     CHECK(std::abs(change[2]) < 1e-11);
 }
 
@@ -122,8 +122,8 @@ TEST_CASE("at a segment's start oil and joints agree: the oil's heat is what the
     const auto& oil = rate.balance.oil[0];
     CHECK(oil.inlet == 305);
     CHECK(at.sources.joints.oil_temperature()[0] == 305);
-    CHECK(oil.heat == Approx(rate.balance.to_oil).epsilon(1e-9));  // settled to 1e-9 K
-    CHECK(oil.outlet - oil.inlet == Approx(oil.heat / 60).epsilon(1e-12));
+    CHECK(oil.heat == near(rate.balance.to_oil, 1e-9));  // settled to 1e-9 K
+    CHECK(oil.outlet - oil.inlet == near(oil.heat / 60, 1e-12));
 }
 
 TEST_CASE("oil whose warming makes more heat than it carries off does not settle, and the error says where to look")
@@ -181,8 +181,8 @@ TEST_CASE("loads of enclosed air are the slopes of its films by the air's temper
     Sources at(problem);
     at.sources.build_air_loads(0, 50, at.temperature);
     const Eigen::VectorXd load = lumps::watts_of(machine(), at.sources.air.load(0));
-    CHECK(load[0] == Approx(0.2 * (5 + 2 * 0.1 * (330 - 298))).epsilon(1e-13));  // d(h rise) / d(rise)
-    CHECK(load[1] == Approx(0.4 * 7).epsilon(1e-15));
+    CHECK(load[0] == near(0.2 * (5 + 2 * 0.1 * (330 - 298)), 1e-13));  // d(h rise) / d(rise)
+    CHECK(load[1] == near(0.4 * 7, 1e-15));
     CHECK(load[2] == 0);
 }
 
@@ -214,5 +214,5 @@ TEST_CASE("sources know which segment they are in")
     at.system.conduct(lumps::states_of(machine(), Eigen::Vector3d(1, 0, 0)), conducted);
     conducted = lumps::watts_of(machine(), conducted);
     // c_aa = h_a (S - h_a) / S with h_a = 1, S = 651: the segment's laws reach the matrix.
-    CHECK(conducted[0] == Approx(0.1 * 650 / 651.0).epsilon(1e-14));
+    CHECK(conducted[0] == near(0.1 * 650 / 651.0, 1e-14));
 }

@@ -3,13 +3,13 @@
 #include "deadpoint/heat/stage_solver.hpp"
 
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 namespace {
 
@@ -105,7 +105,7 @@ TEST_CASE("what is booked closes the stage's balance to rounding, bent law or no
         Stage at(rubbing(bent()));
         const auto rate = at.solve(factor);
         const double stored = lumps::watts_of(at.machine, at.stored - at.stages.known).sum();
-        CHECK(stored == Approx(factor * (rate.balance.generated - rate.balance.to_air)).epsilon(1e-10));
+        CHECK(stored == near(factor * (rate.balance.generated - rate.balance.to_air), 1e-10));
     }
 }
 
@@ -132,8 +132,8 @@ TEST_CASE("a stage of no length keeps the temperature, a long one ends where hea
     const double film_over_lump = 1 / (0.1 * 400);  // per watt into lump 1
     // H = 900 - 4 (T + H / 40 - 290) and H = 7.5 (T - 290)
     const double rise = 900 / (7.5 + 4 * (1 + 7.5 * film_over_lump));
-    CHECK(at.lumps()[1] == Approx(290 + rise).epsilon(1e-8));
-    CHECK(at.lumps()[0] == Approx(290 + rise + 7.5 * rise * film_over_lump).epsilon(1e-8));
+    CHECK(at.lumps()[1] == near(290 + rise, 1e-8));
+    CHECK(at.lumps()[0] == near(290 + rise + 7.5 * rise * film_over_lump, 1e-8));
 }
 
 TEST_CASE("a film that follows the temperature is iterated until nothing moves")
@@ -194,8 +194,8 @@ TEST_CASE("enclosed air is solved with the stage: its own equation holds at the 
     const auto rate = at.solve(factor);
     const double now = at.sources.air.temperatures()[0];
     const double kept = 7.5 * (at.lumps()[1] - now) + 30 - 4 * (now - 290);
-    CHECK(3000 * (now - 295) == Approx(factor * (start.balance.air[0].kept() + kept)).epsilon(1e-10));
-    CHECK(rate.balance.air[0].kept() == Approx(kept).epsilon(1e-10));
+    CHECK(3000 * (now - 295) == near(factor * (start.balance.air[0].kept() + kept), 1e-10));
+    CHECK(rate.balance.air[0].kept() == near(kept, 1e-10));
 }
 
 TEST_CASE("a matrix that is not finite ends with the largest term of the balance")

@@ -3,13 +3,13 @@
 #include "deadpoint/heat/stepper.hpp"
 
 #include "lumps.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 namespace {
 
@@ -60,9 +60,9 @@ TEST_CASE("a step multiplies the distance to the air by TR-BDF2's growth factor"
     for (const double dt : {1.0, 100.0, 5000.0, 1e8}) {
         OneLump at;
         at.stepper.step(0, dt);
-        CHECK(at.next() - 290 == Approx(40 * growth(-rate * dt)).epsilon(1e-10));
+        CHECK(at.next() - 290 == near(40 * growth(-rate * dt), 1e-10));
         const double middle = (1 - diagonal * rate * dt) / (1 + diagonal * rate * dt);
-        CHECK(at.middle() - 290 == Approx(40 * middle).epsilon(1e-10));
+        CHECK(at.middle() - 290 == near(40 * middle, 1e-10));
     }
 }
 
@@ -71,9 +71,9 @@ TEST_CASE("slopes at the end of a step are those of the equation")
     OneLump at;
     at.stepper.step(0, 200);
     const auto& next = at.stepper.next();
-    CHECK(next.slope[0] == Approx(-rate * (next.temperature[0] - 29000)).epsilon(1e-9));
-    CHECK(next.rate.watts[0] == Approx(next.slope[0]).epsilon(1e-9));
-    CHECK(next.stored[0] == Approx(next.temperature[0]).epsilon(1e-15));
+    CHECK(next.slope[0] == near(-rate * (next.temperature[0] - 29000), 1e-9));
+    CHECK(next.rate.watts[0] == near(next.slope[0], 1e-9));
+    CHECK(next.stored[0] == near(next.temperature[0], 1e-15));
 }
 
 TEST_CASE("the error estimate of a later step is the error of its quadrature; its order is three")
@@ -89,10 +89,10 @@ TEST_CASE("the error estimate of a later step is the error of its quadrature; it
         const double z = -rate * dt, of_middle = (1 + diagonal * z) / (1 - diagonal * z);
         const double by_weights =
             start * z * (error_weights[0] + error_weights[1] * of_middle + error_weights[2] * growth(z));
-        CHECK(estimate == Approx(std::abs(by_weights)).scale(0).epsilon(1e-7));  // differences of 300 K
-        CHECK(estimate == Approx(error).scale(0).epsilon(0.1));                  // the companion's own error is z^4
+        CHECK(estimate == near(std::abs(by_weights), 1e-7));  // differences of 300 K
+        CHECK(estimate == near(error, 0.1));                  // the companion's own error is z^4
         if (last > 0)
-            CHECK(last / estimate == Approx(8).epsilon(0.06));
+            CHECK(last / estimate == near(8, 0.06));
         last = estimate;
     }
 }
@@ -105,9 +105,8 @@ TEST_CASE("in a segment's first step the estimate is filtered: a stiff start is 
         const double unfiltered =
             40 * z * (error_weights[0] + error_weights[1] * of_middle + error_weights[2] * growth(z));
         const double estimate = at.stepper.step(0, dt).error;
-        CHECK(estimate ==
-              Approx(std::abs(unfiltered) / (1 - diagonal * z)).scale(0).epsilon(1e-7));  // differences of 300 K
-        CHECK(estimate < 40 * (error_weights[1] - error_weights[0]) / diagonal);          // the limit, however stiff
+        CHECK(estimate == near(std::abs(unfiltered) / (1 - diagonal * z), 1e-7));  // differences of 300 K
+        CHECK(estimate < 40 * (error_weights[1] - error_weights[0]) / diagonal);   // the limit, however stiff
     }
 }
 
@@ -119,7 +118,7 @@ TEST_CASE("steady heat in balance makes no step and no error")
     const auto outcome = at.stepper.step(0, 500);
     CHECK(outcome.error < 1e-10);
     CHECK(outcome.from_prescribed == 0);
-    CHECK(at.next() == Approx(330).epsilon(1e-13));
+    CHECK(at.next() == near(330, 1e-13));
 }
 
 TEST_CASE("with a fixed step there is no error to estimate")
@@ -149,7 +148,7 @@ TEST_CASE("between the ends of a step lies the cubic through values and slopes")
         const double p1 = p0 + 100 * now.slope[0], p2 = p3 - 100 * next.slope[0], r = 1 - s;
         at.stepper.interpolate(300, s, between);
         const double bernstein = r * r * r * p0 + 3 * r * r * s * p1 + 3 * r * s * s * p2 + s * s * s * p3;
-        CHECK(between[0] == Approx(bernstein).epsilon(1e-14));
+        CHECK(between[0] == near(bernstein, 1e-14));
     }
 }
 
@@ -160,7 +159,7 @@ TEST_CASE("a first slope is that of the secant until the equation gives one")
     at.stepper.step(0, 100);
     at.stepper.complete_first_slope(100);
     const double secant = (at.stepper.next().temperature[0] - 33000) / 100;
-    CHECK(at.stepper.now().slope[0] == Approx(secant).epsilon(1e-13));
+    CHECK(at.stepper.now().slope[0] == near(secant, 1e-13));
     at.stepper.accept(100);
     CHECK(at.stepper.slope_known());
     CHECK(at.stepper.previous_step() == 0);  // the slope before is the secant's, not to be gone on with
@@ -195,7 +194,7 @@ TEST_CASE("heat that changes in time is taken at the stages' own times")
     at.stepper.step(0, 60);
     at.stepper.accept(60);
     at.stepper.step(60, 40);
-    CHECK(at.next() == Approx(330 + (100 * 100 + 1.5 * 100 * 100) / 1e4).epsilon(1e-13));
+    CHECK(at.next() == near(330 + (100 * 100 + 1.5 * 100 * 100) / 1e4, 1e-13));
 }
 
 TEST_CASE("a new segment forgets the slope, and starts from the temperatures as they are")
@@ -209,7 +208,7 @@ TEST_CASE("a new segment forgets the slope, and starts from the temperatures as 
     at.stepper.begin_segment(at.problem.segments[1], 100);
     CHECK_FALSE(at.stepper.slope_known());
     CHECK(at.now() == temperature);
-    CHECK(100 * at.stepper.now().rate.watts[0] == Approx(10 * (350 - temperature)).epsilon(1e-12));
+    CHECK(100 * at.stepper.now().rate.watts[0] == near(10 * (350 - temperature), 1e-12));
     at.stepper.step(100, 100);
-    CHECK(at.next() - 350 == Approx((temperature - 350) * growth(-rate * 100)).epsilon(1e-12));
+    CHECK(at.next() - 350 == near((temperature - 350) * growth(-rate * 100), 1e-12));
 }

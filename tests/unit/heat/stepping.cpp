@@ -1,6 +1,7 @@
 /// Requirement: the constants of TR-BDF2 make it second order and L-stable, its companion is of third order, and step
 /// sizes move by powers of two without slivers.
 #include "deadpoint/heat/tr_bdf2.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,6 @@
 #include <doctest/doctest.h>
 
 using namespace deadpoint::heat;
-using doctest::Approx;
 
 namespace {
 
@@ -38,21 +38,21 @@ double companion(const Slope& f)
 
 TEST_CASE("both stages of a step solve with one matrix, and keep a constant")
 {
-    CHECK(diagonal == Approx(gamma_stage / 2).epsilon(1e-15));
-    CHECK(bdf_middle - bdf_now == Approx(1).epsilon(1e-15));
+    CHECK(diagonal == near(gamma_stage / 2, 1e-15));
+    CHECK(bdf_middle - bdf_now == near(1, 1e-15));
     // The second stage's coefficient of BDF2 on the grid 0, gamma, 1: (1 - gamma) / (2 - gamma).
-    CHECK(diagonal == Approx((1 - gamma_stage) / (2 - gamma_stage)).epsilon(1e-14));
+    CHECK(diagonal == near((1 - gamma_stage) / (2 - gamma_stage), 1e-14));
 }
 
 TEST_CASE("weights of a step integrate straight slopes exactly, and no parabola; those of the companion do")
 {
     const auto power = [](int n) { return [n](double t) { return std::pow(t, n); }; };
-    CHECK(quadrature(power(0)) == Approx(1).epsilon(1e-15));
-    CHECK(quadrature(power(1)) == Approx(0.5).epsilon(1e-15));
+    CHECK(quadrature(power(0)) == near(1, 1e-15));
+    CHECK(quadrature(power(1)) == near(0.5, 1e-15));
     CHECK(std::abs(quadrature(power(2)) - 1 / 3.0) > 0.01);
-    CHECK(companion(power(0)) == Approx(1).epsilon(1e-15));
-    CHECK(companion(power(1)) == Approx(0.5).epsilon(1e-15));
-    CHECK(companion(power(2)) == Approx(1 / 3.0).epsilon(1e-15));
+    CHECK(companion(power(0)) == near(1, 1e-15));
+    CHECK(companion(power(1)) == near(0.5, 1e-15));
+    CHECK(companion(power(2)) == near(1 / 3.0, 1e-15));
     CHECK(std::abs(companion(power(3)) - 0.25) > 1e-4);  // third order, not fourth
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("the quadrature of a step is what its stages do with a load that has n
     const double start = 11;
     const double middle = start + diagonal * (f(0) + f(gamma_stage));
     const double end = bdf_middle * middle - bdf_now * start + diagonal * f(1);
-    CHECK(end - start == Approx(quadrature(f)).epsilon(1e-14));
+    CHECK(end - start == near(quadrature(f), 1e-14));
 }
 
 TEST_CASE("a step of y' = z y follows the exponential to third order a step and forgets what is stiff")
@@ -71,7 +71,7 @@ TEST_CASE("a step of y' = z y follows the exponential to third order a step and 
     for (const double z : {-0.04, -0.02, -0.01}) {
         const double error = std::abs(growth(z) - std::exp(z));
         if (last > 0)
-            CHECK(last / error == Approx(8).epsilon(0.03));  // next term: a share of z
+            CHECK(last / error == near(8, 0.03));  // next term: a share of z
         last = error;
     }
     CHECK(std::abs(growth(-1e8)) < 1e-7);  // L-stable: falls as 1 / z
@@ -83,7 +83,7 @@ TEST_CASE("the slope at a step's end is that of the parabola through its three v
 {
     const double dt = 3.7;
     const auto y = [](double t) { return 4 - 2 * t + 0.3 * t * t; };
-    CHECK(end_slope(y(0), y(gamma_stage * dt), y(dt), dt) == Approx(-2 + 0.6 * dt).epsilon(1e-13));
+    CHECK(end_slope(y(0), y(gamma_stage * dt), y(dt), dt) == near(-2 + 0.6 * dt, 1e-13));
     CHECK(std::abs(end_slope(5, 5, 5, dt)) < 1e-14);
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("the error of a step is that of its quadrature, in the unit of the tem
     const double error = step_error(dt, slope(0), slope(gamma_stage * dt), slope(dt));
     const double made = dt * (outer_weight * (slope(0) + slope(gamma_stage * dt)) + diagonal * slope(dt));
     const double exact = dt + dt * dt + 5 * dt * dt * dt / 3;
-    CHECK(error == Approx(exact - made).epsilon(1e-11));
+    CHECK(error == near(exact - made, 1e-11));
     CHECK(std::abs(step_error(dt, 2, 2 + 3 * gamma_stage * dt, 2 + 3 * dt)) < 1e-15);  // straight: none
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("the next step is the largest power of two whose error, of third order
 {
     for (double error = 1e-9; error < 1e3; error *= 1.9) {
         const double factor = step_size_factor(error, 1e-3, -20, 20);
-        CHECK(std::log2(factor) == Approx(std::round(std::log2(factor))).epsilon(1e-12));
+        CHECK(std::log2(factor) == near(std::round(std::log2(factor)), 1e-12));
         const double allowed = 0.9 * 0.9 * 0.9 * 1e-3;
         CHECK(error * factor * factor * factor <= allowed * (1 + 1e-12));
         CHECK(error * std::pow(2 * factor, 3) > allowed * (1 - 1e-12));  // twice as long would be too long

@@ -6,6 +6,7 @@
 #include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/study/learn/forward.hpp"
+#include "near.hpp"
 #include "starter_press.hpp"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ using namespace deadpoint::study;
 using casefile::CalibrationFile;
 using casefile::CalibrationParameter;
 using casefile::CalibrationRun;
-using doctest::Approx;
 
 namespace {
 
@@ -123,12 +123,12 @@ TEST_CASE("the values that made the data lie within the intervals, and held-out 
         const auto& p = found.parameters[k];
         // 4 standard deviations: a probability of 6e-5 to fail by chance.
         CHECK(std::abs(p.theta - truth[k]) < 4 * p.deviation);
-        CHECK(p.estimate == Approx(std::exp(p.theta)));
+        CHECK(p.estimate == near(std::exp(p.theta), 1e-5));
         CHECK(p.by_profile);
         CHECK(p.lower < p.estimate);
         CHECK(p.upper > p.estimate);
         // Nearly linear: the profile is that of the normal distribution to a tenth.
-        CHECK(std::log(p.upper) - p.theta == Approx(1.645 * p.deviation).epsilon(0.1));
+        CHECK(std::log(p.upper) - p.theta == near(1.645 * p.deviation, 0.1));
     }
     CHECK(found.parameters[0].shrinkage > 0.9);
     CHECK(found.after.front().by_data);
@@ -226,7 +226,7 @@ TEST_CASE("an alternative takes up what the model lacks, and says so, in place o
     CHECK(std::abs(at->value.back() - found.curves.front().measured.back()) < 5 * noise);
     // Half of the share's deviation: the same error is twice as many of them.
     file = with_alternative(0.5);
-    CHECK(calibrated(file).parameters[2].theta == Approx(2 * share.theta).epsilon(0.1));
+    CHECK(calibrated(file).parameters[2].theta == near(2 * share.theta, 0.1));
 }
 
 TEST_CASE("the error of a mesh is by the cell sizes of two: of first order")
@@ -236,7 +236,7 @@ TEST_CASE("the error of a mesh is by the cell sizes of two: of first order")
     coarser->cells = exact_press().cells * 8 / 27;  // cells of one and a half times the size: h / (1.5 h - h) = 2
     Observer quiet;
     const auto found = calibrate(file, exact_press(), {coarser}, 2, quiet);
-    CHECK(found.parameters[2].theta == Approx(0.5).epsilon(0.1));  // twice the difference, of which the data have one
+    CHECK(found.parameters[2].theta == near(0.5, 0.1));  // twice the difference, of which the data have one
     coarser->cells = exact_press().cells * 9 / 10;
     CHECK_THROWS_WITH_AS((void)calibrate(file, exact_press(), {coarser}, 2, quiet),
                          doctest::Contains("c.toml:20: the alternative 'more oil' has nearly the same mesh"),
@@ -292,7 +292,7 @@ TEST_CASE("a plan foretells what the fit then determines, and what a further sen
     const auto plan = plan_calibration(file, exact_press(), {}, 2, quiet);
     const auto fit = calibrated(file);
     for (std::size_t k = 0; k < 2; ++k)
-        CHECK(plan.parameters[k].shrinkage == Approx(fit.parameters[k].expected).epsilon(1e-9));
+        CHECK(plan.parameters[k].shrinkage == near(fit.parameters[k].expected, 1e-9));
     REQUIRE(plan.candidates.size() == 2);
     CHECK(plan.candidates[0].information >= plan.candidates[1].information);
 
@@ -313,5 +313,5 @@ TEST_CASE("a plan foretells what the fit then determines, and what a further sen
         return 0.5 * sum;
     };
     const auto gain = std::ranges::find(plan.candidates, "bearing", &CandidateGain::name)->information;
-    CHECK(gain == Approx(log_det(with) - log_det(plan)).epsilon(1e-6));
+    CHECK(gain == near(log_det(with) - log_det(plan), 1e-6));
 }

@@ -6,6 +6,7 @@
 #include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/study/reduce/run_reduced.hpp"
 #include "deadpoint/study/result/run_result.hpp"
+#include "near.hpp"
 #include "starter_press.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 
 using namespace deadpoint;
 using namespace deadpoint::study;
-using doctest::Approx;
 using Kind = CaseParameter::Kind;
 
 namespace {
@@ -87,8 +87,8 @@ TEST_CASE("settings of parameters make the case that they describe")
     const std::vector<double> theta{0.3, -0.2, 0.5, 0.1, 0.05, 2};
     const auto direct = with_parameters(starter_press::input(), all, theta);
     const auto read = starter_press::input(settings_of(starter_press::input(), all, theta));
-    CHECK(direct.oil.at("pins") == Approx(300 * std::exp(0.3)).epsilon(1e-14));
-    CHECK(direct.machine.ambient == Approx(295.15).epsilon(1e-14));
+    CHECK(direct.oil.at("pins") == near(300 * std::exp(0.3), 1e-14));
+    CHECK(direct.machine.ambient == near(295.15, 1e-14));
     CHECK(casefile::case_hash(direct) == casefile::case_hash(read));
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("curves are those of a reduced run, dimensions and corners included")
         const auto& values = found.value[static_cast<std::size_t>(place - model.outputs().begin())];
         REQUIRE(values.size() == expected.size());
         for (std::size_t row = 0; row < values.size(); ++row)
-            CHECK(values[row] == Approx(expected[row]).epsilon(0).scale(1).epsilon(tolerance));
+            CHECK(values[row] == near(expected[row], tolerance, tolerance));
     };
     CHECK(found.time == run.thermal.time);
     // The same numbers, but for the order of sums.

@@ -3,6 +3,7 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/study/design/objectives.hpp"
+#include "near.hpp"
 #include "starter_press.hpp"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 
 using namespace deadpoint;
 using namespace deadpoint::study;
-using doctest::Approx;
 
 namespace {
 
@@ -58,7 +58,7 @@ void check_slopes(const Judged& found, const std::function<double(std::size_t, d
         // Central differences of fourth order.
         const double difference =
             (8 * (at(k, step) - at(k, -step)) - (at(k, 2 * step) - at(k, -2 * step))) / (12 * step);
-        CHECK_MESSAGE(found.slope[k] == Approx(difference).epsilon(tolerance), "variable " << k);
+        CHECK_MESSAGE(found.slope[k] == near(difference, tolerance), "variable " << k);
     }
 }
 
@@ -69,13 +69,13 @@ TEST_CASE("objectives of an exponential are those worked out by hand, with their
     const double a = 5e-5, tau = 1800, rate = 1e-6 / 3600 * 5;
     const auto course = exponential(a, tau);
     // |dE/dt| = a / tau exp(-t / tau) = rate; the steps of a minute shift it by (60 s)^2 / 24 tau = 0.08 s.
-    CHECK(warm_time(course, rate).value == Approx(tau * std::log(a / tau / rate)).epsilon(2e-4));
+    CHECK(warm_time(course, rate).value == near(tau * std::log(a / tau / rate), 2e-4));
     // Over 0..T: E^2 has the mean a^2 (1 - 2 tau/T (1 - e) + tau/2T (1 - e^2)), e = exp(-T / tau).
     const double t = 7200, e = std::exp(-t / tau);
     const double mean = a * a * (1 - 2 * tau / t * (1 - e) + tau / (2 * t) * (1 - e * e));
-    CHECK(drift_of(course, 0).value == Approx(std::sqrt(mean)).epsilon(1e-3));
+    CHECK(drift_of(course, 0).value == near(std::sqrt(mean), 1e-3));
     CHECK(ambient_effect(exponential(3 * a, tau), exponential(a, tau), 2, 0).value ==
-          Approx(drift_of(course, 0).value / 2).epsilon(1e-12));
+          near(drift_of(course, 0).value / 2, 1e-12));
     const auto shifted = [&](std::size_t k, double by) {
         return exponential(k == 0 ? a * (1 + by) : a, k == 1 ? tau * (1 + by) : tau);
     };
@@ -151,7 +151,7 @@ TEST_CASE("a divided segment takes as long as before, and its pieces start as it
     REQUIRE(pieces.size() == 3);
     CHECK(pieces[0].duration == 600);
     CHECK(pieces[1].duration == 900);
-    CHECK(pieces[2].duration == Approx(2100));
+    CHECK(pieces[2].duration == near(2100, 1e-5));
     CHECK(pieces[1].speed == input.operation[0].speed);
     CHECK(pieces[1].force == input.operation[0].force);
 }
@@ -173,14 +173,13 @@ TEST_CASE("a search finds the optimum that a scan finds, from all starts, under 
     const auto free = *run_optimise(smooth_press(), starter_press::press(), section, 1, quiet);
     CHECK(free.feasible);
     CHECK(free.minima == 1);
-    CHECK(free.optimum.operation[0].speed == Approx(4).epsilon(1e-6));
+    CHECK(free.optimum.operation[0].speed == near(4, 1e-6));
     CHECK(free.after.drift < free.before.drift);
-    CHECK(free.starts[free.best].minimum.value == Approx(free.after.drift).epsilon(1e-9));
+    CHECK(free.starts[free.best].minimum.value == near(free.after.drift, 1e-9));
 
     // The same drift by a run of the case at the optimum.
     const ForwardModel model(free.optimum, starter_press::press(), {}, {section.step, 1, nullptr});
-    CHECK(drift_of(gap_course(model, model.run({}, false, quiet)), 1200).value ==
-          Approx(free.after.drift).epsilon(1e-9));
+    CHECK(drift_of(gap_course(model, model.run({}, false, quiet)), 1200).value == near(free.after.drift, 1e-9));
 
     const auto slide = static_cast<std::size_t>(std::ranges::find(model.outputs(), "slide", &ForwardOutput::name) -
                                                 model.outputs().begin());
@@ -195,8 +194,8 @@ TEST_CASE("a search finds the optimum that a scan finds, from all starts, under 
     CHECK(kept.feasible);
     // The limit holds at 40 times from 3000 s on, of which the first is 15 s later, where the probe is warmer by 0.002
     // K.
-    CHECK(kept.optimum.operation[0].speed == Approx(6).epsilon(0.01));
-    CHECK(kept.after.extremes[0] == Approx(least).epsilon(1e-4));
+    CHECK(kept.optimum.operation[0].speed == near(6, 0.01));
+    CHECK(kept.after.extremes[0] == near(least, 1e-4));
     CHECK_FALSE(limited(400).feasible);
 }
 

@@ -3,6 +3,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 #include "starter_press.hpp"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 using namespace deadpoint;
 using namespace deadpoint::study;
 using casefile::VariedKeys;
-using doctest::Approx;
 
 namespace {
 
@@ -63,17 +63,16 @@ TEST_CASE("a range of values starts from its centre, and every share is a value 
 {
     auto input = starter_press::input();
     const auto varied = varied_case(input, {speed(4, 9), ambient(2), factor("oil", "oil.pins", 3)});
-    CHECK(input.operation[0].speed == Approx(6));  // geometric mean
+    CHECK(input.operation[0].speed == near(6, 1e-5));  // geometric mean
     const auto theta = thetas_at(varied.ranges, {1, 0.25, 0});
     const auto at = with_parameters(input, varied.parameters, theta);
-    CHECK(at.operation[0].speed == Approx(9).epsilon(1e-14));
-    CHECK(at.machine.ambient == Approx(input.machine.ambient - 1).epsilon(1e-14));
-    CHECK(at.oil.at("pins") == Approx(100).epsilon(1e-14));
+    CHECK(at.operation[0].speed == near(9, 1e-14));
+    CHECK(at.machine.ambient == near(input.machine.ambient - 1, 1e-14));
+    CHECK(at.oil.at("pins") == near(100, 1e-14));
     for (std::size_t k = 0; k < 3; ++k) {
         const double h = 1e-6;
-        CHECK(
-            varied.ranges[k].theta_slope(0.3) ==
-            Approx((varied.ranges[k].theta_at(0.3 + h) - varied.ranges[k].theta_at(0.3 - h)) / (2 * h)).epsilon(1e-8));
+        CHECK(varied.ranges[k].theta_slope(0.3) ==
+              near((varied.ranges[k].theta_at(0.3 + h) - varied.ranges[k].theta_at(0.3 - h)) / (2 * h), 1e-8));
     }
 }
 
@@ -95,7 +94,7 @@ TEST_CASE("figures at times, at the end and times to warm have the derivatives o
     const auto more = at(0.1 + h), less = at(0.1 - h);
     // The error of the differences is h^2 of the value; a kink of the straight pieces between rows of 30 s is missed.
     for (std::size_t f = 0; f < figures.size(); ++f)
-        CHECK(slopes[0][f] == Approx((more[f] - less[f]) / (2 * h)).epsilon(1e-4));
+        CHECK(slopes[0][f] == near((more[f] - less[f]) / (2 * h), 1e-4));
     CHECK(at(0.1)[2] > 1000);
     CHECK(at(0.1)[2] < 3600);
 }
@@ -119,11 +118,11 @@ TEST_CASE("the room explains a temperature that nothing else heats, and shares a
         if (figure.figure.kind == Figure::Kind::warm)
             continue;
         // Nearly a sum of three terms: interactions of some hundredths of the spread; 128 points give 0.05.
-        CHECK(first == Approx(1).epsilon(0.07));
-        CHECK(total == Approx(1).epsilon(0.07));
+        CHECK(first == near(1, 0.07));
+        CHECK(total == near(1, 0.07));
     }
     // The course at the end is the figure at the end.
-    CHECK(found.course[1].sobol.inputs[0].total.value == Approx(found.figures[0].sobol.inputs[0].total.value));
+    CHECK(found.course[1].sobol.inputs[0].total.value == near(found.figures[0].sobol.inputs[0].total.value, 1e-5));
 }
 
 TEST_CASE("Sobol' indices of a nearly linear figure are the squares of its derivatives, and Morris ranks alike")
@@ -146,10 +145,10 @@ TEST_CASE("Sobol' indices of a nearly linear figure are the squares of its deriv
         sum += of[0] * of[0];
     for (std::size_t k = 0; k < 3; ++k) {
         const double share = slopes[k][0] * slopes[k][0] / sum;
-        CHECK(end->sobol.inputs[k].total.value == Approx(share).scale(1).epsilon(0.05));
-        CHECK(end->sobol.inputs[k].first.value == Approx(share).scale(1).epsilon(0.05));
+        CHECK(end->sobol.inputs[k].total.value == near(share, 0.05, 0.05));
+        CHECK(end->sobol.inputs[k].first.value == near(share, 0.05, 0.05));
         // 12 / pi^2 of the index for a straight line, from 4 points.
-        CHECK(end->bound[k] == Approx(1.2159 * end->sobol.inputs[k].total.value).scale(1).epsilon(0.03));
+        CHECK(end->bound[k] == near(1.2159 * end->sobol.inputs[k].total.value, 0.03, 0.03));
     }
     wanted.method_name = "morris";
     wanted.gradients = 0;
@@ -158,7 +157,7 @@ TEST_CASE("Sobol' indices of a nearly linear figure are the squares of its deriv
     CHECK(screened.runs == 16);
     for (std::size_t k = 0; k < 3; ++k) {
         const auto& effect = screened.figures[0].morris[k];
-        CHECK(std::abs(effect.mean) == Approx(std::abs(slopes[k][0]) * 2 * std::log(1.1)).epsilon(0.05));
+        CHECK(std::abs(effect.mean) == near(std::abs(slopes[k][0]) * 2 * std::log(1.1), 0.05));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "deadpoint/machine/cad/cad_contacts.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -9,7 +10,6 @@
 
 using namespace machine_test;
 using namespace deadpoint::machine;
-using doctest::Approx;
 
 namespace {
 
@@ -47,8 +47,8 @@ TEST_CASE("planes that face each other share the area of their common outline")
 {
     const auto found = find_contacts(pair({square(0, 0.05, 1)}, {square(0.03, 0.0502, -1)}));
     REQUIRE(found.size() == 1);
-    CHECK(found[0].area == Approx(0.07 * 0.1).epsilon(1e-12));
-    CHECK(found[0].clearance == Approx(0.2e-3).epsilon(1e-9));
+    CHECK(found[0].area == near(0.07 * 0.1, 1e-12));
+    CHECK(found[0].clearance == near(0.2e-3, 1e-9));
     CHECK(find_contacts(pair({square(0, 0.05, 1)}, {square(0.03, 0.05, 1)})).empty());     // they look the same way
     CHECK(find_contacts(pair({square(0, 0.05, 1)}, {square(0.03, 0.052, -1)})).empty());   // 2 mm apart
     CHECK(find_contacts(pair({square(0, 0.05, 1)}, {square(0.2, 0.05, -1)})).empty());     // side by side
@@ -62,7 +62,7 @@ TEST_CASE("a hole in one of two planes carries nothing")
         .loops.push_back({{0.02, 0.02, 0}, {0.02, 0.05, 0}, {0.05, 0.05, 0}, {0.05, 0.02, 0}});
     const auto found = find_contacts(pair({holed}, {square(0, 0, -1)}));
     REQUIRE(found.size() == 1);
-    CHECK(found[0].area == Approx(0.01 - 0.03 * 0.03).epsilon(1e-12));
+    CHECK(found[0].area == near(0.01 - 0.03 * 0.03, 1e-12));
 }
 
 TEST_CASE("halves of cylinders in one bore count together, whatever their seams and directions")
@@ -78,9 +78,9 @@ TEST_CASE("halves of cylinders in one bore count together, whatever their seams 
     REQUIRE(found.size() == 1);
     CHECK(found[0].kind == CadContact::Kind::cylinder);
     CHECK(found[0].a == 0);  // the bore
-    CHECK(found[0].diameter == Approx(0.04));
-    CHECK(found[0].clearance == Approx(0.08e-3).epsilon(1e-9));
-    CHECK(found[0].area == Approx(2 * pi * 0.02 * 0.03).epsilon(1e-9));  // 30 mm of 40 mm lie in the bore
+    CHECK(found[0].diameter == near(0.04, 1e-5));
+    CHECK(found[0].clearance == near(0.08e-3, 1e-9));
+    CHECK(found[0].area == near(2 * pi * 0.02 * 0.03, 1e-9));  // 30 mm of 40 mm lie in the bore
     CHECK(find_contacts(pair({half_cylinder(0.02, true, 0, 0)}, {half_cylinder(0.02, true, 0, 0)})).empty());
     CHECK(find_contacts(pair({half_cylinder(0.021, true, 0, 0)}, {half_cylinder(0.02, false, 0, 0)}))
               .empty());  // 2 mm play
@@ -97,9 +97,9 @@ TEST_CASE("a ball in a socket is one contact, whatever faces it has")
     REQUIRE(found.size() == 1);
     CHECK(found[0].kind == CadContact::Kind::sphere);
     CHECK(found[0].a == 1);  // the socket
-    CHECK(found[0].diameter == Approx(0.08));
-    CHECK(found[0].clearance == Approx(1e-4).epsilon(1e-9));
-    CHECK(found[0].area == Approx(0.4 * 4 * pi * 0.04005 * 0.04005).epsilon(1e-12));
+    CHECK(found[0].diameter == near(0.08, 1e-5));
+    CHECK(found[0].clearance == near(1e-4, 1e-9));
+    CHECK(found[0].area == near(0.4 * 4 * pi * 0.04005 * 0.04005, 1e-12));
     CHECK(found[0].point == Vec3{0.1, 0.2, 0.3});
     CHECK(find_contacts(pair({face(0.04, false, 1)}, {face(0.04, false, 1)})).empty());  // two balls
     CHECK(find_contacts(pair({face(0.04, false, 1)}, {face(0.042, true, 1)})).empty());  // 4 mm of clearance
@@ -116,11 +116,10 @@ TEST_CASE("the solids of an assembly come with names, volumes and places")
         REQUIRE(found != model.solids.end());
         return *found;
     };
-    CHECK(solid("bolster").volume == Approx(0.5 * 0.06 * 0.4).epsilon(1e-9));
-    CHECK(solid("bearing_front_outer_ring").volume ==
-          Approx(pi * (0.0825 * 0.0825 - 0.072 * 0.072) * 0.052).epsilon(1e-9));
-    CHECK(solid("gib_left").bounds.min[0] == Approx(-0.22).epsilon(1e-9));
-    CHECK(solid("wrist_pin").bounds.max[2] == Approx(0.12).epsilon(1e-9));  // this one has a placement of its own
+    CHECK(solid("bolster").volume == near(0.5 * 0.06 * 0.4, 1e-9));
+    CHECK(solid("bearing_front_outer_ring").volume == near(pi * (0.0825 * 0.0825 - 0.072 * 0.072) * 0.052, 1e-9));
+    CHECK(solid("gib_left").bounds.min[0] == near(-0.22, 1e-9));
+    CHECK(solid("wrist_pin").bounds.max[2] == near(0.12, 1e-9));  // this one has a placement of its own
     CHECK(solid("bearing_front_outer_ring").faces.size() == 4);
 }
 
@@ -179,7 +178,7 @@ TEST_CASE("every contact of the drawn press is found, and no other")
         };
         REQUIRE(std::ranges::count_if(found, fits) == 1);
         // An oil hole of 8 or 10 mm diameter goes through some bores.
-        CHECK(std::ranges::find_if(found, fits)->area == Approx(expected.area).epsilon(0.005));
+        CHECK(std::ranges::find_if(found, fits)->area == near(expected.area, 0.005));
     }
     CHECK(found.size() == truth.size());
     // Across the gap of the rollers, 24 mm on the diameter, the rings of each bearing face each other.
@@ -212,8 +211,8 @@ TEST_CASE("a part names its solid")
 TEST_CASE("a stated unit counts instead of that of the file")
 {
     const CadModel inches = read(data + "/plate_with_hole.step", 0.0254);
-    CHECK(inches.scale == Approx(25.4).epsilon(1e-12));
-    CHECK(extent(inches) == Approx(2.54).epsilon(1e-9));  // 100 units
+    CHECK(inches.scale == near(25.4, 1e-12));
+    CHECK(extent(inches) == near(2.54, 1e-9));  // 100 units
     CHECK(read(data + "/plate_with_hole.step").scale == 1);
 }
 
@@ -240,7 +239,7 @@ TEST_CASE("small holes are left out before meshing, large ones stay")
     // Four holes of 12 mm, 40 mm deep; chords of the seat of 70 mm differ between the meshes by less than a twentieth
     // of that.
     const double holes = 4 * pi * 0.006 * 0.006 * 0.04;
-    CHECK(without.parts[0].volume - with.parts[0].volume == Approx(holes).epsilon(0.3));
+    CHECK(without.parts[0].volume - with.parts[0].volume == near(holes, 0.3));
 }
 
 TEST_CASE("a part may be turned from the axes of its file")
@@ -262,7 +261,7 @@ TEST_CASE("a part may be turned from the axes of its file")
             least[i] = std::min(least[i], node[i]);
         }
     }
-    CHECK(least[0] == Approx(-0.15).epsilon(1e-9));
-    CHECK(least[1] == Approx(-0.25).epsilon(1e-9));
-    CHECK(least[2] == Approx(-0.95).epsilon(1e-9));
+    CHECK(least[0] == near(-0.15, 1e-9));
+    CHECK(least[1] == near(-0.25, 1e-9));
+    CHECK(least[2] == near(-0.95, 1e-9));
 }

@@ -3,11 +3,11 @@
 #include "deadpoint/machine/geometry/polygon.hpp"
 #include "deadpoint/machine/parts/part_mesh.hpp"
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <cmath>
 
 using namespace machine_test;
-using doctest::Approx;
 
 namespace {
 
@@ -60,7 +60,7 @@ TEST_CASE("convex polygons are clipped exactly")
     const Polygon square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
     const Polygon diamond{{2, 1}, {3, 2}, {2, 3}, {1, 2}};
     const Polygon common = machine::intersection(square, diamond);
-    CHECK(machine::signed_area(common) == Approx(0.5).epsilon(1e-14));
+    CHECK(machine::signed_area(common) == near(0.5, 1e-14));
     CHECK(machine::intersection(square, {{5, 5}, {6, 5}, {6, 6}}).empty());
     std::vector<machine::PlanePoint> points;
     machine::append_points({{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}}, false, points);  // pentagon of area 5
@@ -70,9 +70,9 @@ TEST_CASE("convex polygons are clipped exactly")
         area += point.weight;
         moment += point.weight * point.position[0] * point.position[0];
     }
-    CHECK(area == Approx(5).epsilon(1e-14));
+    CHECK(area == near(5, 1e-14));
     // integral of x^2: 16/3 over the square, 11/2 over the tip: that of 2 x^2 (3 - x) from 2 to 3
-    CHECK(moment == Approx(16.0 / 3 + 11.0 / 2).epsilon(1e-13));
+    CHECK(moment == near(16.0 / 3 + 11.0 / 2, 1e-13));
     points.clear();
     machine::append_points({{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}}, true, points);
     moment = 0;
@@ -80,7 +80,7 @@ TEST_CASE("convex polygons are clipped exactly")
         moment += point.weight * std::pow(point.position[0], 4);
     }
     // integral of x^4: 64/5 over the square, that of 2 x^4 (3 - x) from 2 to 3, 473/15, over the tip
-    CHECK(moment == Approx(64.0 / 5 + 473.0 / 15).epsilon(1e-13));
+    CHECK(moment == near(64.0 / 5 + 473.0 / 15, 1e-13));
 }
 
 TEST_CASE("shifted rectangles touch over their exact overlap")
@@ -92,8 +92,8 @@ TEST_CASE("shifted rectangles touch over their exact overlap")
     REQUIRE(machine.bonds.size() == 1);
     const Contact& bond = machine.bonds[0];
     CHECK(bond.name == "lower|upper");
-    CHECK(bond.area == Approx(0.13 * 0.11).epsilon(1e-12));  // clipping is exact up to rounding
-    CHECK(summed(bond) == Approx(bond.area).epsilon(1e-12));
+    CHECK(bond.area == near(0.13 * 0.11, 1e-12));  // clipping is exact up to rounding
+    CHECK(summed(bond) == near(bond.area, 1e-12));
     CHECK(bond.max_gap < 1e-15);
     for (const ContactPoint& point : bond.points) {
         CHECK(point.normal == Vec3{0, 0, 1});
@@ -107,10 +107,10 @@ TEST_CASE("a pin in a bore touches over the area of the true cylinder on non-mat
     const Machine machine = build(pin_in_bore(-0.02, 0.09));
     REQUIRE(machine.interfaces.size() == 1);
     const Contact& contact = machine.interfaces[0];
-    CHECK(contact.area == Approx(pi * 0.08 * 0.06).epsilon(1e-9));
-    CHECK(contact.area_a == Approx(pi * 0.08 * 0.06).epsilon(1e-9));
-    CHECK(contact.area_b == Approx(pi * 0.08 * 0.11).epsilon(1e-9));
-    CHECK(contact.coverage() == Approx(1).epsilon(1e-9));
+    CHECK(contact.area == near(pi * 0.08 * 0.06, 1e-9));
+    CHECK(contact.area_a == near(pi * 0.08 * 0.06, 1e-9));
+    CHECK(contact.area_b == near(pi * 0.08 * 0.11, 1e-9));
+    CHECK(contact.coverage() == near(1, 1e-9));
     CHECK(machine.parts[contact.part_a].name == "eye");
     CHECK(machine.parts[contact.part_b].name == "pin");
     const double sagitta = 0.04 * (1 - std::cos(pi / 24));
@@ -118,7 +118,7 @@ TEST_CASE("a pin in a bore touches over the area of the true cylinder on non-mat
     Vec3 resultant{};
     for (const ContactPoint& point : contact.points) {
         const Vec3 arm{point.position_a[0] - 0.01, point.position_a[1] - 0.02, 0};
-        CHECK(norm(point.normal) == Approx(1).epsilon(1e-12));
+        CHECK(norm(point.normal) == near(1, 1e-12));
         CHECK(dot(point.normal, arm) < 0);  // out of the eye, into the pin
         CHECK(off_facet(machine, point.face_a, point.position_a) < 1e-9);
         CHECK(off_facet(machine, point.face_b, point.position_b) < 1e-9);
@@ -144,8 +144,8 @@ TEST_CASE("half of a bore in a half model")
     description.interfaces[0].a.centre = description.interfaces[0].b.centre = {0, 0.02};
     description.half_model = true;
     const Machine machine = build(description);
-    CHECK(machine.interfaces[0].area == Approx(0.5 * pi * 0.08 * 0.06).epsilon(1e-9));
-    CHECK(machine.interfaces[0].coverage() == Approx(1).epsilon(1e-9));
+    CHECK(machine.interfaces[0].area == near(0.5 * pi * 0.08 * 0.06, 1e-9));
+    CHECK(machine.interfaces[0].coverage() == near(1, 1e-9));
 }
 
 TEST_CASE("a side that is not covered is an error with both numbers and hints")
@@ -168,7 +168,7 @@ TEST_CASE("a side that is not covered is an error with both numbers and hints")
     CHECK(contains(loose, "0.0 %"));
     CHECK(contains(loose, "cylinder of diameter 79 mm along z about (10, 20) mm (0.5 mm away)"));
     other.interfaces[0].gap = 0.6e-3;
-    CHECK(build(other).interfaces[0].coverage() == Approx(1).epsilon(1e-9));
+    CHECK(build(other).interfaces[0].coverage() == near(1, 1e-9));
 }
 
 TEST_CASE("all faulty interfaces are reported at once, with what is there instead")
@@ -199,12 +199,12 @@ TEST_CASE("'within' clips contacts exactly")
     CHECK(contains(complaint(description), "66.7 %"));
     description.interfaces[0].a.within = BoxShape{{0.013, 0.02, 0.04}, {0.177, 0.12, 0.06}};
     const Machine machine = build(description);
-    CHECK(machine.interfaces[0].area == Approx(0.164 * 0.1).epsilon(1e-12));
-    CHECK(machine.interfaces[0].area_a == Approx(0.164 * 0.1).epsilon(1e-12));
+    CHECK(machine.interfaces[0].area == near(0.164 * 0.1, 1e-12));
+    CHECK(machine.interfaces[0].area_a == near(0.164 * 0.1, 1e-12));
 
     MachineDescription pin = pin_in_bore(-0.02, 0.04);
     pin.interfaces[0].a.within = BoxShape{{-1, -1, 0.005}, {1, 1, 0.033}};
-    CHECK(build(pin).interfaces[0].area == Approx(pi * 0.08 * 0.028).epsilon(1e-9));
+    CHECK(build(pin).interfaces[0].area == near(pi * 0.08 * 0.028, 1e-9));
 }
 
 TEST_CASE("a box takes shares of faces, on cylinders by the arc")
@@ -226,18 +226,17 @@ TEST_CASE("a box takes shares of faces, on cylinders by the arc")
     const auto right_of = [&](double x) {
         return BoxShape{{x, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}};
     };
-    CHECK(share(right_of(0.01)) == Approx(0.5).epsilon(1e-9));
-    CHECK(share(right_of(0.01 + 0.05 * std::cos(1.0))) == Approx(1 / pi).epsilon(1e-9));
+    CHECK(share(right_of(0.01)) == near(0.5, 1e-9));
+    CHECK(share(right_of(0.01 + 0.05 * std::cos(1.0))) == near(1 / pi, 1e-9));
     const auto strip = [&](double from, double to) {
         return BoxShape{{-everywhere, 0.02 + from, -everywhere}, {everywhere, 0.02 + to, everywhere}};
     };
-    CHECK(share(strip(-0.05 * std::sin(0.1), 0.05 * std::sin(0.2))) == Approx(2 * 0.3 / (2 * pi)).epsilon(1e-9));
+    CHECK(share(strip(-0.05 * std::sin(0.1), 0.05 * std::sin(0.2))) == near(2 * 0.3 / (2 * pi), 1e-9));
     // the cap left out lies within one face's sagitta
     const double cap = 0.05 * std::cos(0.06);
-    CHECK(share(strip(-0.06, cap)) == Approx(1 - 2 * 0.06 / (2 * pi)).epsilon(1e-9));
+    CHECK(share(strip(-0.06, cap)) == near(1 - 2 * 0.06 / (2 * pi), 1e-9));
     // along the axis, 17 of 60 mm, between the layers of cells
-    CHECK(share({{-everywhere, -everywhere, 0.013}, {everywhere, everywhere, 0.03}}) ==
-          Approx(17.0 / 60).epsilon(1e-9));
+    CHECK(share({{-everywhere, -everywhere, 0.013}, {everywhere, everywhere, 0.03}}) == near(17.0 / 60, 1e-9));
 }
 
 TEST_CASE("a box cuts planes that are inclined, and faces whose middle lies outside go by area alone")
@@ -250,7 +249,7 @@ TEST_CASE("a box cuts planes that are inclined, and faces whose middle lies outs
     left.selector.within = BoxShape{{0.001, 0.001, 0.001}, {0.113, 1, 0.099}};
     description.surfaces = {left};
     const Machine machine = build(description);
-    CHECK(machine.surfaces[0].area == Approx(0.112 * 5.0 / 3 * 0.098).epsilon(1e-9));
+    CHECK(machine.surfaces[0].area == near(0.112 * 5.0 / 3 * 0.098, 1e-9));
     for (const SurfaceFace& entry : machine.surfaces[0].faces) {
         const Face& face = machine.faces[entry.face];
         double middle = 0;
@@ -292,16 +291,16 @@ TEST_CASE("a plane that is inclined is selected by its normal and a point")
         return build(wedge(normal, point)).surfaces.at(0).area;
     };
     const double side = 0.5 * 0.1;
-    CHECK(area(tilted(0, 0), {0.3, 0, 0}) == Approx(side).epsilon(1e-9));
-    CHECK(area(-1.0 * tilted(0, 0), {0.15, 0.2, 0.07}) == Approx(side).epsilon(1e-9));
+    CHECK(area(tilted(0, 0), {0.3, 0, 0}) == near(side, 1e-9));
+    CHECK(area(-1.0 * tilted(0, 0), {0.15, 0.2, 0.07}) == near(side, 1e-9));
     // of the plane, though outside of the face
-    CHECK(area(tilted(0, 0), {0.6, -0.4, -3}) == Approx(side).epsilon(1e-9));
+    CHECK(area(tilted(0, 0), {0.6, -0.4, -3}) == near(side, 1e-9));
     // a direction within 1 mrad and a point within 10 um
     for (const double angle : {-0.9e-3, 0.9e-3}) {
-        CHECK(area(tilted(angle, 0), {0, 0.4, 0}) == Approx(side).epsilon(1e-9));
-        CHECK(area(tilted(0, angle), {0, 0.4, 0}) == Approx(side).epsilon(1e-9));
+        CHECK(area(tilted(angle, 0), {0, 0.4, 0}) == near(side, 1e-9));
+        CHECK(area(tilted(0, angle), {0, 0.4, 0}) == near(side, 1e-9));
     }
-    CHECK(area(tilted(0, 0), Vec3{0.3, 0, 0} + 9e-6 * tilted(0, 0)) == Approx(side).epsilon(1e-9));
+    CHECK(area(tilted(0, 0), Vec3{0.3, 0, 0} + 9e-6 * tilted(0, 0)) == near(side, 1e-9));
 }
 
 TEST_CASE("a plane of another direction or place than those of the parts is not found, and the message says what is")
@@ -327,8 +326,8 @@ TEST_CASE("a contact clipped to half of its cylinder has half of its area")
     MachineDescription description = pin_in_bore(0, 0.06);
     description.interfaces[0].a.within = BoxShape{{-1, 0.02 + 0.04 * std::sin(0.3), -1}, {1, 1, 1}};
     const Machine machine = build(description);
-    CHECK(machine.interfaces[0].area == Approx((pi - 0.6) * 0.04 * 0.06).epsilon(1e-9));
-    CHECK(machine.interfaces[0].coverage() == Approx(1).epsilon(1e-9));
+    CHECK(machine.interfaces[0].area == near((pi - 0.6) * 0.04 * 0.06, 1e-9));
+    CHECK(machine.interfaces[0].coverage() == near(1, 1e-9));
 }
 
 TEST_CASE("an interface joins one part to one part")
@@ -357,9 +356,9 @@ TEST_CASE("touching boxes of one body are bonded, others are not")
     const Machine machine = build(description);
     REQUIRE(machine.bonds.size() == 2);
     CHECK(machine.bonds[0].name == "foot|wall");
-    CHECK(machine.bonds[0].area == Approx(0.01).epsilon(1e-12));
+    CHECK(machine.bonds[0].area == near(0.01, 1e-12));
     CHECK(machine.bonds[1].name == "wall|shelf");
-    CHECK(machine.bonds[1].area == Approx(0.1 * 0.06).epsilon(1e-12));
+    CHECK(machine.bonds[1].area == near(0.1 * 0.06, 1e-12));
     CHECK(machine.floating_parts == std::vector<std::string>{"loose"});
     description.unbonded = {"shelf|w*"};
     const Machine apart = build(description);
@@ -404,7 +403,7 @@ TEST_CASE("exterior = exposed + contacts + bonds, and surfaces select")
     description.surfaces = {exposed, top, box};
     const Machine machine = build(description);
     REQUIRE(machine.bonds.size() == 1);
-    CHECK(machine.bonds[0].area == Approx(0.2 * 0.06).epsilon(1e-12));
+    CHECK(machine.bonds[0].area == near(0.2 * 0.06, 1e-12));
 
     // facets: the pin's side and the bore's are chords, so that their covered area is that of their facets
     const auto facets = [&](const std::string& name) {
@@ -417,19 +416,17 @@ TEST_CASE("exterior = exposed + contacts + bonds, and surfaces select")
         }
         return sum;
     };
-    CHECK(machine.parts[1].exterior_area - machine.parts[1].exposed_area ==
-          Approx(facets("eye") + 0.012).epsilon(1e-9));
-    CHECK(machine.parts[0].exterior_area - machine.parts[0].exposed_area ==
-          Approx(facets("pin") * 6 / 9).epsilon(1e-9));
-    CHECK(machine.parts[2].exterior_area - machine.parts[2].exposed_area == Approx(0.012).epsilon(1e-12));
+    CHECK(machine.parts[1].exterior_area - machine.parts[1].exposed_area == near(facets("eye") + 0.012, 1e-9));
+    CHECK(machine.parts[0].exterior_area - machine.parts[0].exposed_area == near(facets("pin") * 6 / 9, 1e-9));
+    CHECK(machine.parts[2].exterior_area - machine.parts[2].exposed_area == near(0.012, 1e-12));
     double open = 0;
     for (const MeshPart& p : machine.parts) {
         open += p.exposed_area;
     }
-    CHECK(machine.surfaces[0].area == Approx(open).epsilon(1e-12));
-    CHECK(machine.surfaces[1].area == Approx(0.09 * 0.1).epsilon(1e-12));
+    CHECK(machine.surfaces[0].area == near(open, 1e-12));
+    CHECK(machine.surfaces[1].area == near(0.09 * 0.1, 1e-12));
     // the undersides of block and eye, and of their upright faces a strip of 1 um
-    CHECK(machine.surfaces[2].area == Approx(0.095 * 0.2 + 1e-6 * 0.6).epsilon(1e-4));
+    CHECK(machine.surfaces[2].area == near(0.095 * 0.2 + 1e-6 * 0.6, 1e-4));
 
     description.surfaces = {{"none", on_plane("block", Axis::y, 0.125)}};
     CHECK(contains(complaint(description), "surface 'none': plane y = 125 mm of part 'block' matches no face; the "
@@ -449,8 +446,8 @@ TEST_CASE("tetrahedra and hexahedra are bonded over the exact area")
     const Machine machine = build(description);
     REQUIRE(machine.bonds.size() == 2);
     // the bore's polygon reaches neither: it stays 1 mm away from the tetrahedral block's edge at y = 50 mm
-    CHECK(machine.bonds[0].area == Approx(0.15 * 0.05).epsilon(1e-9));
-    CHECK(machine.bonds[1].area == Approx(pi * 0.06 * 0.05).epsilon(1e-7));  // nodes of the kernel's cylinder: 1e-8
+    CHECK(machine.bonds[0].area == near(0.15 * 0.05, 1e-9));
+    CHECK(machine.bonds[1].area == near(pi * 0.06 * 0.05, 1e-7));  // nodes of the kernel's cylinder: 1e-8
     for (const ContactPoint& point : machine.bonds[1].points) {
         CHECK(off_facet(machine, point.face_b, point.position_b) < 1e-6);
     }
@@ -466,5 +463,5 @@ TEST_CASE("interpenetrating parts are found with their depth")
     REQUIRE(machine.overlaps.size() == 1);
     CHECK(machine.overlaps[0].part_a == "plate");
     CHECK(machine.overlaps[0].part_b == "block");
-    CHECK(machine.overlaps[0].depth == Approx(0.003).epsilon(1e-9));
+    CHECK(machine.overlaps[0].depth == near(0.003, 1e-9));
 }

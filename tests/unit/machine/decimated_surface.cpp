@@ -2,12 +2,12 @@
 
 #include "deadpoint/exchange/decimated_surface.hpp"
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <map>
 
 using namespace machine_test;
-using doctest::Approx;
 
 namespace {
 
@@ -65,7 +65,7 @@ TEST_CASE("light surface: below the limit every face stays, with its area")
     const auto surface = machine::decimated_surface(whole, 1000000);
     CHECK(surface.grid == 0);
     CHECK(surface.triangles.size() == 2 * whole.faces.size());
-    CHECK(surface.parts[0].area == Approx(surface.parts[0].full_area).epsilon(1e-12));
+    CHECK(surface.parts[0].area == near(surface.parts[0].full_area, 1e-12));
     CHECK(closed(surface));
     for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
         const auto& [cell, corner] = surface.vertices[v];
@@ -84,8 +84,8 @@ TEST_CASE("light surface: a tenth of the triangles keeps area, volume, corners a
     CHECK(closed(surface));
     // Planes stay planes; the bore alone becomes a polygon, of eight sides at least: its 0.063 m2 of 0.52 m2 shrink by
     // 3 % at most, and the two planes around it grow by less.
-    CHECK(surface.parts[0].area == Approx(surface.parts[0].full_area).epsilon(0.02));
-    CHECK(volume(surface, 0) == Approx(whole.parts[0].volume).epsilon(0.01));
+    CHECK(surface.parts[0].area == near(surface.parts[0].full_area, 0.02));
+    CHECK(volume(surface, 0) == near(whole.parts[0].volume, 0.01));
     for (const double x : {-0.2, 0.2})
         for (const double y : {-0.15, 0.15})
             for (const double z : {0.0, 0.2})
@@ -104,8 +104,8 @@ TEST_CASE("light surface: boxes of the size of holes fold nothing over them")
     CHECK(surface.grid > 0.03);
     CHECK(closed(surface));
     // Polygons of eight sides at least for the holes: 10 % of 5 % of the planes, and 3 % of a fifth of bores.
-    CHECK(surface.parts[0].area == Approx(surface.parts[0].full_area).epsilon(0.015));
-    CHECK(volume(surface, 0) == Approx(whole.parts[0].volume).epsilon(0.015));
+    CHECK(surface.parts[0].area == near(surface.parts[0].full_area, 0.015));
+    CHECK(volume(surface, 0) == near(whole.parts[0].volume, 0.015));
 }
 
 TEST_CASE("light surface: walls and shafts thinner than the grid keep their thickness")
@@ -115,7 +115,7 @@ TEST_CASE("light surface: walls and shafts thinner than the grid keep their thic
     const auto surface = machine::decimated_surface(whole, 400);
     CHECK(surface.grid > 0.02);
     CHECK(surface.triangles.size() <= 400);
-    CHECK(volume(surface, 0) == Approx(whole.parts[0].volume).epsilon(1e-9));
+    CHECK(volume(surface, 0) == near(whole.parts[0].volume, 1e-9));
     // An octagon holds 0.90 of its circle. Nodes merged within its eighths move its corners by half an eighth at most.
     CHECK(volume(surface, 1) > 0.6 * whole.parts[1].volume);
     CHECK(volume(surface, 1) < 1.001 * whole.parts[1].volume);

@@ -1,5 +1,6 @@
 #include "../../scratch_folder.hpp"
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -9,7 +10,6 @@
 #include <sys/stat.h>
 
 using namespace machine_test;
-using doctest::Approx;
 
 namespace {
 
@@ -89,8 +89,8 @@ TEST_CASE("a STEP file keeps its unit and its surfaces")
         if (const auto* c = std::get_if<CylinderGeometry>(&geometry)) {
             ++bores;
             CHECK(c->bore);
-            CHECK(c->radius == Approx(0.015).epsilon(1e-7));
-            CHECK(c->point[0] == Approx(0.01).epsilon(1e-6));
+            CHECK(c->radius == near(0.015, 1e-7));
+            CHECK(c->point[0] == near(0.01, 1e-6));
         }
     }
     CHECK(bores == 1);
@@ -100,7 +100,7 @@ TEST_CASE("a STEP file keeps its unit and its surfaces")
     description.parts.push_back(part("pin", "b", {add(cylinder(Axis::z, {0.21, 0}, 0.03, 0.05, 0.2))}, 0.005));
     const Machine moved = build(description);
     REQUIRE(moved.bonds.size() == 1);
-    CHECK(moved.bonds[0].area == Approx(pi * 0.03 * 0.02).epsilon(1e-6));  // fitted radius
+    CHECK(moved.bonds[0].area == near(pi * 0.03 * 0.02, 1e-6));  // fitted radius
 
     MachineDescription half = imported(StepSource{path});
     half.half_model = true;
@@ -108,7 +108,7 @@ TEST_CASE("a STEP file keeps its unit and its surfaces")
     CHECK(cut_machine.parts[0].cut);
     // the hole reaches from x = -5 to 25 mm: what of it lies at x < 0 is a circular segment
     const double segment = 0.015 * 0.015 * std::acos(10.0 / 15) - 0.01 * std::sqrt(0.015 * 0.015 - 0.01 * 0.01);
-    CHECK(cut_machine.parts[0].volume == Approx((0.05 * 0.06 - segment) * 0.02).epsilon(0.002));  // chords again
+    CHECK(cut_machine.parts[0].volume == near((0.05 * 0.06 - segment) * 0.02, 0.002));  // chords again
 }
 
 TEST_CASE("a STEP file in metres is a thousand times larger")
@@ -122,7 +122,7 @@ TEST_CASE("a STEP file in metres is a thousand times larger")
     const TemporaryFile copy("metres.step", text);
     MachineDescription description = imported(StepSource{copy.path()});
     description.size = 10;
-    CHECK(build(description).parts[0].volume == Approx((100 * 60 - pi * 225) * 20).epsilon(0.005));
+    CHECK(build(description).parts[0].volume == near((100 * 60 - pi * 225) * 20, 0.005));
 }
 
 TEST_CASE("a Gmsh file of hexahedra is taken as it is")
@@ -134,16 +134,16 @@ TEST_CASE("a Gmsh file of hexahedra is taken as it is")
     CHECK(machine.parts[0].kind == CellKind::hexahedron);
     CHECK(machine.cells.size() == 3);
     CHECK(machine.nodes.size() == 16);
-    CHECK(machine.parts[0].volume == Approx(3e-6).epsilon(1e-12));
+    CHECK(machine.parts[0].volume == near(3e-6, 1e-12));
     CHECK(machine.geometries.size() == 6);  // planes, each recognised once
-    CHECK(machine.surfaces[0].area == Approx(1e-4).epsilon(1e-12));
+    CHECK(machine.surfaces[0].area == near(1e-4, 1e-12));
     CHECK(machine.surfaces[0].faces.size() == 1);
 
     // bonded to a box made here, over the exact area
     description.parts.push_back(part("box", "b", {add(BoxShape{{0.01, 0.002, 0.002}, {0.03, 0.02, 0.02}})}, 0.003));
     const Machine both = build(description);
     REQUIRE(both.bonds.size() == 1);
-    CHECK(both.bonds[0].area == Approx(0.008 * 0.008).epsilon(1e-9));
+    CHECK(both.bonds[0].area == near(0.008 * 0.008, 1e-9));
 
     description.surfaces = {{"end", in_group("top")}};
     CHECK(contains(complaint(description), "named groups there are: tip"));
@@ -160,7 +160,7 @@ TEST_CASE("a mesh of second order is taken by its corners")
     const Machine machine = build(imported(MeshSource{file.path(), 0.1}));
     CHECK(machine.cells.size() == 1);
     CHECK(machine.nodes.size() == 4);
-    CHECK(machine.parts[0].volume == Approx(1e-3 / 6).epsilon(1e-12));
+    CHECK(machine.parts[0].volume == near(1e-3 / 6, 1e-12));
 }
 
 TEST_CASE("a drawing in metres that should be in millimetres is refused before meshing")
@@ -176,7 +176,7 @@ TEST_CASE("a drawing in metres that should be in millimetres is refused before m
     StepSource corrected{copy.path()};
     corrected.unit = 1e-3;
     CHECK(machine::build_machine(imported(corrected), log).parts[0].volume ==
-          Approx((0.1 * 0.06 - pi * 0.015 * 0.015) * 0.02).epsilon(0.005));
+          near((0.1 * 0.06 - pi * 0.015 * 0.015) * 0.02, 0.005));
     REQUIRE(log.warnings.size() == 1);
     CHECK(contains(log.warnings[0], "makes it 1e-06 times as large as its file says"));
 }
@@ -209,13 +209,13 @@ TEST_CASE("planes and oblique cylinders of a mesh are recognised")
         if (const auto* c = std::get_if<CylinderGeometry>(&geometry)) {
             ++cylinders;
             CHECK(c->bore);
-            CHECK(c->radius == Approx(0.015).epsilon(1e-6));  // digits of the file
+            CHECK(c->radius == near(0.015, 1e-6));  // digits of the file
             CHECK(norm(cross(c->axis, axis)) < 1e-6);
         }
     }
     CHECK(cylinders == 1);
-    CHECK(machine.surfaces[0].area == Approx(pi * 0.03 * 0.02).epsilon(0.01));  // chords of 16 segments: 0.64 %
-    CHECK(machine.surfaces[0].area + machine.surfaces[1].area == Approx(machine.parts[0].exterior_area).epsilon(1e-12));
+    CHECK(machine.surfaces[0].area == near(pi * 0.03 * 0.02, 0.01));  // chords of 16 segments: 0.64 %
+    CHECK(machine.surfaces[0].area + machine.surfaces[1].area == near(machine.parts[0].exterior_area, 1e-12));
 }
 
 TEST_CASE("overlaps with imported parts are found through their cells")
@@ -225,7 +225,7 @@ TEST_CASE("overlaps with imported parts are found through their cells")
     description.parts.push_back(part("box", "c", {add(BoxShape{{0.008, 0.001, 0.001}, {0.03, 0.009, 0.009}})}, 0.004));
     const Machine machine = build(description);
     REQUIRE(machine.overlaps.size() == 1);
-    CHECK(machine.overlaps[0].depth == Approx(0.002).epsilon(1e-6));
+    CHECK(machine.overlaps[0].depth == near(0.002, 1e-6));
     std::get<std::vector<Shape>>(description.parts[1].source)[0].form =
         BoxShape{{0.01, 0.001, 0.001}, {0.03, 0.009, 0.009}};
     CHECK(build(description).overlaps.empty());

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 using namespace machine_test;
-using doctest::Approx;
 
 namespace {
 

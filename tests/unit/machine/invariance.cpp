@@ -1,4 +1,5 @@
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -270,6 +271,6 @@ TEST_CASE("a STEP part is cut by the plane of symmetry where it stands")
         low = std::min(low, node[0]);
         high = std::max(high, node[0]);
     }
-    CHECK(low == doctest::Approx(-0.09).epsilon(1e-9));
+    CHECK(low == near(-0.09, 1e-9));
     CHECK(high == 0);
 }

@@ -1,12 +1,12 @@
 #include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/parts/part_mesh.hpp"
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <set>
 
 using namespace machine_test;
-using doctest::Approx;
 
 namespace {
 
@@ -78,10 +78,10 @@ TEST_CASE("a box becomes a regular grid with the exact volume")
     REQUIRE(machine.parts.size() == 1);
     CHECK(machine.parts[0].cell_count == 12 * 4 * 2);
     CHECK(machine.nodes.size() == 13 * 5 * 3);
-    CHECK(machine.parts[0].volume == Approx(0.3 * 0.1 * 0.05).epsilon(1e-13));  // rounding only
-    CHECK(machine.parts[0].mass == Approx(1.5).epsilon(1e-13));
-    CHECK(machine.parts[0].min_quality == Approx(1).epsilon(1e-12));
-    CHECK(machine.parts[0].exterior_area == Approx(2 * (0.03 + 0.015 + 0.005)).epsilon(1e-13));
+    CHECK(machine.parts[0].volume == near(0.3 * 0.1 * 0.05, 1e-13));  // rounding only
+    CHECK(machine.parts[0].mass == near(1.5, 1e-13));
+    CHECK(machine.parts[0].min_quality == near(1, 1e-12));
+    CHECK(machine.parts[0].exterior_area == near(2 * (0.03 + 0.015 + 0.005), 1e-13));
     CHECK(machine.geometries.size() == 6);
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a cylinder loses what its inscribed polygon loses, on every axis")
         CHECK(machine.parts[0].volume >= exact * polygon_share(24) * (1 - 1e-9));  // at least 24 segments
         CHECK(worst_radius_error(machine) < 1e-12);
         CHECK(closure_error(machine) < 1e-14);
-        CHECK(volume_from_faces(machine) == Approx(machine.parts[0].volume).epsilon(1e-9));
+        CHECK(volume_from_faces(machine) == near(machine.parts[0].volume, 1e-9));
         CHECK(machine.parts[0].min_quality > 0.4);
     }
 }
@@ -114,7 +114,7 @@ TEST_CASE("a plate with a hole and an outline with a hole")
     bool bore = false;
     for (const FaceGeometry& geometry : machine.geometries) {
         if (const auto* c = std::get_if<CylinderGeometry>(&geometry)) {
-            bore = c->bore && c->radius == Approx(0.06);
+            bore = c->bore && c->radius == near(0.06, 1e-5);
         }
     }
     CHECK(bore);
@@ -126,7 +126,7 @@ TEST_CASE("a plate with a hole and an outline with a hole")
                          0.05};
     const Machine second = build(single({add(outline)}, 0.03));
     // pentagon 0.02 + 0.01, square hole 0.0025
-    CHECK(second.parts[0].volume == Approx((0.03 - 0.0025) * 0.05).epsilon(1e-9));
+    CHECK(second.parts[0].volume == near((0.03 - 0.0025) * 0.05, 1e-9));
     CHECK(second.parts[0].min_quality > 0.3);
 }
 
@@ -178,16 +178,16 @@ TEST_CASE("shapes apply in their order")
 {
     const BoxShape whole{{0, 0, 0}, {0.1, 0.1, 0.1}};
     const BoxShape half{{0, 0, 0}, {0.05, 0.1, 0.1}};
-    CHECK(build(single({add(whole), cut(half)}, 0.05)).parts[0].volume == Approx(0.5e-3).epsilon(1e-12));
-    CHECK(build(single({cut(half), add(whole)}, 0.05)).parts[0].volume == Approx(1e-3).epsilon(1e-12));
-    CHECK(build(single({add(whole), cut(half), add(half)}, 0.05)).parts[0].volume == Approx(1e-3).epsilon(1e-12));
+    CHECK(build(single({add(whole), cut(half)}, 0.05)).parts[0].volume == near(0.5e-3, 1e-12));
+    CHECK(build(single({cut(half), add(whole)}, 0.05)).parts[0].volume == near(1e-3, 1e-12));
+    CHECK(build(single({add(whole), cut(half), add(half)}, 0.05)).parts[0].volume == near(1e-3, 1e-12));
 }
 
 TEST_CASE("an imprint divides faces without changing the solid")
 {
     Shape mark{Shape::Operation::imprint, cylinder(Axis::z, {0, 0}, 0.1, 0, 0.02)};
     const Machine machine = build(single({add(BoxShape{{-0.1, -0.1, 0}, {0.1, 0.1, 0.02}}), mark}, 0.03));
-    CHECK(machine.parts[0].volume == Approx(0.04 * 0.02).epsilon(1e-9));
+    CHECK(machine.parts[0].volume == near(0.04 * 0.02, 1e-9));
     int on_circle = 0;
     for (const Vec3& node : machine.nodes) {
         on_circle += std::abs(std::hypot(node[0], node[1]) - 0.05) < 1e-9 ? 1 : 0;
@@ -212,7 +212,7 @@ TEST_CASE("a half model halves the volume and flags the symmetry plane")
         CAPTURE(i);
         CHECK(half.parts[i].cut);
         // both meshes inscribe polygons of at least 24 corners, but not the same ones
-        CHECK(half.parts[i].volume == Approx(0.5 * full.parts[i].volume).epsilon(0.012));
+        CHECK(half.parts[i].volume == near(0.5 * full.parts[i].volume, 0.012));
     }
     for (const Vec3& node : half.nodes) {
         CHECK(node[0] <= 0);
@@ -241,7 +241,7 @@ TEST_CASE("parts without a common axis, or on request, become tetrahedra")
     REQUIRE(log.infos.size() == 1);
     CHECK(contains(log.infos[0], "'p' gets tetrahedra: its shapes have no axis in common"));
     const double exact = 0.4 * 0.4 * 0.1 - std::numbers::pi * (0.05 * 0.05 * 0.1 + 0.5 * 0.05 * 0.05 * 0.4);
-    CHECK(machine.parts[0].volume == Approx(exact).epsilon(0.005));  // chords of 24 segments per circle
+    CHECK(machine.parts[0].volume == near(exact, 0.005));  // chords of 24 segments per circle
     CHECK(machine.parts[0].min_quality > 0.15);
     CHECK(closure_error(machine) < 1e-12);
     CHECK(worst_radius_error(machine) < 1e-8);
@@ -259,10 +259,10 @@ TEST_CASE("parts without a common axis, or on request, become tetrahedra")
     asked.half_model = true;
     const Machine half = build(asked);
     CHECK(half.parts[0].kind == CellKind::tetrahedron);
-    CHECK(half.parts[0].volume == Approx(0.008).epsilon(1e-9));
-    CHECK(faces_area(half, true) == Approx(0.04).epsilon(1e-9));
+    CHECK(half.parts[0].volume == near(0.008, 1e-9));
+    CHECK(faces_area(half, true) == near(0.04, 1e-9));
     // no interior face counts as exterior: bottom and top, two ends in z, one side left
-    CHECK(half.parts[0].exterior_area == Approx(2 * 0.2 * 0.4 + 2 * 0.2 * 0.1 + 0.4 * 0.1).epsilon(1e-9));
+    CHECK(half.parts[0].exterior_area == near(2 * 0.2 * 0.4 + 2 * 0.2 * 0.1 + 0.4 * 0.1, 1e-9));
 }
 
 TEST_CASE("quality tells flat from thin cells")
@@ -271,14 +271,14 @@ TEST_CASE("quality tells flat from thin cells")
     cell.kind = CellKind::tetrahedron;
     cell.nodes = {0, 1, 2, 3};
     const auto of = [&](const std::vector<Vec3>& nodes) { return machine::quality(cell, nodes); };
-    CHECK(of({{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}) == Approx(1).epsilon(1e-12));  // regular
+    CHECK(of({{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}) == near(1, 1e-12));  // regular
     // A corner of right angles has det = |a||b||c|, and sqrt(2) of that counts as 1, however thin the cell.
-    CHECK(of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) == Approx(1).epsilon(1e-12));
-    CHECK(of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-3}}) == Approx(1).epsilon(1e-12));
+    CHECK(of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) == near(1, 1e-12));
+    CHECK(of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-3}}) == near(1, 1e-12));
     // A square with two corners lifted by h: each corner has det 2 h and edges sqrt(2), twice sqrt(1 + h^2).
     const double h = 1e-3;
     CHECK(of({{0, 0, 0}, {1, 0, h}, {1, 1, 0}, {0, 1, h}}) ==
-          Approx(std::sqrt(2.0) * 2 * h / (std::sqrt(2.0) * (1 + h * h))).epsilon(1e-9));
+          near(std::sqrt(2.0) * 2 * h / (std::sqrt(2.0) * (1 + h * h)), 1e-9));
     CHECK(of({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}) < 0);  // inside out
 }
 
@@ -302,7 +302,7 @@ TEST_CASE("a way that gives bad cells is not the last one that is tried")
     bar.parts[0].tetrahedra = true;
     const Machine tetrahedra = build(bar);
     CHECK(tetrahedra.parts[0].min_quality > 0.1);
-    CHECK(tetrahedra.parts[0].volume == Approx(0.1 * 0.45 * 0.08));
+    CHECK(tetrahedra.parts[0].volume == near(0.1 * 0.45 * 0.08, 1e-5));
 }
 
 TEST_CASE("equal descriptions give identical machines")

@@ -4,13 +4,13 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/machine/parts/part_mesh.hpp"
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 using namespace machine_test;
-using doctest::Approx;
 
 namespace {
 
@@ -57,14 +57,14 @@ TEST_CASE("round edges: volumes and areas of a cylinder and of its bore, of eith
         const Machine machine = build(pin_in_eye(true, tetrahedra));
         const double disk = pi * radius * radius, block = 0.2 * 0.2;
         CHECK(chords.parts[0].volume < (1 - 1e-3) * disk * 0.06);
-        CHECK(machine.parts[0].volume == Approx(disk * 0.06).scale(0).epsilon(parabola));
-        CHECK(machine.parts[0].mass == Approx(1000 * machine.parts[0].volume).epsilon(1e-12));
-        CHECK(machine.parts[1].volume == Approx((block - disk) * 0.06).scale(0).epsilon(parabola));
-        CHECK(machine.surfaces[0].area == Approx(disk).scale(0).epsilon(parabola));
-        CHECK(machine.surfaces[1].area == Approx(2 * pi * radius * 0.06).scale(0).epsilon(parabola));
-        CHECK(machine.parts[0].exterior_area == Approx(2 * disk + 2 * pi * radius * 0.06).scale(0).epsilon(parabola));
+        CHECK(machine.parts[0].volume == near(disk * 0.06, parabola));
+        CHECK(machine.parts[0].mass == near(1000 * machine.parts[0].volume, 1e-12));
+        CHECK(machine.parts[1].volume == near((block - disk) * 0.06, parabola));
+        CHECK(machine.surfaces[0].area == near(disk, parabola));
+        CHECK(machine.surfaces[1].area == near(2 * pi * radius * 0.06, parabola));
+        CHECK(machine.parts[0].exterior_area == near(2 * disk + 2 * pi * radius * 0.06, parabola));
         // what touches is hidden to rounding
-        CHECK(machine.parts[0].exposed_area == Approx(2 * disk).scale(0).epsilon(parabola));
+        CHECK(machine.parts[0].exposed_area == near(2 * disk, parabola));
     }
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("round edges: their volume converges at fourth order")
         }
         count[i] = static_cast<double>(circle.size());
     }
-    CHECK(std::log(loss[0] / loss[1]) / std::log(count[1] / count[0]) == Approx(4).epsilon(0.05));
+    CHECK(std::log(loss[0] / loss[1]) / std::log(count[1] / count[0]) == near(4, 0.05));
 }
 
 TEST_CASE("round edges: a contact keeps its area, and its points lie on both faces where they meet")
@@ -93,11 +93,11 @@ TEST_CASE("round edges: a contact keeps its area, and its points lie on both fac
     for (const bool tetrahedra : {false, true}) {
         const Machine machine = build(pin_in_eye(true, tetrahedra, 0.008));
         const Contact& contact = machine.interfaces[0];
-        CHECK(contact.area == Approx(2 * pi * radius * 0.06).epsilon(1e-9));
+        CHECK(contact.area == near(2 * pi * radius * 0.06, 1e-9));
         CHECK(contact.max_gap < parabola * radius);
         for (const ContactPoint& point : contact.points) {
-            CHECK(from_axis(point.position_a) == Approx(radius).scale(0).epsilon(parabola));
-            CHECK(from_axis(point.position_b) == Approx(radius).scale(0).epsilon(parabola));
+            CHECK(from_axis(point.position_a) == near(radius, parabola));
+            CHECK(from_axis(point.position_b) == near(radius, parabola));
             CHECK(norm(point.position_a - point.position_b) < parabola * radius);
         }
     }
@@ -117,8 +117,8 @@ TEST_CASE("round edges: flat contacts between them count the true areas of their
     const Machine machine = build(description);
     REQUIRE(machine.bonds.size() == 1);
     // within what chords of a sixth of each edge leave out: 1.1e-2 / 36
-    CHECK(machine.bonds[0].area == Approx(pi * 0.04 * 0.04).scale(0).epsilon(4e-4));
-    CHECK(machine.bonds[0].coverage() == Approx(1).epsilon(4e-4));
+    CHECK(machine.bonds[0].area == near(pi * 0.04 * 0.04, 4e-4));
+    CHECK(machine.bonds[0].coverage() == near(1, 4e-4));
 }
 
 TEST_CASE("round edges: a cell too thin for them stays straight")

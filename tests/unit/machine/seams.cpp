@@ -1,10 +1,10 @@
 #include "deadpoint/machine/parts/part_mesh.hpp"
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <cmath>
 
 using namespace machine_test;
-using doctest::Approx;
 
 namespace {
 
@@ -49,8 +49,8 @@ void check_joined(const MachineDescription& description, double volume, double a
     const Machine machine = build(description);
     REQUIRE(machine.parts.size() == 1);
     CHECK(machine.parts[0].pieces == 1);
-    CHECK(machine.parts[0].volume == Approx(volume).epsilon(1e-3));
-    CHECK(free_area(machine) == Approx(area).epsilon(1e-3));
+    CHECK(machine.parts[0].volume == near(volume, 1e-3));
+    CHECK(free_area(machine) == near(area, 1e-3));
     CHECK(machine.parts[0].min_quality > 0.2);
 }
 
@@ -121,14 +121,14 @@ TEST_CASE("a cylinder on a box, along any axis, and a plug in a bore are one pie
             const Shape boss = add(cylinder(axis, {0, 0}, 0.03, 0.03 + gap * um, 0.07));
             Machine machine = build(single({block, boss}, 0.006));
             CHECK(machine.parts[0].pieces == 1);
-            CHECK(machine.parts[0].volume == Approx(volume).epsilon(2e-3));  // chords: 1.1 % of the boss
-            CHECK(free_area(machine) == Approx(area).epsilon(1e-3));
+            CHECK(machine.parts[0].volume == near(volume, 2e-3));  // chords: 1.1 % of the boss
+            CHECK(free_area(machine) == near(area, 1e-3));
         }
         const Shape plug = add(cylinder(Axis::z, {gap * um / 4, 0}, 0.03 - gap * um, -0.03, 0.03));
         const Machine filled = build(single({block, cut(cylinder(Axis::z, {0, 0}, 0.03, -0.03, 0.03)), plug}, 0.01));
         CHECK(filled.parts[0].pieces == 1);
-        CHECK(filled.parts[0].volume == Approx(std::pow(0.06, 3)).epsilon(1e-3));
-        CHECK(free_area(filled) == Approx(6 * 0.06 * 0.06).epsilon(1e-3));
+        CHECK(filled.parts[0].volume == near(std::pow(0.06, 3), 1e-3));
+        CHECK(free_area(filled) == near(6 * 0.06 * 0.06, 1e-3));
     }
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("in a half model a part that ends micrometres beside the plane of symm
         description.half_model = true;
         const Machine machine = build(description);
         CHECK(machine.parts[0].cut);
-        CHECK(machine.parts[0].volume == Approx(0.1 * 0.04 * 0.04).epsilon(1e-3));
+        CHECK(machine.parts[0].volume == near(0.1 * 0.04 * 0.04, 1e-3));
     }
 }
 

@@ -5,11 +5,11 @@
 #include "deadpoint/machine/assembly/build.hpp"
 #include "deadpoint/machine/parts/meshed_parts.hpp"
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 
 using namespace machine_test;
-using doctest::Approx;
 
 namespace {
 
@@ -61,7 +61,7 @@ TEST_CASE("the sketch of a machine without mistakes is the machine, with the fac
     // The bore is all of the pin's mantle: chords of 24 or more segments are up to 0.3 % shorter than the circle.
     const double mantle = std::numbers::pi * 0.04 * 0.06;
     for (const auto& side : sketch.interfaces[0].sides)
-        CHECK(area(sketch.machine, side) == Approx(mantle).epsilon(0.004));
+        CHECK(area(sketch.machine, side) == near(mantle, 0.004));
 }
 
 TEST_CASE("an interface without a face on one side keeps the faces of the other and is named")

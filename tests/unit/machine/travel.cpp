@@ -1,13 +1,13 @@
 /// Interfaces of bodies that slide along each other: contact spread over the stroke by the share of time.
 #include "deadpoint/machine/assembly/limits.hpp"
 #include "fixture.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 using namespace machine_test;
-using doctest::Approx;
 
 namespace {
 
@@ -119,18 +119,18 @@ TEST_CASE("a slider covers its guide by the share of time: constant speed gives 
     const Contact& contact = machine.interfaces[0];
     // the slider stays on the guide: the mean area is that of its face, whatever the stops
     const double whole = (top - bottom) * width;
-    CHECK(contact.area == Approx(whole).epsilon(1e-12));
-    CHECK(contact.drawn_area == Approx(whole).epsilon(1e-12));
-    CHECK(contact.least_area == Approx(whole).epsilon(1e-12));
-    CHECK(contact.stroke == Approx(stroke * 7 / 8).epsilon(1e-12));
-    CHECK(contact.coverage() == Approx(1).epsilon(1e-12));
+    CHECK(contact.area == near(whole, 1e-12));
+    CHECK(contact.drawn_area == near(whole, 1e-12));
+    CHECK(contact.least_area == near(whole, 1e-12));
+    CHECK(contact.stroke == near(stroke * 7 / 8, 1e-12));
+    CHECK(contact.coverage() == near(1, 1e-12));
     double sum = 0;
     for (const ContactPoint& point : contact.points) {
         sum += point.weight;
     }
-    CHECK(sum == Approx(contact.area).epsilon(1e-12));
-    CHECK(exposed(machine, "slider") == Approx(-whole).epsilon(1e-12));  // what is covered on one side is on the other
-    CHECK(exposed(machine, "guide") == Approx(-whole).epsilon(1e-12));
+    CHECK(sum == near(contact.area, 1e-12));
+    CHECK(exposed(machine, "slider") == near(-whole, 1e-12));  // what is covered on one side is on the other
+    CHECK(exposed(machine, "guide") == near(-whole, 1e-12));
     CHECK(contact.max_gap < 1e-15);
 
     // The stops replace a ramp of the profile by steps: a cumulative error of (stroke / N)^2 / 8 by stroke, at most.
@@ -215,10 +215,10 @@ TEST_CASE("a slide that leaves its guide on the way is reported, and must be on 
     Log log;
     const Machine machine = machine::build_machine(short_guide(top, travel), log);
     const Contact& contact = machine.interfaces[0];
-    CHECK(contact.area == Approx(0.5 * (0.2 + 0.15) * width).epsilon(1e-12));
-    CHECK(contact.least_coverage() == Approx(0.6).epsilon(1e-12));
-    CHECK(contact.coverage() == Approx(1).epsilon(1e-12));
-    CHECK(contact.stroke == Approx(0.08).epsilon(1e-12));
+    CHECK(contact.area == near(0.5 * (0.2 + 0.15) * width, 1e-12));
+    CHECK(contact.least_coverage() == near(0.6, 1e-12));
+    CHECK(contact.coverage() == near(1, 1e-12));
+    CHECK(contact.stroke == near(0.08, 1e-12));
     CHECK(log.warnings.empty());
     REQUIRE(log.infos.size() == 1);
     CHECK(contains(log.infos[0], "interface 'guide.face'"));
@@ -255,12 +255,12 @@ TEST_CASE("a pillar slides along its bush")
     description.interfaces = {interface};
     const Machine machine = build(description);
     const Contact& contact = machine.interfaces[0];
-    CHECK(contact.area == Approx(pi * 0.05 * 0.06).epsilon(1e-9));  // nodes of circles lie on them to rounding
+    CHECK(contact.area == near(pi * 0.05 * 0.06, 1e-9));  // nodes of circles lie on them to rounding
     double mean = 0;
     for (const ContactPoint& point : contact.points) {
         mean += point.weight * point.position_b[1] / contact.area;
     }
-    CHECK(mean == Approx(0.03 + 0.05).epsilon(1e-9));
+    CHECK(mean == near(0.03 + 0.05, 1e-9));
     interface.travel.stops[1].offset = {0.001, 0.1, 0};
     description.interfaces = {interface};
     CHECK(contains(complaint(description), "bore of diameter 50 mm"));

@@ -3,6 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
 #include "linkages.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -85,7 +86,7 @@ TEST_CASE("bottom dead point of the paper's linkage is at a crank angle of 270 d
     for (std::size_t j = 0; j < linkage.joints.size(); ++j)
         elsewhere.joints[j].centre = system.joint_centre(static_cast<int>(j), poses);
     const auto bottom = mechanism::bottom_dead_point(elsewhere);
-    CHECK(bottom.crank_angle == doctest::Approx(-1.2345).epsilon(1e-10));
+    CHECK(bottom.crank_angle == near(-1.2345, 1e-10));
     for (std::size_t j = 0; j < linkage.joints.size(); ++j)
         if (linkage.joints[j].kind == LinkageJoint::Kind::revolute)
             CHECK(norm(bottom.joint_centres[j] - linkage.joints[j].centre) < 1e-10);
@@ -96,11 +97,11 @@ TEST_CASE("slider-crank: lowest at inner or outer dead point, weight one along t
     Linkage linkage = linkages::slider_crank(0.025, 0.383);
     auto bottom = mechanism::bottom_dead_point(linkage);
     CHECK(std::abs(std::abs(bottom.crank_angle) - pi) < 1e-10);
-    CHECK(bottom.weight[0][0] == doctest::Approx(1.0));
+    CHECK(bottom.weight[0][0] == near(1.0, 1e-5));
     linkage.stroke_direction = {-1, 0};
     bottom = mechanism::bottom_dead_point(linkage);
     CHECK(std::abs(bottom.crank_angle) < 1e-10);
-    CHECK(bottom.joint_centres[2][0] == doctest::Approx(0.408));
+    CHECK(bottom.joint_centres[2][0] == near(0.408, 1e-5));
 }
 
 TEST_CASE("vertical shifts of the frame's pivots at bottom dead point")
@@ -109,9 +110,9 @@ TEST_CASE("vertical shifts of the frame's pivots at bottom dead point")
     const Linkage linkage = linkages::twelve_body(rows_of(0.24));
     const auto bottom = mechanism::bottom_dead_point(linkage);
     const auto vertical = [&](const char* name) { return bottom.weight[joint_named(linkage, name)][1]; };
-    CHECK(vertical("12") == doctest::Approx(0.1045).epsilon(5e-4));
-    CHECK(vertical("81") == doctest::Approx(0.987).epsilon(5e-4));
-    CHECK(vertical("61") == doctest::Approx(-0.091).epsilon(6e-3));
+    CHECK(vertical("12") == near(0.1045, 5e-4));
+    CHECK(vertical("81") == near(0.987, 5e-4));
+    CHECK(vertical("61") == near(-0.091, 6e-3));
     CHECK(std::abs(vertical("12") + vertical("81") + vertical("61") - 1) < 1e-13);
     for (const char* guide : {"guide_4", "guide_10", "guide_12"})
         CHECK(std::abs(vertical(guide)) < 1e-13);  // only shifts across the travel count
@@ -167,8 +168,8 @@ TEST_CASE("twenty kelvin on crank and links lower the slide")
     // it).
     const Linkage linkage = linkages::twelve_body(rows_of(0.24));
     const auto shifts = expanded(linkage, {"2", "3", "5", "6", "7", "8", "9", "11"}, 1.09e-5 * 20);
-    CHECK(1e6 * predicted(linkage, shifts) == doctest::Approx(-145.20).epsilon(4e-5));
-    CHECK(1e6 * lifted(linkage, shifts) == doctest::Approx(-144.96).epsilon(4e-5));
+    CHECK(1e6 * predicted(linkage, shifts) == near(-145.20, 4e-5));
+    CHECK(1e6 * lifted(linkage, shifts) == near(-144.96, 4e-5));
 }
 
 TEST_CASE("a uniform expansion of all bodies scales the machine")
@@ -199,7 +200,7 @@ TEST_CASE("a slide that is lowest twice in a turn: the place nearer to the assem
         // Lowest where r cos(angle) = r / 2, at +-60 degrees.
         const double nearer = assembled > 0 ? pi / 3 : -pi / 3;
         const auto bottom = mechanism::bottom_dead_point(linkage);
-        CHECK(bottom.crank_angle == doctest::Approx(nearer - assembled).epsilon(1e-9));
+        CHECK(bottom.crank_angle == near(nearer - assembled, 1e-9));
     }
 }
 

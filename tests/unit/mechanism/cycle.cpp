@@ -6,6 +6,7 @@
 #include "deadpoint/mechanism/turn.hpp"
 #include "driver_speed.hpp"
 #include "linkages.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -13,7 +14,6 @@
 #include <numbers>
 
 using namespace deadpoint;
-using doctest::Approx;
 using doctest::Contains;
 using mechanism::CycleRequest;
 
@@ -138,22 +138,22 @@ TEST_CASE("slider-crank: figures of the stroke against the closed form")
     const Linkage linkage = linkages::slider_crank(crank, rod);
     const CycleHistory history = run(request);
     const auto figures = mechanism::stroke_figures(linkage, request, history);
-    CHECK(figures.stroke == Approx(2 * crank).epsilon(1e-13));
+    CHECK(figures.stroke == near(2 * crank, 1e-13));
     CHECK(std::abs(std::remainder(figures.bottom_dead_point - pi, 2 * pi)) < 1e-11);
     CHECK(std::abs(std::remainder(figures.top_dead_point, 2 * pi)) < 1e-11);
-    CHECK(figures.largest_acceleration == Approx(crank * speed * speed * (1 + crank / rod)).epsilon(1e-12));
+    CHECK(figures.largest_acceleration == near(crank * speed * speed * (1 + crank / rod), 1e-12));
     // Height over the angle from inner dead point: (L - r) + h = sqrt(L^2 - s^2) - r cos; from the triangle of crank,
     // rod and the distance d = L - r + h of the wrist pin: cos = (d^2 + r^2 - L^2) / (2 r d), counted from outer.
     for (const auto& [share, height] : {std::pair{figures.dwell_10um, 10e-6}, {figures.dwell_100um, 100e-6}}) {
         const double d = rod - crank + height;
         const double from_outer = std::acos((d * d + crank * crank - rod * rod) / (2 * crank * d));
-        CHECK(share == Approx((pi - from_outer) / pi).epsilon(1e-9));
+        CHECK(share == near((pi - from_outer) / pi, 1e-9));
     }
     // Largest speed by fine search of the closed form, which is flat there: 1e-5 rad leaves 1e-10.
     double largest = 0;
     for (double theta = 1.3; theta < 1.7; theta += 1e-5)
         largest = std::max(largest, std::abs(ClosedForm(request, theta, speed, 0, 0, 0).velocity));
-    CHECK(figures.largest_speed == Approx(largest).epsilon(1e-9));
+    CHECK(figures.largest_speed == near(largest, 1e-9));
 }
 
 TEST_CASE("slider-crank: force ratio by the tangential force of the crank")
@@ -165,8 +165,8 @@ TEST_CASE("slider-crank: force ratio by the tangential force of the crank")
         // Tangential force at the pin by force in the rod: sin(theta - psi), rod force by slide force: 1 / cos psi.
         const double theta = ratio.past_bottom + pi;
         const double psi = std::asin(-crank * std::sin(theta) / rod);
-        CHECK(ratio.advantage == Approx(std::cos(psi) / std::abs(std::sin(theta - psi))).epsilon(1e-10));
-        CHECK(ratio.force_by_torque == Approx(ratio.advantage / crank));
+        CHECK(ratio.advantage == near(std::cos(psi) / std::abs(std::sin(theta - psi)), 1e-10));
+        CHECK(ratio.force_by_torque == near(ratio.advantage / crank, 1e-5));
     }
 }
 
@@ -177,8 +177,8 @@ TEST_CASE("work of the process appears as mean drive power")
     request.process_force = mechanism::force_over_height({0, 0.0049, 0.0051}, {3e4, 3e4, 0});
     request.positions = 3600;
     const auto drive = mechanism::drive_figures(run(request));
-    CHECK(drive.mean_power == Approx(500).epsilon(1e-4));  // sums over a force that jumps at bottom dead point
-    CHECK(drive.mean_torque == Approx(500 / speed).epsilon(1e-4));
+    CHECK(drive.mean_power == near(500, 1e-4));  // sums over a force that jumps at bottom dead point
+    CHECK(drive.mean_torque == near(500 / speed, 1e-4));
     CHECK(drive.rms_torque > drive.mean_torque);
 }
 
@@ -192,7 +192,7 @@ TEST_CASE("a speed that varies over the turn")
         request.speed_slope = [=](double a) { return speed * e * std::sin(a) / std::pow(1 + e * std::cos(a), 2); };
         const CycleHistory history = run(request);
         check_against_closed_form(request, history);
-        CHECK(history.period == Approx(2 * pi / speed).epsilon(1e-14));
+        CHECK(history.period == near(2 * pi / speed, 1e-14));
         for (std::size_t i = 0; i < history.time.size(); ++i) {
             const double angle = history.angle[i] - history.angle[0];
             CHECK(std::abs(history.time[i] - (angle + e * std::sin(angle)) / speed) < 1e-14);
@@ -210,20 +210,20 @@ TEST_CASE("a speed that varies over the turn")
         const CycleHistory history = run(request);
         check_against_closed_form(request, history);
         for (const auto& [angle, value] : {std::pair{-2.5, 20.0}, {-0.4, 23.0}, {0.3, 12.0}, {1.9, 17.0}})
-            CHECK(table.speed(angle) == Approx(value).epsilon(1e-14));
+            CHECK(table.speed(angle) == near(value, 1e-14));
         // Simpson's rule with steps of 2 pi / 1e6 on a curve with a continuous derivative: error below 1e-12.
         const int steps = 1000000;
         double period = 0;
         for (int i = 0; i < steps; ++i)
             period += (i % 2 == 0 ? 2.0 : 4.0) / 3 * (2 * pi / steps) / table.speed(-pi + 2 * pi * i / steps);
-        CHECK(history.period == Approx(period).epsilon(1e-11));
+        CHECK(history.period == near(period, 1e-11));
         for (double angle = -pi; angle < pi; angle += 0.01) {
             CHECK(table.speed(angle) >= 12 - 1e-12);
             CHECK(table.speed(angle) <= 23 + 1e-12);
             const double slope = (table.speed(angle + 1e-6) - table.speed(angle - 1e-6)) / 2e-6;
             CHECK(std::abs(table.slope(angle) - slope) < 1e-4);  // second derivatives up to some hundred, times 1e-6
         }
-        CHECK(table.speed(pi) == Approx(table.speed(-pi)).epsilon(1e-14));
+        CHECK(table.speed(pi) == near(table.speed(-pi), 1e-14));
         for (const double point : table.breaks)  // second derivatives up to some hundred, times 2e-9
             CHECK(std::abs(table.slope(point + 1e-9) - table.slope(point - 1e-9)) < 1e-5);
     }
@@ -234,7 +234,7 @@ TEST_CASE("a speed that varies over the turn")
         request.speed_slope = table.slope;
         const CycleHistory history = run(request);
         check_against_closed_form(request, history);
-        CHECK(history.period == Approx(2 * pi / speed).epsilon(1e-15));
+        CHECK(history.period == near(2 * pi / speed, 1e-15));
     }
 }
 
@@ -244,9 +244,9 @@ TEST_CASE("positions start at bottom dead point and are evenly spaced")
     CHECK(history.angle.size() == 72);
     CHECK(std::abs(std::abs(history.angle[0]) - pi) < 1e-10);
     for (std::size_t i = 0; i + 1 < history.angle.size(); ++i)
-        CHECK(history.angle[i + 1] - history.angle[i] == Approx(2 * pi / 72).epsilon(1e-13));
+        CHECK(history.angle[i + 1] - history.angle[i] == near(2 * pi / 72, 1e-13));
     CHECK(std::abs(history.height[0]) < 1e-15);
-    CHECK(history.time[36] == Approx(history.period / 2).epsilon(1e-14));
+    CHECK(history.time[36] == near(history.period / 2, 1e-14));
     // The crank's angle in its pose is the driver's.
     for (std::size_t i = 0; i < history.angle.size(); ++i)
         CHECK(std::abs(history.bodies[1].pose[i].angle - history.angle[i]) < 1e-12);

@@ -1,6 +1,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/mechanism/planar_system.hpp"
 #include "linkages.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -40,11 +41,10 @@ TEST_CASE("slider-crank: position, velocity and acceleration are those of the cl
         const auto poses = system.follow(system.assembled(), 0, row.angle * pi / 180);
         const PlanarMotion motion = system.motion(poses, speed);
         const Vec2 pin{0.408, 0};
-        CHECK(mechanism::place(poses[3], pin)[0] == doctest::Approx(row.position).epsilon(1e-8));
-        CHECK(mechanism::velocity_of(poses[3], motion.velocities[3], pin)[0] ==
-              doctest::Approx(row.velocity).epsilon(2e-9));
+        CHECK(mechanism::place(poses[3], pin)[0] == near(row.position, 1e-8));
+        CHECK(mechanism::velocity_of(poses[3], motion.velocities[3], pin)[0] == near(row.velocity, 2e-9));
         CHECK(mechanism::acceleration_of(poses[3], motion.velocities[3], motion.accelerations[3], pin)[0] ==
-              doctest::Approx(row.acceleration).epsilon(1e-6));
+              near(row.acceleration, 1e-6));
     }
 }
 
@@ -101,8 +101,8 @@ TEST_CASE("a slide carried by a moving body: rates agree with finite differences
         const double first = (after[body].angle - before[body].angle) / (2 * h);
         const double second = (after[body].angle - 2 * motion.poses[body].angle + before[body].angle) / (h * h);
         // Central differences: errors of order h^2 = 1e-8 and 1e-16/h^2 = 1e-8.
-        CHECK(motion.velocities[body].angle == doctest::Approx(first * speed).epsilon(1e-6));
-        CHECK(motion.accelerations[body].angle == doctest::Approx(second * speed * speed + first * 0.5).epsilon(1e-6));
+        CHECK(motion.velocities[body].angle == near(first * speed, 1e-6));
+        CHECK(motion.accelerations[body].angle == near(second * speed * speed + first * 0.5, 1e-6));
     }
 }
 

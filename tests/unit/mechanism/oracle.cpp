@@ -4,6 +4,7 @@
 #include "deadpoint/mechanism/mirror.hpp"
 #include "driver_speed.hpp"
 #include "linkages.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -284,20 +285,20 @@ TEST_CASE("whole press: stroke, dead points and largest values")
         const Press press(row["l5a"], row["rpm"], 0, 720);
         const CycleHistory history = press.run();
         const auto figures = mechanism::stroke_figures(press.full.linkage, press.request, history);
-        CHECK(figures.stroke == doctest::Approx(row["stroke10"].get<double>()).epsilon(1e-10));
+        CHECK(figures.stroke == near(row["stroke10"].get<double>(), 1e-10));
         CHECK(std::abs(figures.bottom_dead_point) < 1e-10);
-        CHECK(figures.top_dead_point == doctest::Approx(pi).epsilon(1e-10));
+        CHECK(figures.top_dead_point == near(pi, 1e-10));
 
         // The reference's extremes are those of its samples, which are every half degree as ours.
         const auto [low, high] =
             std::minmax_element(history.slide_acceleration.begin(), history.slide_acceleration.end());
-        CHECK(*high == doctest::Approx(row["a10_max"].get<double>()).epsilon(tolerance));
-        CHECK(*low == doctest::Approx(row["a10_min"].get<double>()).epsilon(tolerance));
+        CHECK(*high == near(row["a10_max"].get<double>(), tolerance));
+        CHECK(*low == near(row["a10_min"].get<double>(), tolerance));
         CHECK(*std::max_element(history.slide_speed.begin(), history.slide_speed.end()) ==
-              doctest::Approx(row["v10_peak"].get<double>()).epsilon(tolerance));
+              near(row["v10_peak"].get<double>(), tolerance));
         CHECK(figures.largest_speed >= row["v10_peak"].get<double>() * (1 - tolerance));
-        CHECK(figures.largest_speed == doctest::Approx(row["v10_peak"].get<double>()).epsilon(2e-5));
-        CHECK(figures.largest_acceleration == doctest::Approx(-row["a10_min"].get<double>()).epsilon(2e-5));
+        CHECK(figures.largest_speed == near(row["v10_peak"].get<double>(), 2e-5));
+        CHECK(figures.largest_acceleration == near(-row["a10_min"].get<double>(), 2e-5));
 
         double extremes[4] = {0, 0, 0, 0};
         for (const Vec2& force : history.joints[press.joint("23")].force) {
@@ -307,14 +308,14 @@ TEST_CASE("whole press: stroke, dead points and largest values")
             extremes[2] = std::min(extremes[2], force[1]);
             extremes[3] = std::max(extremes[3], force[1]);
         }
-        CHECK(extremes[0] == doctest::Approx(row["Fx32"][0].get<double>()).epsilon(tolerance));
-        CHECK(extremes[1] == doctest::Approx(row["Fx32"][1].get<double>()).epsilon(tolerance));
-        CHECK(extremes[2] == doctest::Approx(row["Fy32"][0].get<double>()).epsilon(tolerance));
-        CHECK(extremes[3] == doctest::Approx(row["Fy32"][1].get<double>()).epsilon(tolerance));
+        CHECK(extremes[0] == near(row["Fx32"][0].get<double>(), tolerance));
+        CHECK(extremes[1] == near(row["Fx32"][1].get<double>(), tolerance));
+        CHECK(extremes[2] == near(row["Fy32"][0].get<double>(), tolerance));
+        CHECK(extremes[3] == near(row["Fy32"][1].get<double>(), tolerance));
 
         const auto drive = mechanism::drive_figures(history);
-        CHECK(drive.rms_torque == doctest::Approx(row["torque"]["rms"].get<double>()).epsilon(tolerance));
-        CHECK(drive.peak_torque == doctest::Approx(row["torque"]["max"].get<double>()).epsilon(tolerance));
+        CHECK(drive.rms_torque == near(row["torque"]["rms"].get<double>(), tolerance));
+        CHECK(drive.peak_torque == near(row["torque"]["max"].get<double>(), tolerance));
         CHECK(std::abs(drive.mean_torque) < 1e-9 * drive.peak_torque);
         CHECK(std::abs(drive.mean_power) < 1e-9 * drive.peak_torque * history.speed[0]);
     }
@@ -325,9 +326,9 @@ TEST_CASE("whole press: height near bottom dead point and what the crank pin fee
     // Published: 0.043, 0.179 and 0.427 mm above bottom dead point at 10, 20 and 30 degrees, dy10/dy4 = 0.1045 there.
     const Press press(0.24, 200, 0, 360);
     const CycleHistory history = press.run();
-    CHECK(history.height[10] == doctest::Approx(0.043e-3).epsilon(0.01));
-    CHECK(history.height[20] == doctest::Approx(0.179e-3).epsilon(0.01));
-    CHECK(history.height[350] == doctest::Approx(0.043e-3).epsilon(0.01));
+    CHECK(history.height[10] == near(0.043e-3, 0.01));
+    CHECK(history.height[20] == near(0.179e-3, 0.01));
+    CHECK(history.height[350] == near(0.043e-3, 0.01));
     CHECK(std::abs(history.height[0]) < 1e-15);
 
     const auto figures = mechanism::stroke_figures(press.full.linkage, press.request, history);
@@ -340,14 +341,14 @@ TEST_CASE("whole press: height near bottom dead point and what the crank pin fee
             continue;
         // By central differences of the height over two degrees: error of second order, 2e-3.
         const double by_angle = (history.height[351] - history.height[349]) / (2 * pi / 180);
-        CHECK(ratio.force_by_torque == doctest::Approx(1 / std::abs(by_angle)).epsilon(2e-3));
-        CHECK(ratio.advantage == doctest::Approx(0.025 * ratio.force_by_torque));
+        CHECK(ratio.force_by_torque == near(1 / std::abs(by_angle), 2e-3));
+        CHECK(ratio.advantage == near(0.025 * ratio.force_by_torque, 1e-5));
     }
     // Ends of the dwell: symmetric about bottom dead point, at the height asked for.
     for (const auto& [share, height] : {std::pair{figures.dwell_10um, 10e-6}, {figures.dwell_100um, 100e-6}}) {
         const auto poses = system.follow(system.assembled(), 0, share * pi);
         const Vec2 point = mechanism::place(poses[press.full.linkage.slide_body], system.slide_point());
-        CHECK(point[1] - system.slide_point()[1] == doctest::Approx(height).epsilon(1e-9));
+        CHECK(point[1] - system.slide_point()[1] == near(height, 1e-9));
     }
 }
 
@@ -362,5 +363,5 @@ TEST_CASE("the half alone gives the same motion as the whole")
     // A shift of both halves counts as one of the half: the weights of pin and image add up to the half's.
     const int pin = press.joint("56");
     const int image = press.joint("56'");
-    CHECK(whole.weight[pin][1] + whole.weight[image][1] == doctest::Approx(alone.weight[pin][1]).epsilon(1e-9));
+    CHECK(whole.weight[pin][1] + whole.weight[image][1] == near(alone.weight[pin][1], 1e-9));
 }

@@ -6,6 +6,7 @@
 #include "deadpoint/reduce/offline/training.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "deadpoint/reduce/online/terms_file.hpp"
+#include "near.hpp"
 #include "rods.hpp"
 
 #include <algorithm>
@@ -15,7 +16,6 @@
 #include <iterator>
 #include <numeric>
 
-using doctest::Approx;
 using namespace deadpoint;
 using namespace deadpoint::reduce;
 
@@ -143,7 +143,7 @@ TEST_CASE("heat is conserved, and causes sum to the gap")
             return std::accumulate(values.begin(), values.end(), 0.0);
         };
         const double all = sum(causes.friction) + sum(causes.oil) + sum(causes.surfaces) + causes.start;
-        CHECK(all == Approx(history.functionals[0].value.back()).epsilon(1e-9).scale(1e-6));
+        CHECK(all == near(history.functionals[0].value.back(), 1e-9, 1e-9 * 1e-6));
     }
 }
 
@@ -166,13 +166,13 @@ TEST_CASE("an error in the first minute of a segment does not count, but at the 
     one.time = other.time = {0, 30, 100, 100, 130, 200};
     one.probes = {{{0, 5, 1, 1, 7, 1}, {0, 0, 0, 0, 0, 0}}};
     other.probes = {{{0, 0, 0.5, 0.5, 0, 0.75}, {0, 0, 0, 0, 0, 0}}};
-    CHECK(difference(one, other, SIZE_MAX).temperature == Approx(0.5));
+    CHECK(difference(one, other, SIZE_MAX).temperature == near(0.5, 1e-5));
     for (auto* run : {&one, &other}) {  // a last segment of 30 s: its end counts
         run->time.pop_back();
         run->probes[0].value.pop_back();
         run->probes[0].rate.pop_back();
     }
-    CHECK(difference(one, other, SIZE_MAX).temperature == Approx(7));
+    CHECK(difference(one, other, SIZE_MAX).temperature == near(7, 1e-5));
 }
 
 TEST_CASE("an error between two steps of one run is found at the steps of the other, whichever comes first")
@@ -182,8 +182,8 @@ TEST_CASE("an error between two steps of one run is found at the steps of the ot
     coarse.probes = {{{0, 0, 0}, {0, 0, 0}}};
     fine.time = {0, 100, 150, 200};
     fine.probes = {{{0, 0, 3, 0}, {0, 0, 0, 0}}};
-    CHECK(difference(coarse, fine, SIZE_MAX).temperature == Approx(3));
-    CHECK(difference(fine, coarse, SIZE_MAX).temperature == Approx(3));
+    CHECK(difference(coarse, fine, SIZE_MAX).temperature == near(3, 1e-5));
+    CHECK(difference(fine, coarse, SIZE_MAX).temperature == near(3, 1e-5));
 }
 
 TEST_CASE("terms survive their way into a file")

@@ -9,12 +9,12 @@
 #include "deadpoint/reduce/kept/build_checkpoint.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
+#include "near.hpp"
 #include "rods.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
-using doctest::Approx;
 using namespace deadpoint;
 using namespace deadpoint::reduce;
 
@@ -105,15 +105,15 @@ TEST_CASE("a joint's lowest coefficients are those of the corners where each is 
     // a: 300 to 30000, b: 200 to 20000, oil: 0 to 1500 W/m2/K
     CHECK(coefficients[0] == 0);
     CHECK(coefficients[1] == 0);
-    CHECK(coefficients[2] == Approx(300. * 200 / 2000).epsilon(1e-12));
-    CHECK(coefficients[4] == Approx(2.4).epsilon(1e-12));  // 0.2 of 12
+    CHECK(coefficients[2] == near(300. * 200 / 2000, 1e-12));
+    CHECK(coefficients[4] == near(2.4, 1e-12));  // 0.2 of 12
 
     auto box = rods::box();
     box[4].from = 0.5;  // oil: 150 to 1500
     const auto with_oil = coefficients_of(lowest_conduction(rods::problem(), box), HeatSegment{});
-    CHECK(with_oil[0] == Approx(300. * 150 / (300 + 20000 + 150)).epsilon(1e-12));
-    CHECK(with_oil[1] == Approx(200. * 150 / (200 + 30000 + 150)).epsilon(1e-12));
-    CHECK(with_oil[2] == Approx(300. * 200 / 2000).epsilon(1e-12));
+    CHECK(with_oil[0] == near(300. * 150 / (300 + 20000 + 150), 1e-12));
+    CHECK(with_oil[1] == near(200. * 150 / (200 + 30000 + 150), 1e-12));
+    CHECK(with_oil[2] == near(300. * 200 / 2000, 1e-12));
 }
 
 TEST_CASE("sizes of residuals are those of the full system, or a little above")
@@ -178,7 +178,7 @@ TEST_CASE("the bound of an output is the same beside how many others")
     const auto found = bounds(many);
     REQUIRE(found.size() == many.size());
     for (std::size_t k = 0; k < found.size(); ++k)
-        CHECK(found[k] == Approx(alone[k % 2]).epsilon(1e-9));  // rounding of sums of some thousand products
+        CHECK(found[k] == near(alone[k % 2], 1e-9));  // rounding of sums of some thousand products
 }
 
 TEST_CASE("a law that is not straight adds to the bound where it bends")
@@ -199,7 +199,7 @@ TEST_CASE("a law that is not straight adds to the bound where it bends")
     const double straight = bound_with(0, end), kinked = bound_with(0.1, end - 0.01);
     MESSAGE(straight << " " << kinked);
     CHECK(kinked > 1.2 * straight);
-    CHECK(bound_with(0.1, end + 20) == Approx(straight).epsilon(1e-9));  // more than 5 K from all temperatures
+    CHECK(bound_with(0.1, end + 20) == near(straight, 1e-9));  // more than 5 K from all temperatures
 }
 
 TEST_CASE("a law that jumps adds what its jump may heat")
@@ -222,7 +222,7 @@ TEST_CASE("a law that jumps adds what its jump may heat")
     const double none = bound_with(0), once = bound_with(0.01), twice = bound_with(0.02);
     MESSAGE(none << " " << once << " " << twice);
     CHECK(once > 1.2 * none);
-    CHECK(twice - none == Approx(2 * (once - none)).epsilon(0.1));
+    CHECK(twice - none == near(2 * (once - none), 0.1));
 }
 
 TEST_CASE("no error that falling heat allows makes more of bent laws than their bound")
@@ -264,8 +264,8 @@ TEST_CASE("no error that falling heat allows makes more of bent laws than their 
         CHECK(bound <= 3 * largest);  // each of the two parts is reached by some errors; both together hardly
     }
     CHECK(largest_of_bent({}, 1) == 0);
-    CHECK(largest_of_bent({{10, 0.5, 4, 1e9, 2}}, 7) == Approx(0.5 * 4 / 2. / 2 * 7));              // by its curvature
-    CHECK(largest_of_bent({{10, 0.5, 1e9, 3, 2}}, 7) == Approx(0.5 * 3 * std::sqrt(10 / 2. * 7)));  // by its bend
+    CHECK(largest_of_bent({{10, 0.5, 4, 1e9, 2}}, 7) == near(0.5 * 4 / 2. / 2 * 7, 1e-5));  // by its curvature
+    CHECK(largest_of_bent({{10, 0.5, 1e9, 3, 2}}, 7) == near(0.5 * 3 * std::sqrt(10 / 2. * 7), 1e-5));  // by its bend
 }
 
 TEST_CASE("what the vectors of the terms leave out is in the remainder")
@@ -347,7 +347,7 @@ TEST_CASE("a certificate that went through its file gives the same bounds")
     const auto before = certify(models.large, *models.residual, rods::problem(), large.time, outputs());
     const auto after = certify(models.large, again, rods::problem(), large.time, outputs());
     for (std::size_t k = 0; k < outputs().size(); ++k)
-        CHECK(after.bounds[k] == Approx(before.bounds[k]).epsilon(1e-4));  // 32 bits a number
+        CHECK(after.bounds[k] == near(before.bounds[k], 1e-4));  // 32 bits a number
     auto cut = stored(*models.residual);
     cut.root.pop_back();
     CHECK_THROWS_AS(restored(cut), InputError);

@@ -1,6 +1,7 @@
 #include "deadpoint/reduce/sensitivity/sensitivity.hpp"
 
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 #include "subjects.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <string>
 #include <utility>
 
-using doctest::Approx;
 using namespace deadpoint;
 using namespace deadpoint::reduce;
 using subjects::bearings;
@@ -212,7 +212,7 @@ void check_change(const Subject& subject, const Change& change)
     for (std::size_t o = 0; o < outputs.size(); ++o) {
         CHECK(error_of(found[0][o], run, outputs[o], expected) < 1e-6);
         for (const std::size_t row : {std::size_t{0}, rows / 2, rows - 1})
-            CHECK(gradient(run, along, outputs[o], row)[0] == Approx(found[0][o][row]).epsilon(1e-10));
+            CHECK(gradient(run, along, outputs[o], row)[0] == near(found[0][o][row], 1e-10));
     }
 }
 
@@ -332,7 +332,7 @@ TEST_CASE("the gradient of an objective over outputs and times is the weighted s
         for (std::size_t o = 0; o < outputs.size(); ++o)
             for (std::size_t row = 0; row < run.history.time.size(); ++row)
                 expected += weights(static_cast<Eigen::Index>(o), static_cast<Eigen::Index>(row)) * found[k][o][row];
-        CHECK(back[k] == Approx(expected).epsilon(1e-11));
+        CHECK(back[k] == near(expected, 1e-11));
     }
 }
 
@@ -396,9 +396,9 @@ TEST_CASE("one lump with one film: the derivative of the steps' own formula, and
     for (const int k : {1, 2, 7}) {
         const double by_end = -rise / factor * (1 - std::pow(ratio, k));
         const double by_ratio = k * std::pow(ratio, k - 1) * ratio_by_u * u / factor * (start - ambient - rise);
-        CHECK(found[static_cast<std::size_t>(k)] == Approx(by_end + by_ratio).epsilon(1e-12));
+        CHECK(found[static_cast<std::size_t>(k)] == near(by_end + by_ratio, 1e-12));
     }
-    CHECK(found.back() == Approx(-rise / factor).epsilon(1e-12));  // after 60 time constants
+    CHECK(found.back() == near(-rise / factor, 1e-12));  // after 60 time constants
     CHECK(found.front() == 0);
 }
 

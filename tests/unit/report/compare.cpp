@@ -12,6 +12,7 @@
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
 #include "deadpoint/study/result/histories.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>
@@ -56,13 +57,13 @@ TEST_CASE("a result folder is read back: rises, chain in metres, every number of
     const Folder folder;
     const auto run = read_result(folder.path);
     CHECK(run.machine == "press");
-    CHECK(run.initial_temperature == doctest::Approx(293.15));
+    CHECK(run.initial_temperature == near(293.15, 1e-5));
     CHECK(run.time == std::vector<double>{0, 3600});
     REQUIRE(run.probes == std::vector<std::string>{"top"});
-    CHECK(run.rises.at("top")[1] == doctest::Approx(2));
+    CHECK(run.rises.at("top")[1] == near(2, 1e-5));
     CHECK(run.rises.size() == 1);  // joints are no probes
     CHECK(run.chain.size() == 2);
-    CHECK(run.chain.at("E_SW")[1] == doctest::Approx(-7.5e-6));
+    CHECK(run.chain.at("E_SW")[1] == near(-7.5e-6, 1e-5));
     CHECK(run.has_loads);
     CHECK(run.loads.size() == 3);
     CHECK(run.loads.at("seats.B.mean_N.1") == -2);
@@ -145,7 +146,7 @@ TEST_CASE("the comparison as text, page and JSON: shown units, signs, baselines,
     CHECK(has(page, "| chain: dial | um | 1 | 2.500 | -2.500 | -2.500 (E_SW at the end) | 5.000 | - | predicted |"));
     CHECK(has(page, "- top at 1 h: read by eye | twice\n"));
     const auto json = nlohmann::json::parse(folder.content("compare.json"));
-    CHECK(json.at("values").at(1).at("error").get<double>() == doctest::Approx(-2.5));
+    CHECK(json.at("values").at(1).at("error").get<double>() == near(-2.5, 1e-5));
     CHECK(json.at("values").at(0).at("calibrated") == true);
     CHECK(json.at("sets").size() == 2);
     CHECK(json.at("claims").at(0).at("verdict") == "does not hold");

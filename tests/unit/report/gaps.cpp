@@ -3,11 +3,11 @@
 #include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/report/files/gaps_files.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -64,17 +64,17 @@ TEST_CASE("corners of a half model have their mirror images, and slopes are diff
     CHECK(corners[1].name == "front right");
     CHECK(corners[1].x == 0.3);
     CHECK(corners[3].name == "back right");
-    CHECK(corners[3].gap.value.back() == Approx(-70e-6));
+    CHECK(corners[3].gap.value.back() == near(-70e-6, 1e-5));
     // (-80 - (-120)) um over 0.4 m at the end
-    CHECK(gaps.parallelism->front_back.value.back() == Approx(100e-6));
-    CHECK(gaps.parallelism->front_back.rate.back() == Approx(1e-6));
+    CHECK(gaps.parallelism->front_back.value.back() == near(100e-6, 1e-5));
+    CHECK(gaps.parallelism->front_back.rate.back() == near(1e-6, 1e-5));
     CHECK(gaps.parallelism->left_right.value.back() == 0);
 }
 
 TEST_CASE("the force rises by the stiffness of the press as the gap closes")
 {
     auto fixture = Fixture();
-    CHECK(fixture.series().force->value.back() == Approx(2e9 * 100e-6));
+    CHECK(fixture.series().force->value.back() == near(2e9 * 100e-6, 1e-5));
     fixture.input.chain->press_stiffness.reset();
     CHECK_FALSE(fixture.series().force);
 }
@@ -84,7 +84,7 @@ TEST_CASE("a stated clearance is used up when its change has eaten it, and said 
     const auto gaps = Fixture().series();
     REQUIRE(gaps.clearances.size() == 2);
     // 50 um at 2 um/s
-    CHECK(gaps.clearances[0].used_up.value() == Approx(25));
+    CHECK(gaps.clearances[0].used_up.value() == near(25, 1e-5));
     CHECK_FALSE(gaps.clearances[1].initial);
     CHECK_FALSE(gaps.clearances[1].used_up);
     const auto warnings = study::gap_warnings(gaps);
@@ -112,14 +112,14 @@ TEST_CASE("gaps in files and text: units, signs, what is not followed is left ou
         const auto& [name, unit, value] = wanted[i];
         CHECK(columns[i].name == name);
         CHECK(columns[i].unit == unit);
-        CHECK(std::get<std::vector<double>>(columns[i].values).front() == Approx(value));
+        CHECK(std::get<std::vector<double>>(columns[i].values).front() == near(value, 1e-5));
     }
     const auto json = report::gaps_json(gaps, fixture.history.time);
-    CHECK(json["parallelism"]["corners"]["front left"]["largest_um"].get<double>() == Approx(-110));
-    CHECK(json["clearances"][0]["least_um"].get<double>() == Approx(-150));
-    CHECK(json["clearances"][0]["used_up_s"].get<double>() == Approx(25));
+    CHECK(json["parallelism"]["corners"]["front left"]["largest_um"].get<double>() == near(-110, 1e-5));
+    CHECK(json["clearances"][0]["least_um"].get<double>() == near(-150, 1e-5));
+    CHECK(json["clearances"][0]["used_up_s"].get<double>() == near(25, 1e-5));
     CHECK_FALSE(json["clearances"][1].contains("initial_um"));
-    CHECK(json["force"]["largest_kN"].get<double>() == Approx(200));
+    CHECK(json["force"]["largest_kN"].get<double>() == near(200, 1e-5));
     CHECK(report::gaps_text(gaps, fixture.history.time) ==
           "  slide against table at the end: left to right +0.0 um/m, front to back +100.0 um/m\n"
           "  clearances that close most at the end: guide -200.0 (least -150.0 of 50.0), pin +30.0 um\n"

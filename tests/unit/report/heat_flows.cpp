@@ -2,11 +2,11 @@
 
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/study/result/run_result.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -33,14 +33,14 @@ TEST_CASE(
     REQUIRE(columns.size() == 4);
     CHECK(columns[0].name == "air crank_case temperature");
     CHECK(columns[0].unit == "degC");
-    CHECK(last(columns[0]) == Approx(40));
+    CHECK(last(columns[0]) == near(40, 1e-5));
     CHECK(columns[1].name == "air crank_case heat from surfaces");
     CHECK(last(columns[1]) == 80);
     CHECK(last(columns[2]) == 60);
     CHECK(columns[3].name == "air crank_case heat to room");
     CHECK(last(columns[3]) == 130);
     const auto json = report::heat_flows_json(result);
-    CHECK(json["enclosures"]["crank_case"]["temperature_degC"].get<double>() == Approx(40));
+    CHECK(json["enclosures"]["crank_case"]["temperature_degC"].get<double>() == near(40, 1e-5));
     CHECK(json["enclosures"]["crank_case"]["to_room_W"] == 130);
     CHECK(report::heat_flows_text(result) ==
           "  air in crank_case: 40.0 degC, 80 W from its surfaces and 60 W of its own, 130 W to the room\n");

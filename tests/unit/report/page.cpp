@@ -6,6 +6,7 @@
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/sweep_page.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -76,7 +77,7 @@ TEST_CASE("quantised values are off by at most half a step, and the ends by noth
         value = somewhere(random);
     const auto [low, high] = std::ranges::minmax(values);
     const auto q = quantise(values);
-    CHECK(q.step == doctest::Approx((high - low) / 65535));
+    CHECK(q.step == near((high - low) / 65535, 1e-5));
     for (std::size_t i = 0; i < values.size(); ++i)
         REQUIRE(std::abs(q.low + q.step * q.numbers[i] - values[i]) <= 0.5000001 * q.step);
     CHECK(*std::ranges::max_element(q.numbers) == 65535);

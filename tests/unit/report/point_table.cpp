@@ -6,13 +6,13 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/charts/sweep_figures.hpp"
 #include "everything.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
 using namespace deadpoint::report;
 using namespace everything;
-using doctest::Approx;
 using State = study::PointOutcome::State;
 
 namespace {
@@ -67,10 +67,10 @@ TEST_CASE("rows come back as they were written, those before the first result to
     REQUIRE(rows[2].record);
     CHECK(rows[2].record->hash == record().hash);
     const auto found = sweep_figures(*rows[2].record), wanted = sweep_figures(long_record());
-    CHECK(found.drift->largest == Approx(wanted.drift->largest).epsilon(1e-8));  // nine digits
+    CHECK(found.drift->largest == near(wanted.drift->largest, 1e-8));  // nine digits
     CHECK(found.drift->largest_time == 1800);
-    CHECK(found.drift->final == Approx(wanted.drift->final).epsilon(1e-8));
-    CHECK(found.drift->gap->range == Approx(wanted.drift->gap->range).epsilon(1e-8));
+    CHECK(found.drift->final == near(wanted.drift->final, 1e-8));
+    CHECK(found.drift->gap->range == near(wanted.drift->gap->range, 1e-8));
     CHECK(found.rises == wanted.rises);
     CHECK(found.joint_heat == wanted.joint_heat);
     CHECK(found.bearing_forces == wanted.bearing_forces);

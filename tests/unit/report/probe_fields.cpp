@@ -6,6 +6,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/vtu.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 
@@ -108,18 +109,16 @@ TEST_CASE("a linear field is exact at any place, from the file of one rank or of
         for (const std::size_t k : {0U, 1U}) {
             const double time = fields.times[k];
             // Files hold floats: 4e-6 of 40 degC at most.
-            CHECK(fields.places[0].temperature[k] ==
-                  doctest::Approx(celsius({0.013, 0.007, 0.0115}, time)).epsilon(1e-6));
-            CHECK(fields.places[1].temperature[k] ==
-                  doctest::Approx(celsius({0.105, 0.004, 0.003}, time)).epsilon(1e-6));
-            CHECK(fields.places[0].displacement[k][0] == doctest::Approx(0.007).epsilon(1e-6));
-            CHECK(fields.places[0].displacement[k][1] == doctest::Approx(time).epsilon(1e-6));
+            CHECK(fields.places[0].temperature[k] == near(celsius({0.013, 0.007, 0.0115}, time), 1e-6));
+            CHECK(fields.places[1].temperature[k] == near(celsius({0.105, 0.004, 0.003}, time), 1e-6));
+            CHECK(fields.places[0].displacement[k][0] == near(0.007, 1e-6));
+            CHECK(fields.places[0].displacement[k][1] == near(time, 1e-6));
         }
         const auto columns = report::probe_columns(fields);
         REQUIRE(columns.size() == 9);
         CHECK(columns[5].name == "in temperature");
         CHECK(columns[4].unit == "um");
-        CHECK(std::get<std::vector<double>>(columns[4].values)[0] == doctest::Approx(-1000));
+        CHECK(std::get<std::vector<double>>(columns[4].values)[0] == near(-1000, 1e-5));
     }
 }
 
@@ -129,8 +128,8 @@ TEST_CASE("a place little outside takes the nearest one in a cell, a place farth
     write_results(folder, false);
     report::write_manifest(folder.path);
     const auto near = probed(folder, {"wedge,105 mm,5 mm,-1 mm"});  // 1 mm of a cell of 30 mm
-    CHECK(near.places[0].outside == doctest::Approx(1e-3));
-    CHECK(near.places[0].temperature[0] == doctest::Approx(celsius({0.105, 0.005, 0}, 600)).epsilon(1e-6));
+    CHECK(near.places[0].outside == near(1e-3, 1e-5));
+    CHECK(near.places[0].temperature[0] == near(celsius({0.105, 0.005, 0}, 600), 1e-6));
     const auto far = messages::error_of([&] { probed(folder, {"wedge,105 mm,5 mm,-8 mm"}); });
     CHECK(far.find("8 mm outside of part 'wedge'") != std::string::npos);
     CHECK(far.find("its nearest place is 105 mm,5 mm,0 mm") != std::string::npos);

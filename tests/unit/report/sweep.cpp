@@ -8,6 +8,7 @@
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -129,11 +130,11 @@ TEST_CASE("a run's figures: largest drift with its time, rises and heat at the e
 {
     const auto figures = sweep_figures(record(2));
     REQUIRE(figures.drift);
-    CHECK(figures.drift->largest == doctest::Approx(-40e-6).epsilon(1e-12));
+    CHECK(figures.drift->largest == near(-40e-6, 1e-12));
     CHECK(figures.drift->largest_time == 3600);
-    CHECK(figures.drift->final == doctest::Approx(-20e-6).epsilon(1e-12));
-    CHECK(figures.rises.at("top") == doctest::Approx(16 * (1 - std::exp(-3.0))).epsilon(1e-14));
-    CHECK(*figures.joint_heat == doctest::Approx(250).epsilon(1e-14));
+    CHECK(figures.drift->final == near(-20e-6, 1e-12));
+    CHECK(figures.rises.at("top") == near(16 * (1 - std::exp(-3.0)), 1e-14));
+    CHECK(*figures.joint_heat == near(250, 1e-14));
     CHECK(figures.bearing_forces == std::map<std::string, double>{{"flexible B", 2000}});
     auto bare = record(1);
     bare.chain.clear();
@@ -150,11 +151,11 @@ TEST_CASE("the numbers of an axis are in the unit of its values, or the preferre
     CHECK(speed.values == rpm);
     const auto force = axis_numbers(result.study.sets[0].axes[1]);
     CHECK(force.unit == "kN");
-    CHECK(force.values[0] == doctest::Approx(0.5).epsilon(1e-14));
+    CHECK(force.values[0] == near(0.5, 1e-14));
     CHECK(axis_numbers(result.study.sets[2].axes[0]).values.empty());
     const auto warm = axis_numbers(axis("a", {"20 degC", "300 K"}, {293.15, 300}, Dimension::temperature));
     CHECK(warm.unit == "degC");
-    CHECK(warm.values[1] == doctest::Approx(26.85).epsilon(1e-12));
+    CHECK(warm.values[1] == near(26.85, 1e-12));
 }
 
 TEST_CASE("sweep.csv has a row for each place, and empty cells for what is not known")
@@ -226,7 +227,7 @@ TEST_CASE("sweep.json has plan, states, figures and windows")
     write_sweep_files(folder.path, example());
     const auto json = nlohmann::json::parse(folder.content("sweep.json"));
     CHECK(json.at("study").at("name") == "two sets");
-    CHECK(json.at("limits").at("largest_um").get<double>() == doctest::Approx(30).epsilon(1e-12));
+    CHECK(json.at("limits").at("largest_um").get<double>() == near(30, 1e-12));
     CHECK(json.at("sets").at(0).at("axes").at(0).at("unit") == "rpm");
     CHECK_FALSE(json.at("sets").at(2).at("axes").at(0).contains("unit"));
     CHECK(json.at("sets").at(0).at("window").at("points") == 3);
@@ -235,7 +236,7 @@ TEST_CASE("sweep.json has plan, states, figures and windows")
     const auto& point = json.at("points").at(4);
     CHECK(point.at("places").size() == 3);
     CHECK(point.at("places").at(0).at("steps").at("force") == "1 kN");
-    CHECK(point.at("figures").at("E_SW").at("largest_um").get<double>() == doctest::Approx(-20).epsilon(1e-12));
+    CHECK(point.at("figures").at("E_SW").at("largest_um").get<double>() == near(-20, 1e-12));
     CHECK(point.at("case_hash") == "0123");
     CHECK(json.at("points").at(0).at("figures").is_null());
     CHECK(has(json.at("points").at(11).at("reason"), "did not converge"));
@@ -247,15 +248,15 @@ TEST_CASE("charts: eight curves at most, limits drawn, steps without order are n
     const auto drift = sweep_drift_chart(result, 1);
     REQUIRE(drift.series.size() == 4);
     CHECK(drift.series[1].name == "200 rpm");
-    CHECK(drift.series[1].x.back() == doctest::Approx(3));
-    CHECK(drift.series[1].y[12] == doctest::Approx(-20));
+    CHECK(drift.series[1].x.back() == near(3, 1e-5));
+    CHECK(drift.series[1].y[12] == near(-20, 1e-5));
     // Twelve places: the first axis only, at the first force, of which two have no result.
     const auto crossed = sweep_drift_chart(result, 0);
     CHECK(crossed.series.size() == 3);
     CHECK(has(crossed.subtitle, "at force 500 N"));
     const auto limits = sweep_limit_chart(result, 1);
     REQUIRE(limits.series.size() == 4);
-    CHECK(limits.series[2].y[0] == doctest::Approx(30));
+    CHECK(limits.series[2].y[0] == near(30, 1e-5));
     CHECK(limits.series[2].dashed);
     CHECK(limits.series[0].joined);
     CHECK(limits.x_ticks.empty());
@@ -293,7 +294,7 @@ TEST_CASE("numbers that span decades stand on a logarithmic axis with their own 
     axis.dimension = Dimension::stiffness;
     const auto chart = sweep_limit_chart(result, 1);
     REQUIRE(chart.x_ticks.size() == 4);
-    CHECK(chart.x_ticks[1].x == doctest::Approx(8));
+    CHECK(chart.x_ticks[1].x == near(8, 1e-5));
     CHECK(chart.x_ticks[1].text == "1e8");
     CHECK(chart.x_label == "speed [N/m]");
 }
@@ -371,8 +372,8 @@ TEST_CASE("what a run says of its gap and its joints is read back")
     write_manifest(folder.path);
     const auto run = read_result(folder.path);
     REQUIRE(run.gap);
-    CHECK(run.gap->first_hour_change == doctest::Approx(-3.5e-6).epsilon(1e-14));
-    CHECK(run.gap->range == doctest::Approx(7.5e-6).epsilon(1e-14));
+    CHECK(run.gap->first_hour_change == near(-3.5e-6, 1e-14));
+    CHECK(run.gap->range == near(7.5e-6, 1e-14));
     CHECK(*run.gap->steady_from == 1200);
     CHECK(run.joint_heat.size() == 1);  // a motor is no joint
     CHECK(run.joint_heat.at("pin") == std::vector<double>{5, 4});

@@ -13,13 +13,13 @@
 #include "deadpoint/study/result/friction_summary.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <numbers>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -85,7 +85,7 @@ TEST_CASE("a half ball rubs like a pin of 4 / pi of its diameter")
     study::FrictionLaws of_ball(ball, &machine(), nullptr);
     const double heat = of_pin.heat("wrist", pin.operation.front()).heat(300).value;
     CHECK(heat > 1);
-    CHECK(of_ball.heat("wrist", ball.operation.front()).heat(300).value == Approx(heat).epsilon(1e-12));
+    CHECK(of_ball.heat("wrist", ball.operation.front()).heat(300).value == near(heat, 1e-12));
 }
 
 TEST_CASE("a half ball conducts over 2 pi R^2, and is pressed on it")
@@ -94,10 +94,10 @@ TEST_CASE("a half ball conducts over 2 pi R^2, and is pressed on it")
     const auto loads = study::compute_loads(input, &machine(), 0);
     const double seat = 2 * pi * 0.04 * 0.04, drawn = machine().interfaces[wrist()].area;
     const auto known = study::interface_conductances(input, machine(), &loads, loads.speed)[wrist()];
-    CHECK(1 / known.resistance() * drawn == Approx(5000 * seat).epsilon(1e-12));
+    CHECK(1 / known.resistance() * drawn == near(5000 * seat, 1e-12));
     Observer quiet;
     const auto problem = study::describe_heat(input, machine(), quiet, &loads);
-    CHECK(problem.interfaces[wrist()].oil * drawn == Approx(200 * seat).epsilon(1e-12));
+    CHECK(problem.interfaces[wrist()].oil * drawn == near(200 * seat, 1e-12));
     casefile::RoughContact rough;
     rough.surfaces.hardness = 2e9;
     rough.surfaces.fluid_conductivity = 0.14;
@@ -107,7 +107,7 @@ TEST_CASE("a half ball conducts over 2 pi R^2, and is pressed on it")
     input.joints.at("wrist_pin").kind = casefile::Joint::Kind::revolute;
     input.joints.at("wrist_pin").ball.reset();
     const auto on_pin = study::interface_conductances(input, machine(), &loads, loads.speed)[wrist()];
-    CHECK(*on_ball.pressure * seat == Approx(*on_pin.pressure * drawn).epsilon(1e-12));  // one force
+    CHECK(*on_ball.pressure * seat == near(*on_pin.pressure * drawn, 1e-12));  // one force
 }
 
 TEST_CASE("a ball passes no tilt on")

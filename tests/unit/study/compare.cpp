@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/files/reference_file.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -55,13 +56,13 @@ TEST_CASE("errors: rms, bias, the largest one and both baselines by hand")
     // Errors 1, -3, 4; squares 1 + 9 + 16 = 26. References 10, 20, 30: squares 1400; about their mean of 20: 200.
     const auto f = error_figures({11, 17, 34}, {10, 20, 30}, 0.0);
     CHECK(f.count == 3);
-    CHECK(f.rms == doctest::Approx(std::sqrt(26.0 / 3)).epsilon(1e-14));
-    CHECK(f.bias == doctest::Approx(2.0 / 3).epsilon(1e-14));
+    CHECK(f.rms == near(std::sqrt(26.0 / 3), 1e-14));
+    CHECK(f.bias == near(2.0 / 3, 1e-14));
     CHECK(f.largest == 4);
     CHECK(f.largest_at == 2);
     CHECK(error_figures({5, 1}, {9, 1}, 0.0).largest == -4);
-    CHECK(*f.rms_nothing == doctest::Approx(std::sqrt(1400.0 / 3)).epsilon(1e-14));
-    CHECK(*f.rms_mean == doctest::Approx(std::sqrt(200.0 / 3)).epsilon(1e-14));
+    CHECK(*f.rms_nothing == near(std::sqrt(1400.0 / 3), 1e-14));
+    CHECK(*f.rms_mean == near(std::sqrt(200.0 / 3), 1e-14));
     CHECK_FALSE(error_figures({1, 2}, {1, 2}, std::nullopt).rms_nothing);
     CHECK_FALSE(error_figures({1}, {2}, 0.0).rms_mean);       // of one value, its mean is the value
     CHECK(error_figures({0.08}, {80 * 1e-3}, 0.0).rms == 0);  // what the change of unit leaves is no error
@@ -99,20 +100,20 @@ TEST_CASE("values are taken at their time, in the program's sign, and grouped by
     const auto c = compare(record(), file);
     REQUIRE(c.values.size() == 8);
     CHECK(c.values[0].name == "frame at 0.75 h");
-    CHECK(c.values[0].computed == doctest::Approx(1.5));
-    CHECK(c.values[0].relative_error() == doctest::Approx(-0.25));
-    CHECK(c.values[1].computed == doctest::Approx(12));
-    CHECK(c.values[2].computed == doctest::Approx(-20e-6));
-    CHECK(c.values[2].reference == doctest::Approx(-25e-6));
-    CHECK(c.values[3].error() == doctest::Approx(0).epsilon(1e-12));
+    CHECK(c.values[0].computed == near(1.5, 1e-5));
+    CHECK(c.values[0].relative_error() == near(-0.25, 1e-5));
+    CHECK(c.values[1].computed == near(12, 1e-5));
+    CHECK(c.values[2].computed == near(-20e-6, 1e-5));
+    CHECK(c.values[2].reference == near(-25e-6, 1e-5));
+    CHECK(c.values[3].error() == near(0, 0, 1e-12));
     CHECK(c.values[4].computed == 3600);
     CHECK(c.values[5].computed == 3600);
-    CHECK(c.values[6].error() == doctest::Approx(0.001));                 // 80 mm against 79 mm
-    CHECK_FALSE(c.values[7].relative_error());                            // of a reference of 0
-    REQUIRE(c.groups.size() == 5);                                        // lengths and numbers of loads.json apart
-    CHECK(c.groups[0].figures.rms == doctest::Approx(std::sqrt(0.125)));  // errors -0.5 and 0
-    CHECK(*c.groups[0].figures.rms_nothing == doctest::Approx(std::sqrt((4 + 144) / 2.0)));
-    CHECK(*c.groups[1].figures.rms_nothing == doctest::Approx(1e-6 * std::sqrt((25 * 25 + 12 * 12) / 2.0)));
+    CHECK(c.values[6].error() == near(0.001, 1e-5));                 // 80 mm against 79 mm
+    CHECK_FALSE(c.values[7].relative_error());                       // of a reference of 0
+    REQUIRE(c.groups.size() == 5);                                   // lengths and numbers of loads.json apart
+    CHECK(c.groups[0].figures.rms == near(std::sqrt(0.125), 1e-5));  // errors -0.5 and 0
+    CHECK(*c.groups[0].figures.rms_nothing == near(std::sqrt((4 + 144) / 2.0), 1e-5));
+    CHECK(*c.groups[1].figures.rms_nothing == near(1e-6 * std::sqrt((25 * 25 + 12 * 12) / 2.0), 1e-5));
     CHECK_FALSE(c.groups[2].figures.rms_nothing);
     CHECK(c.warnings.empty());
 
@@ -178,10 +179,10 @@ TEST_CASE("curves: temperatures, rises and dimensions against rows of a file")
     file.curves.push_back(gap);
     const auto c = compare(record(), file);
     REQUIRE(c.curves.size() == 2);
-    CHECK(c.curves[0].figures.largest == doctest::Approx(-0.5).epsilon(1e-9));
+    CHECK(c.curves[0].figures.largest == near(-0.5, 1e-9));
     CHECK(c.curves[0].figures.largest_at == 1);
-    CHECK(*c.curves[0].figures.rms_nothing == doctest::Approx(std::sqrt(5.0 / 3)).epsilon(1e-9));
-    CHECK(c.curves[1].figures.bias == doctest::Approx(1e-6));
+    CHECK(*c.curves[0].figures.rms_nothing == near(std::sqrt(5.0 / 3), 1e-9));
+    CHECK(c.curves[1].figures.bias == near(1e-6, 1e-5));
 }
 
 TEST_CASE("claims of temperature")
@@ -281,10 +282,10 @@ TEST_CASE("another run as baseline: its values and its errors stand beside")
     CHECK(*c.values[1].baseline == 16);
     CHECK_FALSE(c.values[2].baseline);  // it has no loads
     // Errors of the run: 1 and -4; of the baseline: 3 and -4.
-    CHECK(c.groups[0].figures.rms == doctest::Approx(std::sqrt(17.0 / 2)));
-    CHECK(*c.groups[0].figures.rms_baseline == doctest::Approx(std::sqrt(25.0 / 2)));
+    CHECK(c.groups[0].figures.rms == near(std::sqrt(17.0 / 2), 1e-5));
+    CHECK(*c.groups[0].figures.rms_baseline == near(std::sqrt(25.0 / 2), 1e-5));
     CHECK_FALSE(c.groups[1].figures.rms_baseline);
-    CHECK(*c.curves[0].figures.rms_baseline == doctest::Approx(3));
+    CHECK(*c.curves[0].figures.rms_baseline == near(3, 1e-5));
     CHECK_FALSE(compare(record(), file).groups[0].figures.rms_baseline);
 }
 
@@ -296,14 +297,14 @@ TEST_CASE("agreement: each set once, errors over the measured change, fitted val
     group.figures.rms = 3;
     group.figures.rms_nothing = 10;
     c.groups.push_back(group);
-    CHECK(agreement(c)->value == doctest::Approx(0.7).epsilon(1e-14));
+    CHECK(agreement(c)->value == near(0.7, 1e-14));
     ComparedCurve curve;
     curve.figures.count = 1000;
     curve.figures.rms = 4e-6;
     curve.figures.rms_nothing = 10e-6;
     c.curves.push_back(curve);
     // 0.3^2 + 0.4^2 = 0.5^2: sqrt(0.25 / 2) is off.
-    CHECK(agreement(c)->value == doctest::Approx(1 - 0.5 / std::sqrt(2.0)).epsilon(1e-14));
+    CHECK(agreement(c)->value == near(1 - 0.5 / std::sqrt(2.0), 1e-14));
     CHECK(agreement(c)->sets == 2);
     ComparedGroup without;  // times have no "nothing changes"
     without.figures.rms = 100;

@@ -4,6 +4,7 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,6 @@
 
 using namespace deadpoint;
 using namespace deadpoint::study;
-using doctest::Approx;
 
 namespace {
 
@@ -161,15 +161,15 @@ TEST_CASE("joints are where the bodies of a press meet")
     CHECK(joint(draft, "crank_frame").rolling);
     CHECK_FALSE(joint(draft, "rod_crank").rolling);
     const auto& bearing = draft.contacts[joint(draft, "crank_frame").contacts.front()];
-    CHECK(bearing.diameter == Approx(0.12));
-    CHECK(bearing.clearance == Approx(0.024));
-    CHECK(bearing.area == Approx(std::numbers::pi * 0.12 * 0.052).epsilon(1e-6));
+    CHECK(bearing.diameter == near(0.12, 1e-5));
+    CHECK(bearing.clearance == near(0.024, 1e-5));
+    CHECK(bearing.area == near(std::numbers::pi * 0.12 * 0.052, 1e-6));
     CHECK(joint(draft, "slide_frame").kind == DraftJoint::Kind::slide);
     CHECK(joint(draft, "slide_frame").contacts.size() == 2);
     const auto& pin = draft.contacts[joint(draft, "rod_crank").contacts.front()];
-    CHECK(pin.diameter == Approx(0.18));
-    CHECK(pin.point[1] == Approx(-0.03).epsilon(1e-9));
-    CHECK(draft.contacts[joint(draft, "rod_slide").contacts.front()].diameter == Approx(0.07));
+    CHECK(pin.diameter == near(0.18, 1e-5));
+    CHECK(pin.point[1] == near(-0.03, 1e-9));
+    CHECK(draft.contacts[joint(draft, "rod_slide").contacts.front()].diameter == near(0.07, 1e-5));
 }
 
 TEST_CASE("the crankshaft and the slide of a drawing say where z and up are")
@@ -182,7 +182,7 @@ TEST_CASE("the crankshaft and the slide of a drawing say where z and up are")
     CHECK(draft.axes.rows == std::array<Vec3, 3>{{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}});
     CHECK(draft.joints.size() == 4);
     const auto& pin = draft.contacts[joint(draft, "rod_crank").contacts.front()];
-    CHECK(pin.point[1] == Approx(-0.03).epsilon(1e-9));
+    CHECK(pin.point[1] == near(-0.03, 1e-9));
     // The front view of a drawing looks along -z where y points up; along y where z does, which is here the case's x.
     CHECK(draft_text(straight, "press.step").find("front = \"z\" ") != std::string::npos);
     CHECK(draft_text(draft, "press.step").find("front = \"-x\" ") != std::string::npos);
@@ -255,7 +255,7 @@ TEST_CASE("what would touch if it were drawn a little thinner is listed")
     }
     const Draft draft = draft_of(model);
     REQUIRE(draft.near_misses.size() == 1);
-    CHECK(draft.near_misses.front().clearance == Approx(-0.6e-3));
+    CHECK(draft.near_misses.front().clearance == near(-0.6e-3, 1e-5));
     CHECK(draft_text(draft, "press.step").find("drawn into each other by 0.6 mm: TO DO") != std::string::npos);
 }
 
@@ -271,16 +271,16 @@ TEST_CASE("the first case of a drawing is a case")
     CHECK(input.parts.at("bearing_back_inner_ring").body == "crank");
     CHECK(input.joints.at("crank_frame").elements.size() == 2);
     const auto& bearing = std::get<casefile::PalmgrenFriction>(input.friction.at("crank_frame").law);
-    CHECK(bearing.mean_diameter == Approx(0.1325));  // of 100 and 165 mm
+    CHECK(bearing.mean_diameter == near(0.1325, 1e-5));  // of 100 and 165 mm
     REQUIRE(input.joints.size() == 4);
     CHECK(input.joints.at("crank_frame").driver);
-    CHECK(input.joints.at("rod_slide").centre[1] == Approx(-0.4));
-    CHECK(input.joints.at("slide_frame").centre[1] == Approx(-0.59));  // gibs from -760 to -420 mm
+    CHECK(input.joints.at("rod_slide").centre[1] == near(-0.4, 1e-5));
+    CHECK(input.joints.at("slide_frame").centre[1] == near(-0.59, 1e-5));  // gibs from -760 to -420 mm
     CHECK(input.friction.size() == 4);
     // Table top and slide face of the drawing: y of -890 and -780 mm.
-    CHECK(*input.surfaces.at("table_top").position == Approx(-0.89));
-    CHECK(*input.surfaces.at("slide_face").position == Approx(-0.78));
-    CHECK(*input.surfaces.at("feet").position == Approx(-1.1));
+    CHECK(*input.surfaces.at("table_top").position == near(-0.89, 1e-5));
+    CHECK(*input.surfaces.at("slide_face").position == near(-0.78, 1e-5));
+    CHECK(*input.surfaces.at("feet").position == near(-1.1, 1e-5));
 }
 
 TEST_CASE("the shipped case of a drawing is what the program writes")

@@ -15,6 +15,7 @@
 #include "deadpoint/tribology/conductance/bearing_conductance.hpp"
 #include "deadpoint/tribology/conductance/conductance.hpp"
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,6 @@
 #include <numbers>
 
 using namespace deadpoint;
-using doctest::Approx;
 using messages::error_of;
 using messages::has;
 
@@ -89,9 +89,9 @@ TEST_CASE("oil films of journals follow their clearance, half of the resistance 
 {
     const auto c = conductance("crank_bearing");
     CHECK(c.law == "oil_film");
-    CHECK(c.film_a == Approx(2 * 0.14 / (40e-6 * 0.8)).epsilon(exact));  // sqrt(1 - 0.6^2) = 0.8
+    CHECK(c.film_a == near(2 * 0.14 / (40e-6 * 0.8), exact));  // sqrt(1 - 0.6^2) = 0.8
     CHECK(c.film_b == c.film_a);
-    CHECK(c.resistance() == Approx(40e-6 * 0.8 / 0.14).epsilon(exact));
+    CHECK(c.resistance() == near(40e-6 * 0.8 / 0.14, exact));
     CHECK_FALSE(c.pressure);
 }
 
@@ -100,12 +100,11 @@ TEST_CASE("rough contact takes conductivities from the parts and the pressure fr
     const auto c = conductance("guide");
     // 2 kN presses each of the two faces; they are covered wholly, 200 mm by 250 mm each.
     REQUIRE(c.pressure);
-    CHECK(*c.pressure == Approx(4000 / (2 * 0.2 * 0.25)).epsilon(0.2));  // side force of the rod on top
+    CHECK(*c.pressure == near(4000 / (2 * 0.2 * 0.25), 0.2));  // side force of the rod on top
     CHECK(*c.pressure >= 40e3 * (1 - 1e-9));
     CHECK(c.pressure_from_loads);
     const tribology::RoughContact iron{1.1e-6, tribology::slope_of_roughness(1.1e-6), 2.2e9, 48.5, 48.5};
-    CHECK(c.film_a ==
-          Approx(2 * tribology::rough_conductance(iron, {0.14, 0}, *c.pressure).conductance).epsilon(exact));
+    CHECK(c.film_a == near(2 * tribology::rough_conductance(iron, {0.14, 0}, *c.pressure).conductance, exact));
 }
 
 TEST_CASE("fractal contact in a bearing is pressed by its mean load over the area of both seats")
@@ -117,11 +116,10 @@ TEST_CASE("fractal contact in a bearing is pressed by its mean load over the are
     double mean = 0;  // the positions are evenly spaced in time
     for (const auto& force : history.joints[driver].force)
         mean += norm(force) / static_cast<double>(history.time.size());
-    CHECK(*c.pressure == Approx(mean / (2 * pi * 0.08 * 0.06)).epsilon(1e-6));  // areas are those of true cylinders
+    CHECK(*c.pressure == near(mean / (2 * pi * 0.08 * 0.06), 1e-6));  // areas are those of true cylinders
     tribology::FractalContact contact{1.5, 1e-10, 1e-3, 2e-6, 2.2e9, 0, 59, 42};
     contact.modulus = tribology::contact_modulus(115e9, 0.34, 210e9, 0.29);
-    CHECK(c.film_a ==
-          Approx(2 * tribology::fractal_conductance(contact, {0.14, 0}, *c.pressure).conductance).epsilon(1e-9));
+    CHECK(c.film_a == near(2 * tribology::fractal_conductance(contact, {0.14, 0}, *c.pressure).conductance, 1e-9));
 }
 
 TEST_CASE("a stated pressure goes before the loads, and without either the law is refused")
@@ -150,8 +148,7 @@ TEST_CASE("rolling elements conduct by their spots, faster when they roll")
     path.element_diameter = 0.02;
     path.element = path.ring = {59, 8800, 377};  // CuSn8, side a
     path.rolling_speed = 2 * pi * 0.1 / 4 * (1 - 0.04);
-    CHECK(turning.film_a ==
-          Approx(2 * tribology::bearing_conductance(path).per_area(turning.area).conductance).epsilon(1e-9));
+    CHECK(turning.film_a == near(2 * tribology::bearing_conductance(path).per_area(turning.area).conductance, 1e-9));
     c.pitch_diameter.reset();
     CHECK(conductance("crank_bearing", c).film_a < turning.film_a);
     c.inner_spot = Vec2{2e-3, -1e-3};
@@ -164,13 +161,13 @@ TEST_CASE("walls, plates, cylinders and disks take their lengths from the case o
     CHECK(upright.air.natural_length == 0.7);
     const surroundings::AirSurface wall{surroundings::NaturalFlow::vertical, 0.7};
     CHECK(upright.law_at(1)(293.15)(305).value == surroundings::film_law(wall, 293.15)(305).value);
-    CHECK(film_of("air_bed").air.natural_length == Approx(0.15).epsilon(1e-9));
+    CHECK(film_of("air_bed").air.natural_length == near(0.15, 1e-9));
     const auto rim = film_of("flywheel_rim");
-    CHECK(rim.air.forced_length == Approx(0.4).epsilon(1e-9));
+    CHECK(rim.air.forced_length == near(0.4, 1e-9));
     CHECK(rim.speed_at(2 * pi) == 2 * pi);
     CHECK(rim.speed_at(-3) == 3);
     CHECK(rim.law_at(2 * pi)(293.15)(300).value > 1.5 * rim.law_at(0)(293.15)(300).value);
-    CHECK(film_of("flywheel_faces").air.forced_length == Approx(0.4).epsilon(1e-9));  // not of the polygon in it
+    CHECK(film_of("flywheel_faces").air.forced_length == near(0.4, 1e-9));  // not of the polygon in it
     CHECK(film_of("table_top").air.natural == surroundings::NaturalFlow::facing_up);
     casefile::Film film;
     film.law = casefile::PlateFilm{};
@@ -186,13 +183,13 @@ TEST_CASE("what moves has the root mean square speed of its faces")
     for (const double speed : history.slide_speed)
         square += speed * speed / static_cast<double>(history.slide_speed.size());
     const auto slide = film_of("air_slide");
-    CHECK(slide.speed_at(2 * pi) == Approx(std::sqrt(square)).epsilon(1e-9));  // it does not turn
-    CHECK(slide.speed_at(pi) == Approx(std::sqrt(square) / 2).epsilon(1e-9));
+    CHECK(slide.speed_at(2 * pi) == near(std::sqrt(square), 1e-9));  // it does not turn
+    CHECK(slide.speed_at(pi) == near(std::sqrt(square) / 2, 1e-9));
     CHECK(slide.speed_at(0) == 0);
     // The flywheel's rim turns about the axis: omega R, less what the chords of the mesh cut off.
     const auto& surfaces = press().machine.surfaces;
     const auto& rim = *std::ranges::find(surfaces, std::string("flywheel_rim"), &MeshSurface::name);
-    CHECK(study::rms_speed(press().machine, rim, press().loads) == Approx(2 * pi * 0.2).epsilon(0.02));
+    CHECK(study::rms_speed(press().machine, rim, press().loads) == near(2 * pi * 0.2, 0.02));
     const auto& frame = *std::ranges::find(surfaces, std::string("air_bed"), &MeshSurface::name);
     CHECK(has(error_of([&] { study::rms_speed(press().machine, frame, press().loads); }), "does not move"));
     casefile::Film film;
@@ -214,7 +211,7 @@ TEST_CASE("the paper's constants and enclosed air")
     film.law = casefile::EnclosedFilm{{}, 2};
     const auto closed = study::surface_film(film, press().machine, "air_bed", nullptr);
     const double open = surroundings::film_law(closed.air, 293.15)(303.15).value;
-    CHECK(closed.law_at(1)(293.15)(303.15).value == Approx(open / (1 + open * closed.area / 2)).epsilon(exact));
+    CHECK(closed.law_at(1)(293.15)(303.15).value == near(open / (1 + open * closed.area / 2), exact));
 }
 
 TEST_CASE("the paper's correlations as printed, with its Table 7")
@@ -224,17 +221,17 @@ TEST_CASE("the paper's correlations as printed, with its Table 7")
     const auto wall = study::surface_film(film, press().machine, "air_bed", nullptr);
     // 0.13 Ra^(1/3), Ra = 9.80665 0.0262.. 8 K (2 m)^3 / nu^2 0.707 with Table 7 at 24 degC; figures of the model page
     const auto at = wall.law_at(1)(293.15)(301.15);
-    CHECK(at.value ==
-          Approx(surroundings::compare_natural_film(surroundings::NaturalFlow::vertical, 2, 301.15, 293.15).paper)
-              .epsilon(exact));
-    CHECK(at.value == Approx(5.56).epsilon(0.01));
+    CHECK(
+        at.value ==
+        near(surroundings::compare_natural_film(surroundings::NaturalFlow::vertical, 2, 301.15, 293.15).paper, exact));
+    CHECK(at.value == near(5.56, 0.01));
     CHECK(at.slope > 0);
-    CHECK(wall.law_at(1)(293.15)(285.15).value == Approx(at.value).epsilon(exact));  // colder counts as warmer
+    CHECK(wall.law_at(1)(293.15)(285.15).value == near(at.value, exact));  // colder counts as warmer
     CHECK(wall.law_at(1)(293.15)(293.15).value == 0);
     film.law = casefile::RoundFilm{casefile::RoundFilm::Form::rotating_cylinder, true, 0.17};
     const auto shaft = study::surface_film(film, press().machine, "air_crankshaft", nullptr);
     CHECK(shaft.law_at(20.94)(293.15)(303.15).value ==
-          Approx(surroundings::compare_rotating_film(20.94, 0.17, 298.15).paper).epsilon(exact));
+          near(surroundings::compare_rotating_film(20.94, 0.17, 298.15).paper, exact));
     CHECK(shaft.law_at(0)(293.15)(303.15).value > 0);
 }
 
@@ -250,8 +247,8 @@ TEST_CASE("half a plate has the length of the whole one")
     Observer quiet;
     const auto machine = study::prepare_machine(input, 1, quiet);
     REQUIRE(machine.half_model);
-    CHECK(machine.surfaces.at(0).area == Approx(0.01).epsilon(1e-9));
-    CHECK(*machine.surfaces.at(0).figures.area_over_perimeter == Approx(0.2 * 0.1 / 0.6).epsilon(1e-9));
+    CHECK(machine.surfaces.at(0).area == near(0.01, 1e-9));
+    CHECK(*machine.surfaces.at(0).figures.area_over_perimeter == near(0.2 * 0.1 / 0.6, 1e-9));
 }
 
 TEST_CASE("the heat problem takes conductances and film laws, one per segment")
@@ -273,8 +270,8 @@ TEST_CASE("the heat problem takes conductances and film laws, one per segment")
     CHECK(rim->emissivity == 0.6);  // radiation is the solver's own
     // 20 degC in the mean, 2 K more at 6 h and less at 18 h, in either segment alike
     for (const auto& segment : problem.segments) {
-        CHECK(segment.ambient(6 * 3600) == Approx(295.15).epsilon(exact));
-        CHECK(segment.ambient(18 * 3600) == Approx(291.15).epsilon(exact));
+        CHECK(segment.ambient(6 * 3600) == near(295.15, exact));
+        CHECK(segment.ambient(18 * 3600) == near(291.15, exact));
     }
 }
 
@@ -291,14 +288,14 @@ TEST_CASE("a stated film coefficient grows with the speed of each segment")
     const auto problem = study::describe_heat(input, press().machine, quiet, &press().loads);
     const auto bed = std::ranges::find(problem.surfaces, std::string("air_bed"), &SurfaceCondition::name);
     REQUIRE(bed->laws.size() >= 2);
-    CHECK(bed->laws[0](293.15)(300).value == Approx(8 * (0.5 + 0.5 * std::pow(2, 0.8))).epsilon(exact));
+    CHECK(bed->laws[0](293.15)(300).value == near(8 * (0.5 + 0.5 * std::pow(2, 0.8)), exact));
     CHECK(bed->laws[0](293.15)(300).slope == 0);
     CHECK(bed->laws[1](293.15)(300).value == 4);
     const auto tables = study::heat_tables(input, &press().machine, &press().loads, 0);
     const auto shown = std::ranges::find(tables.films, std::string("air_bed"), &study::FilmTable::surface);
     CHECK(shown->at_rest[0].convection == 4);
     REQUIRE(!shown->running.empty());
-    CHECK(shown->running[0].convection == Approx(8 * (0.5 + 0.5 * std::pow(2, 0.8))).epsilon(exact));
+    CHECK(shown->running[0].convection == near(8 * (0.5 + 0.5 * std::pow(2, 0.8)), exact));
 }
 
 TEST_CASE("the tables show what the run takes")
@@ -312,20 +309,19 @@ TEST_CASE("the tables show what the run takes")
         CHECK(tables.joints[r].row == problem.sources[r].name);
         for (std::size_t i = 0; i < 6; ++i)
             CHECK(problem.segments[0].heat[r](tables.temperatures[i]).value ==
-                  Approx(tables.joints[r].heat[i]).epsilon(1e-9));  // the run takes the law as a table, to 1e-10
+                  near(tables.joints[r].heat[i], 1e-9));  // the run takes the law as a table, to 1e-10
     }
     CHECK(tables.conductances.size() == problem.interfaces.size());
     const auto rim = std::ranges::find(tables.films, std::string("flywheel_rim"), &study::FilmTable::surface);
     REQUIRE(rim->running.size() == 3);
     const double ambient = 293.15 + 2 * std::cos(2 * pi * 6 / 24);  // at the start
-    CHECK(rim->ambient == Approx(ambient).epsilon(exact));
+    CHECK(rim->ambient == near(ambient, exact));
     CHECK(rim->running[1].rise == 10);
     CHECK(rim->running[1].convection ==
-          Approx(film_of("flywheel_rim").law_at(2 * pi)(ambient)(ambient + 10).value).epsilon(1e-9));
+          near(film_of("flywheel_rim").law_at(2 * pi)(ambient)(ambient + 10).value, 1e-9));
     // eps sigma (Ts^2 + Ta^2)(Ts + Ta)
     CHECK(rim->at_rest[2].radiation ==
-          Approx(0.6 * 5.670374419e-8 * (std::pow(ambient + 20, 2) + ambient * ambient) * (2 * ambient + 20))
-              .epsilon(1e-9));
+          near(0.6 * 5.670374419e-8 * (std::pow(ambient + 20, 2) + ambient * ambient) * (2 * ambient + 20), 1e-9));
     const auto bed = std::ranges::find(tables.films, std::string("air_bed"), &study::FilmTable::surface);
     CHECK(bed->running.empty());
     CHECK(tables.warnings.empty());

@@ -13,13 +13,13 @@
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -96,8 +96,8 @@ TEST_CASE("the gib on the left pushes the slide to the right, in whatever order 
     const auto turned = study::guide_sides(input, machine(), loads, "guide", first_of_guide(input)).value();
     // The push on the frame, body_a now, goes the other way: the left gib is pushed to the left.
     CHECK(turned.of_interface == std::vector<int>{-1, 1});
-    CHECK(turned.load_minus == Approx(drawn.sides.load_plus).epsilon(1e-9));
-    CHECK(turned.heat_plus == Approx(1 - drawn.sides.heat_plus).epsilon(1e-9));
+    CHECK(turned.load_minus == near(drawn.sides.load_plus, 1e-9));
+    CHECK(turned.heat_plus == near(1 - drawn.sides.heat_plus, 1e-9));
 }
 
 TEST_CASE("under preload both sides share the side force, without it one side has all of it")
@@ -105,14 +105,13 @@ TEST_CASE("under preload both sides share the side force, without it one side ha
     const Pressed tight("500 kN");
     const double side = mean_of(tight.loads, [](double force) { return force; });
     REQUIRE(std::abs(side) > 1);
-    CHECK(tight.sides.load_plus == Approx(500e3 + side / 2).epsilon(1e-10));
-    CHECK(tight.sides.load_minus == Approx(500e3 - side / 2).epsilon(1e-10));
-    CHECK(tight.sides.heat_plus == Approx(0.5).epsilon(0.01));
+    CHECK(tight.sides.load_plus == near(500e3 + side / 2, 1e-10));
+    CHECK(tight.sides.load_minus == near(500e3 - side / 2, 1e-10));
+    CHECK(tight.sides.heat_plus == near(0.5, 0.01));
     const Pressed loose("0 N");
-    CHECK(loose.sides.load_plus ==
-          Approx(mean_of(loose.loads, [](double force) { return std::max(force, 0.0); })).epsilon(1e-9));
+    CHECK(loose.sides.load_plus == near(mean_of(loose.loads, [](double force) { return std::max(force, 0.0); }), 1e-9));
     CHECK(loose.sides.load_minus ==
-          Approx(mean_of(loose.loads, [](double force) { return std::max(-force, 0.0); })).epsilon(1e-9));
+          near(mean_of(loose.loads, [](double force) { return std::max(-force, 0.0); }), 1e-9));
 }
 
 TEST_CASE("the joint keeps its heat, and a narrow gib gets more of it per area")
@@ -120,13 +119,13 @@ TEST_CASE("the joint keeps its heat, and a narrow gib gets more of it per area")
     const Pressed at("2 kN");
     const auto first = first_of_guide(at.input);
     const double left = machine().interfaces[first].area, right = machine().interfaces[first + 1].area;
-    CHECK(right == Approx(left / 2).epsilon(1e-6));
+    CHECK(right == near(left / 2, 1e-6));
     for (const double part : {0.0, 0.4, 1.0}) {
         const auto factors = study::side_factors(at.input, machine(), at.sides, "guide", first, part);
-        CHECK(factors[0] * left + factors[1] * right == Approx(left + right).epsilon(1e-12));
+        CHECK(factors[0] * left + factors[1] * right == near(left + right, 1e-12));
         // Of the load part each side has its share, of the rest each area the same.
         CHECK(factors[1] * right / (left + right) ==
-              Approx(part * (1 - at.sides.heat_plus) + (1 - part) * right / (left + right)).epsilon(1e-12));
+              near(part * (1 - at.sides.heat_plus) + (1 - part) * right / (left + right), 1e-12));
     }
 }
 
@@ -135,10 +134,8 @@ TEST_CASE("pressure and heat of a guide are those of its sides")
     const Pressed at("2 kN");
     const auto first = first_of_guide(at.input);
     const auto conductances = study::interface_conductances(at.input, machine(), &at.loads, at.loads.speed);
-    CHECK(*conductances[first].pressure ==
-          Approx(at.sides.load_plus / machine().interfaces[first].area).epsilon(1e-12));
-    CHECK(*conductances[first + 1].pressure ==
-          Approx(at.sides.load_minus / machine().interfaces[first + 1].area).epsilon(1e-12));
+    CHECK(*conductances[first].pressure == near(at.sides.load_plus / machine().interfaces[first].area, 1e-12));
+    CHECK(*conductances[first + 1].pressure == near(at.sides.load_minus / machine().interfaces[first + 1].area, 1e-12));
     Observer quiet;
     const auto problem = study::describe_heat(at.input, machine(), quiet, &at.loads);
     const auto& laws =
@@ -146,7 +143,7 @@ TEST_CASE("pressure and heat of a guide are those of its sides")
     // They rub without a film: all of the heat follows the load.
     CHECK(laws[first + 1].heat_weight * machine().interfaces[first + 1].area /
               (laws[first].heat_weight * machine().interfaces[first].area) ==
-          Approx((1 - at.sides.heat_plus) / at.sides.heat_plus).epsilon(1e-9));
+          near((1 - at.sides.heat_plus) / at.sides.heat_plus, 1e-9));
     CHECK(laws[first + 1].heat_weight > 1.2 * laws[first].heat_weight);
 }
 

@@ -10,6 +10,7 @@
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/result/friction_summary.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
+#include "near.hpp"
 
 #include <doctest/doctest.h>
 #include <string>
@@ -150,7 +151,7 @@ TEST_CASE("friction laws that cases share are those of each case by itself")
                     const auto& own = alone.heat(row, segment);
                     CHECK(heat.heat(310).value == own.heat(310).value);
                     // The tolerance of the table, and no other law's.
-                    CHECK(shared.table(row, segment)(310).value == doctest::Approx(own.heat(310).value).epsilon(1e-9));
+                    CHECK(shared.table(row, segment)(310).value == near(own.heat(310).value, 1e-9));
                     CHECK(heat.load_part == own.load_part);
                     CHECK(heat.load_ratio == own.load_ratio);
                     CHECK(heat.joints == own.joints);

@@ -11,13 +11,13 @@
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 #include "deadpoint/study/translate/oil.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -77,7 +77,7 @@ TEST_CASE("a circuit has the heat capacity of its flow, and serves its joints in
     REQUIRE(circuits.size() == 1);
     const double density = input.lubricants.at("oil").density;
     CHECK(density > 800);
-    CHECK(circuits[0].sump_capacity == Approx(0.020 * density * 1900).epsilon(1e-12));
+    CHECK(circuits[0].sump_capacity == near(0.020 * density * 1900, 1e-12));
     CHECK(circuits[0].sump_loss == 6);
     CHECK(!circuits[0].cooled);
     const auto bearing = static_cast<int>(first_interface(input, "crank_bearing"));
@@ -86,7 +86,7 @@ TEST_CASE("a circuit has the heat capacity of its flow, and serves its joints in
 
     auto segment = input.operation[0];
     const double flow = 2e-3 / 60 * density * 1900;
-    CHECK(study::oil_flows(input, starter_machine(), segment)[0] == Approx(flow).epsilon(1e-12));
+    CHECK(study::oil_flows(input, starter_machine(), segment)[0] == near(flow, 1e-12));
     segment.speed = 0;
     CHECK(study::oil_flows(input, starter_machine(), segment)[0] == 0);
 }
@@ -97,14 +97,14 @@ TEST_CASE("half a press has half the flow, half the sump and half the motor")
     half.half_model = true;
     const auto whole = study::oil_circuits(starter(), starter_machine())[0];
     const auto circuit = study::oil_circuits(starter(), half)[0];
-    CHECK(circuit.sump_capacity == Approx(whole.sump_capacity / 2));
-    CHECK(circuit.sump_loss == Approx(whole.sump_loss / 2));
+    CHECK(circuit.sump_capacity == near(whole.sump_capacity / 2, 1e-5));
+    CHECK(circuit.sump_loss == near(whole.sump_loss / 2, 1e-5));
     CHECK(study::oil_flows(starter(), half, starter().operation[0])[0] ==
-          Approx(study::oil_flows(starter(), starter_machine(), starter().operation[0])[0] / 2));
+          near(study::oil_flows(starter(), starter_machine(), starter().operation[0])[0] / 2, 1e-5));
     Observer quiet;
     const auto loads = study::compute_loads(starter(), &starter_machine(), 0);
-    CHECK(study::describe_heat(starter(), half, quiet, &loads).segments[0].body_heat[0](0) == Approx(25));
-    CHECK(problem_of(starter()).segments[0].body_heat[0](0) == Approx(50));
+    CHECK(study::describe_heat(starter(), half, quiet, &loads).segments[0].body_heat[0](0) == near(25, 1e-5));
+    CHECK(problem_of(starter()).segments[0].body_heat[0](0) == near(50, 1e-5));
 }
 
 TEST_CASE("the coefficient against the arriving oil is that of an exchanger")
@@ -116,7 +116,7 @@ TEST_CASE("the coefficient against the arriving oil is that of an exchanger")
     const double units = 150 * area / problem.segments[0].oil_flow[0];
     const double expected = 150 * (1 - std::exp(-units)) / units;
     for (const auto i : {first, first + 1})
-        CHECK(problem.segments[0].interfaces[i].oil == Approx(expected).epsilon(1e-12));
+        CHECK(problem.segments[0].interfaces[i].oil == near(expected, 1e-12));
     CHECK(problem.interfaces[first].oil == 150);
     // The guide is on no circuit.
     CHECK(problem.segments[0].interfaces[first_interface(input, "guide")].oil == 0);
@@ -140,7 +140,7 @@ TEST_CASE("a resting press conducts as it did when it last ran, and its oil and 
     CHECK(!problem.segments[1].body_heat[0]);
     CHECK(problem.segments[1].heat[0](300).value == 0);
     input.heat_sources.at("clutch").at_rest = true;
-    CHECK(problem_of(input).segments[1].body_heat[0](0) == Approx(50));
+    CHECK(problem_of(input).segments[1].body_heat[0](0) == near(50, 1e-5));
 }
 
 TEST_CASE("oil coefficients grow with the speed of each segment")
@@ -157,10 +157,10 @@ TEST_CASE("oil coefficients grow with the speed of each segment")
     const auto bearing = first_interface(input, "crank_bearing"), pin = first_interface(input, "crank_pin");
     const auto oil = [&](std::size_t segment, std::size_t i) { return problem.segments[segment].interfaces[i].oil; };
     // 150 W/m2/K at the speed of the first segment
-    CHECK(oil(0, bearing) == Approx(150).epsilon(1e-14));
-    CHECK(oil(1, bearing) == Approx(150 * (0.2 + 0.8 * 2)).epsilon(1e-14));
-    CHECK(oil(2, bearing) == Approx(150 * 0.2).epsilon(1e-14));
-    CHECK(problem.interfaces[bearing].oil == Approx(150).epsilon(1e-14));
+    CHECK(oil(0, bearing) == near(150, 1e-14));
+    CHECK(oil(1, bearing) == near(150 * (0.2 + 0.8 * 2), 1e-14));
+    CHECK(oil(2, bearing) == near(150 * 0.2, 1e-14));
+    CHECK(problem.interfaces[bearing].oil == near(150, 1e-14));
     CHECK(oil(1, pin) == 150);
 }
 
@@ -177,9 +177,9 @@ TEST_CASE("under a steady force the load heat falls over the half ring as the sq
                 force = {sign * 2000 * std::cos(pi / 6), sign * 2000 * std::sin(pi / 6)};
         }
     const auto zone = study::load_zone(input, "crank_bearing", loads);
-    CHECK(zone(around(30)) == Approx(4).epsilon(1e-9));
-    CHECK(zone(around(90)) == Approx(1).epsilon(1e-9));
-    CHECK(zone(around(-30)) == Approx(1).epsilon(1e-9));
+    CHECK(zone(around(30)) == near(4, 1e-9));
+    CHECK(zone(around(90)) == near(1, 1e-9));
+    CHECK(zone(around(-30)) == near(1, 1e-9));
     CHECK(zone(around(121)) == 0);
     CHECK(zone(around(210)) == 0);
 }
@@ -192,7 +192,7 @@ TEST_CASE("the load zone of a real turn has the mean 1 and lies where the shaft 
     double mean = 0;
     for (int degree = 0; degree < 360; ++degree)
         mean += zone(around(degree)) / 360;
-    CHECK(mean == Approx(1).epsilon(1e-9));
+    CHECK(mean == near(1, 1e-9));
     // 100 kN push the crankshaft up into its bearings near bottom dead point; its weight alone hangs down.
     CHECK(zone(around(90)) > 1.5);
     CHECK(zone(around(270)) < zone(around(90)));
@@ -253,7 +253,7 @@ TEST_CASE("rings of one temperature keep the heat, a warmer inner ring raises it
     CHECK(law(10) > law(5));
     CHECK(law(-5) < 0);
     // A preload of zero is the least: colder rings take nothing more.
-    CHECK(law(-40) == Approx(law(-50)).epsilon(1e-9));
+    CHECK(law(-40) == near(law(-50), 1e-9));
     CHECK(!ring_heat([] {
         auto f = preloaded(PairArrangement::face_to_face, 0.042);
         f.ring_expansion.reset();

@@ -3,12 +3,12 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/observer.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -53,11 +53,11 @@ TEST_CASE("two boxes share the faces that they cut, and the air gets what they l
 {
     Observer quiet;
     const auto machine = study::prepare_machine(block(0.03, 0.03), 1, quiet);
-    CHECK(area_of(machine, "heated") == Approx(0.03 * 0.1).epsilon(1e-9));
-    CHECK(area_of(machine, "held") == Approx(0.07 * 0.1).epsilon(1e-9));
-    CHECK(area_of(machine, "air") == Approx(0.05).epsilon(1e-9));
+    CHECK(area_of(machine, "heated") == near(0.03 * 0.1, 1e-9));
+    CHECK(area_of(machine, "held") == near(0.07 * 0.1, 1e-9));
+    CHECK(area_of(machine, "air") == near(0.05, 1e-9));
     const auto apart = study::prepare_machine(block(0.03, 0.07), 1, quiet);
-    CHECK(area_of(apart, "air") == Approx(0.05 + 0.04 * 0.1).epsilon(1e-9));
+    CHECK(area_of(apart, "air") == near(0.05 + 0.04 * 0.1, 1e-9));
 }
 
 TEST_CASE("boxes that overlap on a face are refused")
@@ -77,7 +77,7 @@ TEST_CASE("a flux takes a box within one cell; a temperature needs the middle of
     };
     Listener listener;
     const auto machine = study::prepare_machine(block(0.02, 0.03), 1, listener);
-    CHECK(area_of(machine, "heated") == Approx(0.02 * 0.1).epsilon(1e-9));
+    CHECK(area_of(machine, "heated") == near(0.02 * 0.1, 1e-9));
     REQUIRE(listener.warnings.size() == 1);  // cells of 50 mm: the nodes of x = 50 mm to 100 mm are held
     CHECK(listener.warnings.front() ==
           "surfaces.held: the temperature is prescribed on whole faces, 50 cm2, but the box has 70 cm2; end the box "

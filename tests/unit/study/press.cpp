@@ -7,6 +7,7 @@
 #include "deadpoint/study/result/heat_tables.hpp"
 #include "deadpoint/study/result/histories.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -15,7 +16,6 @@
 #include <vector>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -105,8 +105,8 @@ TEST_CASE("a joint's temperature is the area mean of its interfaces, its heat th
     REQUIRE(named.joints.size() == 1);  // the pin has no interface
     CHECK(named.joints[0].name == "bearing");
     const auto& bearing = named.joints[0].history;
-    CHECK(bearing.temperature.value.back() == Approx((311.0 + 3 * 332) / 4));
-    CHECK(bearing.temperature.rate.front() == Approx((1.0 + 3 * 2) / 4));
+    CHECK(bearing.temperature.value.back() == near((311.0 + 3 * 332) / 4, 1e-5));
+    CHECK(bearing.temperature.rate.front() == near((1.0 + 3 * 2) / 4, 1e-5));
     CHECK(bearing.heat == std::vector<double>{80, 160});
     CHECK(study::find(named.joints, "bearing") == &bearing);
     CHECK(study::find(named.joints, "pin") == nullptr);
@@ -119,6 +119,6 @@ TEST_CASE("heat weights share a source among the interfaces of two joints")
     it.input.joints["pin"].interfaces.resize(1);
     it.problem.interfaces[1].heat_weight = 5;  // 1 to 15 by weighted area
     const auto named = study::name_histories(it.input, it.machine, it.problem, it.history, 1);
-    CHECK(study::find(named.joints, "bearing")->heat.back() == Approx(5));
-    CHECK(study::find(named.joints, "pin")->heat.back() == Approx(75));
+    CHECK(study::find(named.joints, "bearing")->heat.back() == near(5, 1e-5));
+    CHECK(study::find(named.joints, "pin")->heat.back() == near(75, 1e-5));
 }

@@ -9,6 +9,7 @@
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
 #include "deadpoint/study/translate/machine.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,6 @@
 #include <numbers>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -106,16 +106,16 @@ TEST_CASE("equal shares of time stand at their means")
     const auto stops = study::condensed(position, share, 8);
     REQUIRE(stops.size() == 8);
     for (int k = 0; k < 8; ++k) {
-        CHECK(stops[k].position == Approx((k + 0.5) / 8).epsilon(1e-12));
+        CHECK(stops[k].position == near((k + 0.5) / 8, 1e-12));
         CHECK(stops[k].share == 0.125);
     }
     const auto two = study::condensed({1, 5, 3}, {0.25, 0.25, 0.5}, 2);
-    CHECK(two[0].position == Approx(2).epsilon(1e-15));
-    CHECK(two[1].position == Approx(4).epsilon(1e-15));
+    CHECK(two[0].position == near(2, 1e-15));
+    CHECK(two[1].position == near(4, 1e-15));
     const auto three = study::condensed({0, 3}, {0.5, 0.5}, 3);
     CHECK(three[0].position == 0);
-    CHECK(three[1].position == Approx(1.5).epsilon(1e-12));
-    CHECK(three[2].position == Approx(3).epsilon(1e-12));
+    CHECK(three[1].position == near(1.5, 1e-12));
+    CHECK(three[2].position == near(3, 1e-12));
 }
 
 TEST_CASE("a slider-crank travels its stroke, with the mean and variance of its height")
@@ -128,18 +128,18 @@ TEST_CASE("a slider-crank travels its stroke, with the mean and variance of its 
     REQUIRE(travel.stops.size() == study::travel_stops + 2);
     CHECK(travel.stops.front().share == 0);
     CHECK(std::abs(travel.stops.front().offset[1]) < 1e-12);
-    CHECK(travel.stops.back().offset[1] == Approx(2 * throw_).epsilon(1e-9));
+    CHECK(travel.stops.back().offset[1] == near(2 * throw_, 1e-9));
     const auto found = moments(travel);
-    CHECK(found.share == Approx(1).epsilon(1e-14));
+    CHECK(found.share == near(1, 1e-14));
     // Of the rod's height the mean is a complete elliptic integral; 720 samples of an analytic course are exact.
     const double mean = throw_ + rod - 2 * rod / pi * std::comp_ellint_2(throw_ / rod);
-    CHECK(found.mean == Approx(mean).epsilon(1e-9));
+    CHECK(found.mean == near(mean, 1e-9));
     const auto reference = exact([](double) { return 1.0; });
-    CHECK(reference.mean == Approx(mean).epsilon(1e-9));
+    CHECK(reference.mean == near(mean, 1e-9));
     // Eight stops lack 1.3 % of the variance of a harmonic motion, sixteen a quarter of that.
-    CHECK(1 - found.variance / reference.variance == Approx(0.0128).epsilon(0.1));
+    CHECK(1 - found.variance / reference.variance == near(0.0128, 0.1));
     const auto fine = moments(study::describe_travel(slider_crank(), 16).at("guide"));
-    CHECK(1 - fine.variance / reference.variance == Approx(0.0032).epsilon(0.1));
+    CHECK(1 - fine.variance / reference.variance == near(0.0032, 0.1));
 }
 
 TEST_CASE("a press that dwells spends its time there")
@@ -155,8 +155,8 @@ TEST_CASE("a press that dwells spends its time there")
     const auto found = moments(study::describe_travel(input).at("guide"));
     const auto reference = exact(speed);
     CHECK(reference.mean < 0.8 * exact([](double) { return 1.0; }).mean);
-    CHECK(found.mean == Approx(reference.mean).epsilon(1e-4));  // trapezoids of the time over 720 samples, with kinks
-    CHECK(found.variance == Approx(reference.variance).epsilon(0.02));
+    CHECK(found.mean == near(reference.mean, 1e-4));  // trapezoids of the time over 720 samples, with kinks
+    CHECK(found.variance == near(reference.variance, 0.02));
 }
 
 TEST_CASE("only slides that move and are swept travel")
@@ -177,7 +177,7 @@ TEST_CASE("only slides that move and are swept travel")
     std::swap(input.joints["guide"].bodies[0], input.joints["guide"].bodies[1]);
     const auto frame_first = study::describe_travel(input).at("guide");
     CHECK(frame_first.moving == "frame");  // seen from the slide, the frame goes down
-    CHECK(frame_first.stops.front().offset[1] == Approx(-2 * throw_).epsilon(1e-9));
+    CHECK(frame_first.stops.front().offset[1] == near(-2 * throw_, 1e-9));
 }
 
 TEST_CASE("the guides of the shipped press get their strokes")
@@ -195,10 +195,10 @@ TEST_CASE("the guides of the shipped press get their strokes")
     constexpr double stroke = 0.021966472330578246;
     CHECK(ends("crank_pin.pin") == Vec2{});
     CHECK(std::abs(ends("guide_10.left")[0]) < 1e-9);
-    CHECK(ends("guide_10.left")[1] == Approx(stroke).epsilon(1e-4));
-    CHECK(ends("guide_12.left")[0] == Approx(-stroke).epsilon(1e-4));  // the balance slide goes down
+    CHECK(ends("guide_10.left")[1] == near(stroke, 1e-4));
+    CHECK(ends("guide_12.left")[0] == near(-stroke, 1e-4));  // the balance slide goes down
     CHECK(std::abs(ends("guide_12.left")[1]) < 1e-9);
-    CHECK(ends("guide_4.back")[1] == Approx(0.05).epsilon(1e-9));
+    CHECK(ends("guide_4.back")[1] == near(0.05, 1e-9));
 }
 
 TEST_CASE("centres of a guide are fitted where it is drawn, swept or not")

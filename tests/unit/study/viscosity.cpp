@@ -3,12 +3,12 @@
 
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace deadpoint;
-using doctest::Approx;
 
 namespace {
 
@@ -29,18 +29,18 @@ TEST_CASE("two points of a data sheet give the line of ASTM D341")
     oil.law = casefile::Lubricant::Law::walther;
     oil.viscosity = {{zero_celsius + 40, zero_celsius + 100}, {32e-6, 5.4e-6}};
     const auto law = study::viscosity_law(with_oil(oil), "oil");
-    CHECK(law(zero_celsius + 40).value == Approx(32e-6).epsilon(1e-12));
-    CHECK(law(zero_celsius + 100).value == Approx(5.4e-6).epsilon(1e-12));
+    CHECK(law(zero_celsius + 40).value == near(32e-6, 1e-12));
+    CHECK(law(zero_celsius + 100).value == near(5.4e-6, 1e-12));
     // by hand: log10 log10 (nu + 0.7) linear in log10 T
     const auto w = [](double nu) { return std::log10(std::log10(nu + 0.7)); };
     const double share = (std::log10(zero_celsius + 70) - std::log10(zero_celsius + 40)) /
                          (std::log10(zero_celsius + 100) - std::log10(zero_celsius + 40));
     const double nu = std::pow(10, std::pow(10, w(32) + share * (w(5.4) - w(32)))) - 0.7;
-    CHECK(law(zero_celsius + 70).value == Approx(nu * 1e-6).epsilon(1e-12));
+    CHECK(law(zero_celsius + 70).value == near(nu * 1e-6, 1e-12));
     // The shipped grade is the same oil, tabulated every 5 K.
     oil = casefile::read_case(DEADPOINT_SOURCE_DIR "/cases/starter/case.toml", {"lubricants.oil.library=ISO-VG-32"})
               .value.lubricants.at("oil");
-    CHECK(study::viscosity_law(with_oil(oil), "oil")(zero_celsius + 70).value == Approx(nu * 1e-6).epsilon(1e-4));
+    CHECK(study::viscosity_law(with_oil(oil), "oil")(zero_celsius + 70).value == near(nu * 1e-6, 1e-4));
     CHECK(law(zero_celsius + 70).in_range);
     CHECK(!law(zero_celsius - 30).in_range);
 }
@@ -52,7 +52,7 @@ TEST_CASE("Vogel's formula")
     oil.vogel_factor = 0.1387e-6;
     oil.vogel_b = 736.48;
     const auto law = study::viscosity_law(with_oil(oil), "oil");
-    CHECK(law(zero_celsius + 50).value == Approx(0.1387e-6 * std::exp(736.48 / 145)).epsilon(1e-12));
+    CHECK(law(zero_celsius + 50).value == near(0.1387e-6 * std::exp(736.48 / 145), 1e-12));
     CHECK(law(zero_celsius + 50).slope < 0);
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("an oil's law ends where nothing flows, and says which oil and where")
     // Ten times stiffer per kelvin: 1 degC below 60 degC, and at 20 degC 1e42 mm2/s.
     oil.viscosity = {{zero_celsius + 59, zero_celsius + 60}, {1e-3, 1e-4}};
     const auto law = study::viscosity_law(with_oil(oil), "oil");
-    CHECK(law(zero_celsius + 57).value == Approx(0.1).epsilon(1e-9));
+    CHECK(law(zero_celsius + 57).value == near(0.1, 1e-9));
     CHECK_THROWS_WITH_AS(law(zero_celsius + 20),
                          "lubricants.oil: viscosity: at 20.0 degC the end slope of its table gives 1e+42 mm2/s, and "
                          "what lubricates has 0.1 to 1e+06 mm2/s\n  help: state the oil near that temperature too "

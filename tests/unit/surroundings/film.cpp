@@ -4,6 +4,7 @@
 #include "deadpoint/surroundings/air.hpp"
 #include "deadpoint/surroundings/paper_film.hpp"
 #include "deadpoint/surroundings/radiation.hpp"
+#include "near.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ TEST_CASE("film law: value and flux are continuous through equal temperatures")
         for (const double dT : {-smoothed_difference, 0.0, smoothed_difference}) {
             const LawValue below = film(ambient + dT - 1e-9);
             const LawValue above = film(ambient + dT + 1e-9);
-            CHECK(below.value == doctest::Approx(above.value).epsilon(1e-6));
+            CHECK(below.value == near(above.value, 1e-6));
             CHECK(std::abs(below.slope - above.slope) < 1e-4 * (1 + above.value));
         }
         // The flux grows with the surface temperature everywhere: the field has one solution.
@@ -137,13 +138,13 @@ TEST_CASE("mixed film lies between the larger part and the sum; speed only helps
         AirSurface forced = shaft;
         forced.natural = NaturalFlow::none;
         const double alone = film_law(forced, ambient)(ambient + 15).value;
-        CHECK(mixed == doctest::Approx(mixed_convection(alone, natural, 4)).epsilon(1e-13));
+        CHECK(mixed == near(mixed_convection(alone, natural, 4), 1e-13));
         CHECK(mixed > before);
         before = mixed;
     }
     // Crankshaft neck of 0.17 m at 200 rpm and 30 C film: 13.1 W/m2/K by Becker, natural convection adds little.
     shaft.speed = 200 * rpm;
-    CHECK(film_law(shaft, ambient + 2.5)(ambient + 17.5).value == doctest::Approx(13.13).epsilon(0.005));
+    CHECK(film_law(shaft, ambient + 2.5)(ambient + 17.5).value == near(13.13, 0.005));
 }
 
 TEST_CASE("film law: radiation is added exactly, ranges are flagged, nonsense refused")
@@ -154,8 +155,8 @@ TEST_CASE("film law: radiation is added exactly, ranges are flagged, nonsense re
     const LawValue a = film_law(bare, ambient)(310);
     const LawValue b = film_law(painted, ambient)(310);
     const LawValue radiation = radiation_coefficient(0.9, 310, ambient);
-    CHECK(b.value == doctest::Approx(a.value + radiation.value).epsilon(1e-14));
-    CHECK(b.slope == doctest::Approx(a.slope + radiation.slope).epsilon(1e-14));
+    CHECK(b.value == near(a.value + radiation.value, 1e-14));
+    CHECK(b.slope == near(a.slope + radiation.slope, 1e-14));
     CHECK(a.in_range);
 
     CHECK_FALSE(film_law({.natural = NaturalFlow::facing_down, .natural_length = 0.03}, ambient)(ambient + 5).in_range);
@@ -175,16 +176,15 @@ TEST_CASE("enclosed surfaces: limits, slope, and agreement with the balance of t
 {
     const FilmLaw open = film_law({.natural_length = 1}, ambient);
     const double area = 3;
-    CHECK(enclosed_film(open, area, 1e15)(300).value == doctest::Approx(open(300).value).epsilon(1e-13));
+    CHECK(enclosed_film(open, area, 1e15)(300).value == near(open(300).value, 1e-13));
     CHECK(enclosed_film(open, area, 0)(300).value == 0);
     const FilmLaw enclosed = enclosed_film(open, area, 8);
     const double h = 1e-3;
-    CHECK(enclosed(300).slope ==
-          doctest::Approx((enclosed(300 + h).value - enclosed(300 - h).value) / (2 * h)).epsilon(1e-7));
+    CHECK(enclosed(300).slope == near((enclosed(300 + h).value - enclosed(300 - h).value) / (2 * h), 1e-7));
     // The air's own balance, h A (300 K - air) = G (air - ambient), gives the same heat.
     const double taken = open(300).value * area;
     const double air = (taken * 300 + 8 * ambient) / (taken + 8);
-    CHECK(8 * (air - ambient) == doctest::Approx(enclosed(300).value * area * (300 - ambient)).epsilon(1e-12));
+    CHECK(8 * (air - ambient) == near(enclosed(300).value * area * (300 - ambient), 1e-12));
     CHECK_THROWS_AS((void)enclosed_film(open, 0, 5), DomainError);
     CHECK_THROWS_AS((void)enclosed_film(open, 1, -5), DomainError);
 }
@@ -198,9 +198,9 @@ TEST_CASE("the paper's air: Table 7 lists other quantities than it says")
         const AirProperties air = air_properties(row.temperature);
         CHECK(std::abs((row.kinematic_viscosity / air.kinematic_viscosity - 1) * 100 - excess[i]) < 1.2);
         // What is printed is the dynamic viscosity in 1e-6 Pa s up to 40 C, the thermal diffusivity from 50 C.
-        CHECK(row.kinematic_viscosity == doctest::Approx(i < 3 ? air.viscosity : air.diffusivity).epsilon(0.01));
+        CHECK(row.kinematic_viscosity == near(i < 3 ? air.viscosity : air.diffusivity, 0.01));
     }
-    CHECK(paper_air(298.15).conductivity == doctest::Approx(2.63e-2).epsilon(1e-12));
+    CHECK(paper_air(298.15).conductivity == near(2.63e-2, 1e-12));
     CHECK(paper_air(250).kinematic_viscosity == 18.1e-6);
 }
 
@@ -208,10 +208,9 @@ TEST_CASE("the paper's convection against the corrected one")
 {
     // A wall of 2 m at 5 and 8 K: 4.7 and 5.6 W/m2/K as printed, 2.45 with true air.
     const FilmComparison five = compare_natural_film(NaturalFlow::vertical, 2, ambient + 5, ambient);
-    CHECK(five.paper == doctest::Approx(4.75).epsilon(0.02));
-    CHECK(five.corrected == doctest::Approx(2.454893516).epsilon(1e-9));
-    CHECK(compare_natural_film(NaturalFlow::vertical, 2, ambient + 8, ambient).paper ==
-          doctest::Approx(5.6).epsilon(0.02));
+    CHECK(five.paper == near(4.75, 0.02));
+    CHECK(five.corrected == near(2.454893516, 1e-9));
+    CHECK(compare_natural_film(NaturalFlow::vertical, 2, ambient + 8, ambient).paper == near(5.6, 0.02));
     CHECK(five.paper_in_range);
     CHECK(five.corrected_in_range);
     CHECK(five.ratio() > 1.6);
@@ -220,8 +219,8 @@ TEST_CASE("the paper's convection against the corrected one")
     CHECK_THROWS_AS((void)compare_natural_film(NaturalFlow::horizontal_cylinder, 1, 300, 290), DomainError);
 
     // 9.7 W/m2/K at 200 rpm belongs to a diameter of 69 mm with true air, 93 mm with the printed one.
-    CHECK(compare_rotating_film(200 * rpm, 0.069, 303.15).corrected == doctest::Approx(9.7).epsilon(0.005));
-    CHECK(compare_rotating_film(200 * rpm, 0.093, 303.15).paper == doctest::Approx(9.7).epsilon(0.01));
+    CHECK(compare_rotating_film(200 * rpm, 0.069, 303.15).corrected == near(9.7, 0.005));
+    CHECK(compare_rotating_film(200 * rpm, 0.093, 303.15).paper == near(9.7, 0.01));
     CHECK(compare_rotating_film(-200 * rpm, 0.2, 303.15).ratio() < 1);
     CHECK_THROWS_AS((void)compare_rotating_film(0, 0.2, 303.15), DomainError);
     CHECK(constant_film(paper_frame_coefficient, 0, ambient)(310).value == 5);

@@ -4,6 +4,7 @@
 #include "deadpoint/tribology/friction/duty.hpp"
 #include "deadpoint/tribology/friction/hertz.hpp"
 #include "deadpoint/tribology/friction/load_zone.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -45,10 +46,10 @@ TEST_CASE("ball and groove: curvatures of bearing 209 as published")
 {
     const ContactCurvature inner = inner_curvature(bearing_209());
     const ContactCurvature outer = outer_curvature(bearing_209());
-    CHECK(inner.sum == doctest::Approx(202).epsilon(2e-3));  // 0.202 1/mm as printed
-    CHECK(inner.difference == doctest::Approx(0.9399).epsilon(2e-4));
-    CHECK(outer.sum == doctest::Approx(138).epsilon(2e-3));
-    CHECK(outer.difference == doctest::Approx(0.9120).epsilon(2e-4));
+    CHECK(inner.sum == near(202, 2e-3));  // 0.202 1/mm as printed
+    CHECK(inner.difference == near(0.9399, 2e-4));
+    CHECK(outer.sum == near(138, 2e-3));
+    CHECK(outer.difference == near(0.9120, 2e-4));
 }
 
 TEST_CASE("ball and groove: the row's stiffness is that of both contacts, and follows the Hertz law")
@@ -57,7 +58,7 @@ TEST_CASE("ball and groove: the row's stiffness is that of both contacts, and fo
     const RollingRow row = rolling_row(bearing);
     for (const double load : {10.0, 3000.0}) {
         const double approach = inner_contact(bearing, load).approach + outer_contact(bearing, load).approach;
-        CHECK(element_load(row, {approach, 0}, 0) == doctest::Approx(load).epsilon(1e-12));
+        CHECK(element_load(row, {approach, 0}, 0) == near(load, 1e-12));
     }
     // Steel, in mm and N: a = 0.0236 a* (Q / sum)^(1/3) (Harris; E 207 GPa).
     BallBearing steel = bearing_209();
@@ -65,7 +66,7 @@ TEST_CASE("ball and groove: the row's stiffness is that of both contacts, and fo
     const ContactCurvature curvature = inner_curvature(steel);
     const double published =
         0.0236 * contact_shape(curvature.difference).major * std::cbrt(1000 / (curvature.sum * 1e-3));
-    CHECK(inner_contact(steel, 1000).major * 1e3 == doctest::Approx(published).epsilon(2e-3));
+    CHECK(inner_contact(steel, 1000).major * 1e3 == near(published, 2e-3));
 }
 
 TEST_CASE("spin: the moment is the integral of friction over the ellipse")
@@ -82,8 +83,8 @@ TEST_CASE("spin: the moment is the integral of friction over the ellipse")
         around += std::hypot(a * std::cos(theta), b * std::sin(theta)) * 2 * pi / count;
     }
     const double expected = friction * 1.5 * load / pi * around * pi / 16;
-    CHECK(spin_moment(friction, load, a, b) == doctest::Approx(expected).epsilon(1e-10));
-    CHECK(spin_moment(friction, load, a, a) == doctest::Approx(3 * pi * friction * load * a / 16).epsilon(1e-13));
+    CHECK(spin_moment(friction, load, a, b) == near(expected, 1e-10));
+    CHECK(spin_moment(friction, load, a, a) == near(3 * pi * friction * load * a / 16, 1e-13));
     CHECK(spin_moment(friction, 0, 0, 0) == 0.0);
     CHECK_THROWS_AS(spin_moment(friction, load, b, a), InputError);
 }
@@ -99,7 +100,7 @@ TEST_CASE("spin: equal loads give balls times moment times sin(angle); unequal o
     const ContactEllipse ellipse = inner_contact(bearing, ball);
     const double moment = spin_moment(0.06, ball, ellipse.major, ellipse.minor);
     CHECK(spin_heat(bearing, 0.06, loading, steady_duty(0, 21)) ==
-          doctest::Approx(spin_power(moment, bearing.balls, 21, bearing.contact_angle)).epsilon(1e-10));
+          near(spin_power(moment, bearing.balls, 21, bearing.contact_angle), 1e-10));
 
     const auto rows = spread_load(bearing, 8e3, loading);
     double sum = 0;
@@ -109,7 +110,7 @@ TEST_CASE("spin: equal loads give balls times moment times sin(angle); unequal o
         const ContactEllipse at = inner_contact(bearing, load);
         sum += bearing.balls * spin_moment(0.06, load, at.major, at.minor) / positions;
     }
-    CHECK(spin_torque(bearing, 0.06, rows) == doctest::Approx(sum * std::sin(bearing.contact_angle)).epsilon(1e-6));
+    CHECK(spin_torque(bearing, 0.06, rows) == near(sum * std::sin(bearing.contact_angle), 1e-6));
 }
 
 TEST_CASE("spin: heat grows as speed and, without preload, as load to 4/3; none without contact angle")
@@ -117,9 +118,8 @@ TEST_CASE("spin: heat grows as speed and, without preload, as load to 4/3; none 
     const BallBearing bearing = crank_pair();
     const double base = spin_heat(bearing, 0.06, {}, steady_duty(9e3, 20));
     CHECK(base > 0);
-    CHECK(spin_heat(bearing, 0.06, {}, steady_duty(9e3, 60)) == doctest::Approx(3 * base).epsilon(1e-12));
-    CHECK(spin_heat(bearing, 0.06, {}, steady_duty(18e3, 20)) ==
-          doctest::Approx(std::pow(2, 4.0 / 3) * base).epsilon(1e-9));
+    CHECK(spin_heat(bearing, 0.06, {}, steady_duty(9e3, 60)) == near(3 * base, 1e-12));
+    CHECK(spin_heat(bearing, 0.06, {}, steady_duty(18e3, 20)) == near(std::pow(2, 4.0 / 3) * base, 1e-9));
     const BallLoading preloaded{0, preload_approach(bearing, 3e3)};
     CHECK(spin_heat(bearing, 0.06, preloaded, steady_duty(9e3, 20)) > base);
     CHECK(spin_heat(bearing, 0.06, preloaded, steady_duty(9e3, 0)) == 0.0);
@@ -131,10 +131,10 @@ TEST_CASE("preload: the approach of an axial force gives it back; a clearance op
     const BallBearing bearing = crank_pair();
     const double approach = preload_approach(bearing, 3e3);
     const PreloadForces forces = preload_forces(bearing, approach);
-    CHECK(forces.axial == doctest::Approx(3e3).epsilon(1e-12));
-    CHECK(forces.radial == doctest::Approx(3e3 / std::tan(bearing.contact_angle)).epsilon(1e-12));
-    CHECK(forces.ball * bearing.balls * std::sin(bearing.contact_angle) == doctest::Approx(3e3).epsilon(1e-12));
-    CHECK(clearance_approach(bearing, 40e-6) == doctest::Approx(-20e-6 * std::cos(25 * degree)).epsilon(1e-14));
+    CHECK(forces.axial == near(3e3, 1e-12));
+    CHECK(forces.radial == near(3e3 / std::tan(bearing.contact_angle), 1e-12));
+    CHECK(forces.ball * bearing.balls * std::sin(bearing.contact_angle) == near(3e3, 1e-12));
+    CHECK(clearance_approach(bearing, 40e-6) == near(-20e-6 * std::cos(25 * degree), 1e-14));
     CHECK(preload_forces(bearing, clearance_approach(bearing, 40e-6)).ball == 0.0);
     const BallBearing radial = bearing_209();
     CHECK(largest_load(rolling_row(radial), spread_load(radial, 1e3, {0, clearance_approach(radial, 30e-6)})[0]) >
@@ -151,7 +151,7 @@ TEST_CASE("thermal preload: even warming does nothing, a warm inner ring tighten
     // Without contact angle: half the difference of the groove diameters' growth, balls halfway between.
     const BallBearing deep = bearing_209();
     CHECK(thermal_approach(deep, {10, 0, 5}, expansion) ==
-          doctest::Approx(expansion * (10 * (65e-3 - 12.7e-3) / 2 + 5 * 12.7e-3)).epsilon(1e-12));
+          near(expansion * (10 * (65e-3 - 12.7e-3) / 2 + 5 * 12.7e-3), 1e-12));
 
     const double back = thermal_approach(bearing, {10, 0, 5}, expansion, PairArrangement::back_to_back, 0.042);
     const double single = thermal_approach(bearing, {10, 0, 5}, expansion);
@@ -159,7 +159,7 @@ TEST_CASE("thermal preload: even warming does nothing, a warm inner ring tighten
     CHECK(0 < back);
     CHECK(back < single);
     CHECK(single < face);
-    CHECK(face - single == doctest::Approx(single - back).scale(0).epsilon(1e-12));  // the pair turned around
+    CHECK(face - single == near(single - back, 1e-12));  // the pair turned around
     const double neutral = bearing.pitch_diameter / std::tan(bearing.contact_angle);
     CHECK(std::abs(thermal_approach(bearing, {10, 0, 5}, expansion, PairArrangement::back_to_back, neutral)) < 1e-18);
 
@@ -169,7 +169,7 @@ TEST_CASE("thermal preload: even warming does nothing, a warm inner ring tighten
     const double warmer =
         preload_forces(bearing, thermal_approach(bearing, {20, 0, 10}, expansion, PairArrangement::face_to_face, 0.042))
             .axial;
-    CHECK(warmer == doctest::Approx(std::pow(2, 1.5) * warm).epsilon(1e-12));
+    CHECK(warmer == near(std::pow(2, 1.5) * warm, 1e-12));
 }
 
 TEST_CASE("ball bearings that mean nothing are refused")

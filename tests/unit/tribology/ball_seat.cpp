@@ -2,6 +2,7 @@
 #include "deadpoint/tribology/friction/ball_seat.hpp"
 
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -9,7 +10,6 @@
 
 using namespace deadpoint;
 using namespace deadpoint::tribology;
-using doctest::Approx;
 
 namespace {
 
@@ -38,11 +38,11 @@ double over(const BallSeat& seat, const Function& f)
 
 TEST_CASE("a half ball rubs at 4 / pi of its radius, a small seat at its radius")
 {
-    CHECK(friction_radius({0.05, 0, pi / 2}) == Approx(0.05 * 4 / pi).epsilon(1e-12));
-    CHECK(friction_radius({0.05, 0, 0.01}) == Approx(0.05).epsilon(1e-4));  // 1 + theta^2 / 8
-    CHECK(seat_area({0.05, 0, pi / 2}) == Approx(2 * pi * 0.05 * 0.05).epsilon(1e-14));
+    CHECK(friction_radius({0.05, 0, pi / 2}) == near(0.05 * 4 / pi, 1e-12));
+    CHECK(friction_radius({0.05, 0, 0.01}) == near(0.05, 1e-4));  // 1 + theta^2 / 8
+    CHECK(seat_area({0.05, 0, pi / 2}) == near(2 * pi * 0.05 * 0.05, 1e-14));
     CHECK(film_length({0.05, 0, pi / 2}) ==  // 2 pi r^3 L = 4 pi / 3 R^4, at r = 4 / pi R
-          Approx(0.05 * 2.0 / 3 * std::pow(pi / 4, 3)).epsilon(1e-12));
+          near(0.05 * 2.0 / 3 * std::pow(pi / 4, 3), 1e-12));
 }
 
 TEST_CASE("friction, film and area of any seat are the integrals over it")
@@ -50,11 +50,11 @@ TEST_CASE("friction, film and area of any seat are the integrals over it")
     for (const BallSeat& seat : {BallSeat{0.04, 0, 1.2}, BallSeat{0.03, 0.35, 1.4}, BallSeat{0.1, 0.5, pi / 2}}) {
         const double force = over(seat, [](double cosine, double) { return cosine * cosine; });
         const double moment = over(seat, [](double cosine, double arm) { return cosine * arm; });
-        CHECK(friction_radius(seat) == Approx(moment / force).epsilon(1e-5));
-        CHECK(seat_area(seat) == Approx(over(seat, [](double, double) { return 1; })).epsilon(1e-5));
+        CHECK(friction_radius(seat) == near(moment / force, 1e-5));
+        CHECK(seat_area(seat) == near(over(seat, [](double, double) { return 1; }), 1e-5));
         const double r = friction_radius(seat);
         CHECK(2 * pi * r * r * r * film_length(seat) ==
-              Approx(over(seat, [](double, double arm) { return arm * arm; })).epsilon(1e-5));
+              near(over(seat, [](double, double arm) { return arm * arm; }), 1e-5));
     }
 }
 

@@ -3,6 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/tribology/conductance/bearing_conductance.hpp"
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -71,15 +72,15 @@ const GapFluid air{0.026, 3.7e-7};
 TEST_CASE("domain extension: reference values, residual and limits")
 {
     for (const auto& row : oracle("psi"))
-        CHECK(domain_extension(number(row, "D")) == doctest::Approx(number(row, "psi")).epsilon(printed));
+        CHECK(domain_extension(number(row, "D")) == near(number(row, "psi"), printed));
     for (double D = 1.02; D < 2; D += 0.04) {
         INFO("D ", D);
         // Rounding of the terms, each of order one, over the slope of order 0.1 near D = 2.
         CHECK(std::abs(extension_residual(domain_extension(D), D)) < 1e-14);
     }
     const double golden = (1 + std::sqrt(5.0)) / 2;
-    CHECK(domain_extension(1 + 1e-9) == doctest::Approx(golden * golden).epsilon(1e-8));
-    CHECK(domain_extension(2 - 1e-9) == doctest::Approx(std::numbers::e - 1).epsilon(1e-8));
+    CHECK(domain_extension(1 + 1e-9) == near(golden * golden, 1e-8));
+    CHECK(domain_extension(2 - 1e-9) == near(std::numbers::e - 1, 1e-8));
     CHECK_THROWS_AS((void)domain_extension(1), DomainError);
     CHECK_THROWS_AS((void)domain_extension(2), DomainError);
     CHECK_THROWS_AS((void)domain_extension(std::nan("")), DomainError);
@@ -90,10 +91,10 @@ TEST_CASE("fractal area: reference values")
     for (const auto& row : oracle("contact_area")) {
         INFO("D ", number(row, "D"), " P ", number(row, "P"));
         const ContactArea area = fractal_area(of_row(row), number(row, "P"));
-        CHECK(area.share == doctest::Approx(number(row, "Ar")).epsilon(printed));
-        CHECK(std::exp(area.log_critical) == doctest::Approx(number(row, "a_c")).epsilon(printed));
+        CHECK(area.share == near(number(row, "Ar"), printed));
+        CHECK(std::exp(area.log_critical) == near(number(row, "a_c"), printed));
         if (area.plastic)
-            CHECK(area.share == doctest::Approx(number(row, "Ar_plastic")).epsilon(printed));
+            CHECK(area.share == near(number(row, "Ar_plastic"), printed));
     }
 }
 
@@ -115,8 +116,8 @@ TEST_CASE("fractal area satisfies both sums over the spots as written in the doc
                                        contact.hardness * D / (2 - D) * std::pow(ac, h));
         const double touching = common * D / (2 - D) * ((std::pow(a, h) - std::pow(ac, h)) / 2 + std::pow(ac, h));
         INFO("D ", D);
-        CHECK(force == doctest::Approx(P * 1e-6).epsilon(1e-12));
-        CHECK(touching == doctest::Approx(area.share * 1e-6).epsilon(1e-12));
+        CHECK(force == near(P * 1e-6, 1e-12));
+        CHECK(touching == near(area.share * 1e-6, 1e-12));
     }
 }
 
@@ -130,8 +131,8 @@ TEST_CASE("fractal area is smooth through D = 1.5 and through a_L = a_c")
             INFO("D ", D, " P ", P);
             CHECK(std::abs(log_share(D + step) - 2 * log_share(D) + log_share(D - step)) < 5e-5);
         }
-        CHECK(log_share(1.5 + 1e-9) == doctest::Approx(log_share(1.5)).epsilon(1e-8));
-        CHECK(log_share(1.5 - 1e-9) == doctest::Approx(log_share(1.5)).epsilon(1e-8));
+        CHECK(log_share(1.5 + 1e-9) == near(log_share(1.5), 1e-8));
+        CHECK(log_share(1.5 - 1e-9) == near(log_share(1.5), 1e-8));
     }
     // At D = 1.4 the largest spot passes the critical one at some pressure: the share runs on there.
     const FractalContact contact = steel_pair(1.4);
@@ -141,9 +142,8 @@ TEST_CASE("fractal area is smooth through D = 1.5 and through a_L = a_c")
     REQUIRE_FALSE(fractal_area(contact, high).plastic);
     while (high / low > 1 + 1e-13)
         (fractal_area(contact, std::sqrt(low * high)).plastic ? low : high) = std::sqrt(low * high);
-    CHECK(fractal_area(contact, high).share == doctest::Approx(fractal_area(contact, low).share).epsilon(1e-11));
-    CHECK(fractal_area(contact, high).largest_spot ==
-          doctest::Approx(fractal_area(contact, low).largest_spot).epsilon(1e-11));
+    CHECK(fractal_area(contact, high).share == near(fractal_area(contact, low).share, 1e-11));
+    CHECK(fractal_area(contact, high).largest_spot == near(fractal_area(contact, low).largest_spot, 1e-11));
 }
 
 TEST_CASE("fractal area grows with pressure; its slopes lie between the plastic and the elastic limit")
@@ -164,7 +164,7 @@ TEST_CASE("fractal area grows with pressure; its slopes lie between the plastic 
     }
     const ContactArea smooth = fractal_area(steel_pair(1.001), 1e6);  // a_c beyond any number
     CHECK(smooth.plastic);
-    CHECK(smooth.share == doctest::Approx(1e6 / 2.1e9).epsilon(1e-15));
+    CHECK(smooth.share == near(1e6 / 2.1e9, 1e-15));
     CHECK(fractal_area(steel_pair(1.5), 0).share == 0);
 }
 
@@ -178,14 +178,12 @@ TEST_CASE("fractal conductance: the five interfaces of Zheng et al. 2018, Table 
         const ContactConductance result = fractal_conductance(contact, fluid, P);
         CHECK(result.in_range);
         CHECK(result.notes.empty());
-        CHECK(result.resistance() == doctest::Approx(number(row, "R")).epsilon(printed));
-        CHECK(fractal_area(contact, P).share == doctest::Approx(number(row, "Ar")).epsilon(printed));
-        CHECK(fractal_conductance(contact, fluid, 2 * P).resistance() ==
-              doctest::Approx(number(row, "R_P2")).epsilon(printed));
-        CHECK(fractal_conductance(contact, fluid, P / 2).resistance() ==
-              doctest::Approx(number(row, "R_Phalf")).epsilon(printed));
+        CHECK(result.resistance() == near(number(row, "R"), printed));
+        CHECK(fractal_area(contact, P).share == near(number(row, "Ar"), printed));
+        CHECK(fractal_conductance(contact, fluid, 2 * P).resistance() == near(number(row, "R_P2"), printed));
+        CHECK(fractal_conductance(contact, fluid, P / 2).resistance() == near(number(row, "R_Phalf"), printed));
         const double z = fractal_separation(contact, fluid, P, 1 / number(row, "R"));
-        CHECK(z == doctest::Approx(number(row, "z")).epsilon(printed));
+        CHECK(z == near(number(row, "z"), printed));
         // Air conducts less than oil; with little solid contact (the guides) it resists three to five times as much.
         const double in_air = fractal_conductance(contact, air, P).resistance() / result.resistance();
         CHECK(in_air > (fractal_area(contact, P).share < 1e-3 ? 3 : 1.3));
@@ -207,12 +205,12 @@ TEST_CASE("fractal conductance grows with pressure at every dimension, and its s
                 const double h = fractal_conductance(contact, fluid, P).conductance;
                 CHECK(h > before);
                 before = h;
-                CHECK(fractal_separation(contact, fluid, P, h) == doctest::Approx(1e-4).epsilon(1e-11));
+                CHECK(fractal_separation(contact, fluid, P, h) == near(1e-4, 1e-11));
             }
         }
     }
     FractalContact contact = steel_pair(1.5);
-    CHECK(fractal_conductance(contact, oil, 0).conductance == doctest::Approx(0.14 / 1e-5).epsilon(1e-14));
+    CHECK(fractal_conductance(contact, oil, 0).conductance == near(0.14 / 1e-5, 1e-14));
 }
 
 TEST_CASE("fractal contact refuses what has no meaning and flags what is not meant")
@@ -237,14 +235,13 @@ TEST_CASE("Cooper, Mikic and Yovanovich: reference values and the published case
                                    number(row, "k2")};
         const GapFluid fluid{number(row, "kg"), number(row, "M")};
         const double P = number(row, "P");
-        CHECK(rough_conductance(contact, fluid, P).resistance() == doctest::Approx(number(row, "R")).epsilon(printed));
-        CHECK(rough_conductance(contact, {0, 0}, P).conductance ==
-              doctest::Approx(number(row, "h_c")).epsilon(printed));
-        CHECK(slope_of_roughness(number(row, "sigma")) == doctest::Approx(number(row, "m")).epsilon(1e-12));
+        CHECK(rough_conductance(contact, fluid, P).resistance() == near(number(row, "R"), printed));
+        CHECK(rough_conductance(contact, {0, 0}, P).conductance == near(number(row, "h_c"), printed));
+        CHECK(slope_of_roughness(number(row, "sigma")) == near(number(row, "m"), 1e-12));
     }
     // k 43, slope 0.1, sigma 1 um, P 10 MPa, H 2.5 GPa, no fluid: 28335.80 W/m2/K (seven digits).
     const ContactConductance known = rough_conductance({1e-6, 0.1, 2.5e9, 43, 43}, {0, 0}, 1e7);
-    CHECK(known.conductance == doctest::Approx(28335.80).epsilon(2e-7));
+    CHECK(known.conductance == near(28335.80, 2e-7));
     CHECK(known.in_range);
 }
 
@@ -257,7 +254,7 @@ TEST_CASE("Cooper, Mikic and Yovanovich reproduces Table 3 of Zheng et al. 2018 
         const RoughContact contact{roughness[i], slope_of_roughness(roughness[i]), number(row, "H"), number(row, "k1"),
                                    number(row, "k2")};
         const double P = number(row, "P");
-        CHECK(rough_conductance(contact, oil, P).resistance() == doctest::Approx(number(row, "R")).epsilon(2e-3));
+        CHECK(rough_conductance(contact, oil, P).resistance() == near(number(row, "R"), 2e-3));
         const double in_air = rough_conductance(contact, air, P).resistance();
         CHECK(in_air > 1.9e-5);
         CHECK(in_air < 4.7e-5);
@@ -276,22 +273,22 @@ TEST_CASE("Cooper, Mikic and Yovanovich: grows with pressure, P^0.95 without flu
     }
     const double ratio =
         rough_conductance(contact, {0, 0}, 2e7).conductance / rough_conductance(contact, {0, 0}, 1e7).conductance;
-    CHECK(ratio == doctest::Approx(std::pow(2, 0.95)).epsilon(1e-13));
+    CHECK(ratio == near(std::pow(2, 0.95), 1e-13));
     CHECK_THROWS_AS((void)rough_conductance(contact, oil, 2.5e9), DomainError);
     CHECK_THROWS_AS((void)rough_conductance(contact, {0, 0}, 0), DomainError);
     CHECK_THROWS_AS((void)rough_conductance({0, 0.1, 2.5e9, 43, 43}, oil, 1e6), DomainError);
     // Air at 20 C, accommodation 0.9 on both sides: 2 * 1.1/0.9 * 2.8 / (0.7 * 2.4) * 68 nm = 0.277 um.
-    CHECK(gas_jump(6.8e-8, 0.9, 0.9, 1.4, 0.7) == doctest::Approx(2.77037037e-7).epsilon(1e-8));
+    CHECK(gas_jump(6.8e-8, 0.9, 0.9, 1.4, 0.7) == near(2.77037037e-7, 1e-8));
     CHECK_THROWS_AS((void)gas_jump(6.8e-8, 0, 0.9, 1.4, 0.7), DomainError);
 }
 
 TEST_CASE("direct values and films")
 {
-    CHECK(direct_conductance(250).resistance() == doctest::Approx(0.004).epsilon(1e-15));
+    CHECK(direct_conductance(250).resistance() == near(0.004, 1e-15));
     CHECK_THROWS_AS((void)direct_conductance(0), DomainError);
     // 50 um of oil: 2800 W/m2/K.
-    CHECK(film_conductance(oil, 50e-6).conductance == doctest::Approx(2800).epsilon(1e-14));
-    CHECK(film_conductance(air, 1e-6).conductance == doctest::Approx(0.026 / 1.37e-6).epsilon(1e-14));
+    CHECK(film_conductance(oil, 50e-6).conductance == near(2800, 1e-14));
+    CHECK(film_conductance(air, 1e-6).conductance == near(0.026 / 1.37e-6, 1e-14));
     CHECK_FALSE(film_conductance(oil, 5e-3).in_range);
     CHECK_THROWS_AS((void)film_conductance(oil, 0), DomainError);
 
@@ -300,24 +297,24 @@ TEST_CASE("direct values and films")
     double mean = 0;
     for (int i = 0; i < 400; ++i)
         mean += 0.14 / (40e-6 * (1 + e * std::cos(2 * pi * i / 400))) / 400;
-    CHECK(journal_film_conductance(0.14, 40e-6, e).conductance == doctest::Approx(mean).epsilon(1e-13));
+    CHECK(journal_film_conductance(0.14, 40e-6, e).conductance == near(mean, 1e-13));
     CHECK_FALSE(journal_film_conductance(0.14, 40e-6, 0.99).in_range);
     CHECK_THROWS_AS((void)journal_film_conductance(0.14, 40e-6, 1), DomainError);
 }
 
 TEST_CASE("helpers of the solids")
 {
-    CHECK(harmonic_conductivity(41, 46.05) == doctest::Approx(2 * 41 * 46.05 / 87.05).epsilon(1e-15));
-    CHECK(harmonic_conductivity(30, 30) == doctest::Approx(30).epsilon(1e-15));
-    CHECK(contact_modulus(210e9, 0.3, 210e9, 0.3) == doctest::Approx(105e9 / 0.91).epsilon(1e-14));
+    CHECK(harmonic_conductivity(41, 46.05) == near(2 * 41 * 46.05 / 87.05, 1e-15));
+    CHECK(harmonic_conductivity(30, 30) == near(30, 1e-15));
+    CHECK(contact_modulus(210e9, 0.3, 210e9, 0.3) == near(105e9 / 0.91, 1e-14));
     CHECK_THROWS_AS((void)contact_modulus(210e9, 0.7, 210e9, 0.3), DomainError);
 }
 
 TEST_CASE("contact spot at rest: circle, capacity of the ellipse by its integral, long ellipse")
 {
-    CHECK(spot_conductance({1e-3, 1e-3}, 46) == doctest::Approx(4 * 46 * 1e-3).epsilon(1e-14));
+    CHECK(spot_conductance({1e-3, 1e-3}, 46) == near(4 * 46 * 1e-3, 1e-14));
     // Twice as large at the same shape conducts twice as well; which axis is across does not matter at rest.
-    CHECK(spot_conductance({2e-3, 4e-4}, 46) == doctest::Approx(2 * spot_conductance({1e-3, 2e-4}, 46)).epsilon(1e-14));
+    CHECK(spot_conductance({2e-3, 4e-4}, 46) == near(2 * spot_conductance({1e-3, 2e-4}, 46), 1e-14));
     CHECK(spot_conductance({2e-4, 1e-3}, 46) == spot_conductance({1e-3, 2e-4}, 46));
     // K(e)/a = integral of d phi / sqrt(a^2 cos^2 + b^2 sin^2), 0..pi/2, by the trapezoidal rule (periodic).
     const double a = 2e-3;
@@ -325,10 +322,10 @@ TEST_CASE("contact spot at rest: circle, capacity of the ellipse by its integral
     double integral = 0;
     for (int i = 0; i < 400; ++i)
         integral += pi / 2 / 400 / std::hypot(a * std::cos(pi * i / 400), b * std::sin(pi * i / 400));
-    CHECK(spot_conductance({a, b}, 46) == doctest::Approx(2 * pi * 46 / integral).epsilon(1e-12));
+    CHECK(spot_conductance({a, b}, 46) == near(2 * pi * 46 / integral, 1e-12));
     // A roller as long as thick, d = L = 2 a = 20 mm, b = 0.1 mm: ln(2 d/b) / (pi k L), within K's (b/a)^2 term.
     const double roller = pi * 46 * 0.02 / std::log(2 * 0.02 / 1e-4);
-    CHECK(spot_conductance({0.01, 1e-4}, 46) == doctest::Approx(roller).epsilon(1e-4));
+    CHECK(spot_conductance({0.01, 1e-4}, 46) == near(roller, 1e-4));
 }
 
 TEST_CASE("passing contact spot: the strips summed one by one")
@@ -346,8 +343,8 @@ TEST_CASE("passing contact spot: the strips summed one by one")
         sum += 2 * 46 / std::sqrt(pi * alpha * length / v) * length * 2 * a / n;
     }
     // Midpoint rule with quarter-power ends.
-    CHECK(passing_spot_conductance({a, b}, steel, v) == doctest::Approx(sum).epsilon(1e-6));
-    CHECK(passing_spot_conductance({a, b}, steel, -4 * v) == doctest::Approx(2 * sum).epsilon(1e-6));
+    CHECK(passing_spot_conductance({a, b}, steel, v) == near(sum, 1e-6));
+    CHECK(passing_spot_conductance({a, b}, steel, -4 * v) == near(2 * sum, 1e-6));
     CHECK(passing_spot_conductance({a, b}, steel, 0) == 0);
 }
 
@@ -359,28 +356,28 @@ TEST_CASE("bearing: elements in parallel, rings and contacts in series")
     path.elements.assign(20, {{1e-3, 1e-3}, {2e-3, 2e-3}});
     // Each side 4 k a: inner contacts 20 * 2 k a = 1.84, outer 3.68 W/K.
     const BearingConductance plain = bearing_conductance(path);
-    CHECK(plain.inner == doctest::Approx(1.84).epsilon(1e-13));
-    CHECK(plain.outer == doctest::Approx(3.68).epsilon(1e-13));
-    CHECK(plain.total == doctest::Approx(1 / (1 / 1.84 + 1 / 3.68)).epsilon(1e-13));
-    CHECK(plain.per_area(0.05).conductance == doctest::Approx(plain.total / 0.05).epsilon(1e-15));
+    CHECK(plain.inner == near(1.84, 1e-13));
+    CHECK(plain.outer == near(3.68, 1e-13));
+    CHECK(plain.total == near(1 / (1 / 1.84 + 1 / 3.68), 1e-13));
+    CHECK(plain.per_area(0.05).conductance == near(plain.total / 0.05, 1e-15));
     CHECK(plain.in_range);
 
     BearingPath ringed = path;
     ringed.inner_ring = {0.17, 0.19, 0.042};
     const double shell = std::log(0.19 / 0.17) / (2 * pi * 46 * 0.042);
-    CHECK(1 / bearing_conductance(ringed).inner == doctest::Approx(1 / 1.84 + shell).epsilon(1e-13));
+    CHECK(1 / bearing_conductance(ringed).inner == near(1 / 1.84 + shell, 1e-13));
 
     BearingPath oiled = path;
     oiled.film_thickness = 1e-6;
     oiled.film_conductivity = 0.14;
     const double one = 1 / (2 * 46 * 1e-3) + 1e-6 / (0.14 * pi * 1e-6);
-    CHECK(bearing_conductance(oiled).inner == doctest::Approx(20 / one).epsilon(1e-13));
+    CHECK(bearing_conductance(oiled).inner == near(20 / one, 1e-13));
 
     BearingPath turning = path;
     turning.rolling_speed = 1;
     CHECK(bearing_conductance(turning).total > 2 * plain.total);
     turning.rolling_speed = 1e-9;  // a bearing that hardly turns is one at rest
-    CHECK(bearing_conductance(turning).total == doctest::Approx(plain.total).epsilon(1e-6));
+    CHECK(bearing_conductance(turning).total == near(plain.total, 1e-6));
 
     path.elements.assign(3, {{1e-3, 3e-3}, {1e-3, 3e-3}});
     CHECK_FALSE(bearing_conductance(path).in_range);

@@ -1,6 +1,7 @@
 #include "deadpoint/tribology/friction/hertz.hpp"
 
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -32,16 +33,16 @@ EllipticIntegrals by_quadrature(double complementary)
 
 TEST_CASE("elliptic integrals: limits, a published value and quadrature")
 {
-    CHECK(elliptic_integrals(1).first == doctest::Approx(pi / 2).epsilon(1e-15));
-    CHECK(elliptic_integrals(1).second == doctest::Approx(pi / 2).epsilon(1e-15));
+    CHECK(elliptic_integrals(1).first == near(pi / 2, 1e-15));
+    CHECK(elliptic_integrals(1).second == near(pi / 2, 1e-15));
     // k^2 = 0.5 (Abramowitz and Stegun, Table 17.1)
-    CHECK(elliptic_integrals(std::sqrt(0.5)).first == doctest::Approx(1.854074677301372).epsilon(1e-14));
-    CHECK(elliptic_integrals(std::sqrt(0.5)).second == doctest::Approx(1.350643881047675).epsilon(1e-14));
+    CHECK(elliptic_integrals(std::sqrt(0.5)).first == near(1.854074677301372, 1e-14));
+    CHECK(elliptic_integrals(std::sqrt(0.5)).second == near(1.350643881047675, 1e-14));
     for (const double ratio : {0.9, 0.3, 0.05, 0.01}) {
-        CHECK(elliptic_integrals(ratio).first == doctest::Approx(by_quadrature(ratio).first).epsilon(1e-12));
-        CHECK(elliptic_integrals(ratio).second == doctest::Approx(by_quadrature(ratio).second).epsilon(1e-12));
+        CHECK(elliptic_integrals(ratio).first == near(by_quadrature(ratio).first, 1e-12));
+        CHECK(elliptic_integrals(ratio).second == near(by_quadrature(ratio).second, 1e-12));
     }
-    CHECK(elliptic_integrals(1e-8).second == doctest::Approx(1).epsilon(1e-13));
+    CHECK(elliptic_integrals(1e-8).second == near(1, 1e-13));
     CHECK_THROWS_AS(elliptic_integrals(0), DomainError);
     CHECK_THROWS_AS(elliptic_integrals(1.01), DomainError);
 }
@@ -77,9 +78,9 @@ TEST_CASE("contact ellipse: the published table of a*, b*, delta* over the curva
         CAPTURE(row.difference);
         const ContactShape shape = contact_shape(row.difference);
         // The table's differences are rounded and steep at the end, its numbers come from older quadrature: 0.1 %.
-        CHECK(shape.major == doctest::Approx(row.major).epsilon(1e-3));
-        CHECK(shape.minor == doctest::Approx(row.minor).epsilon(1e-3));
-        CHECK(shape.approach == doctest::Approx(row.approach).epsilon(1e-3));
+        CHECK(shape.major == near(row.major, 1e-3));
+        CHECK(shape.minor == near(row.minor, 1e-3));
+        CHECK(shape.approach == near(row.approach, 1e-3));
     }
 }
 
@@ -90,14 +91,12 @@ TEST_CASE("contact ellipse: the shape satisfies its equation and is smooth towar
         const double squared = shape.axis_ratio * shape.axis_ratio;
         const auto [first, second] = elliptic_integrals(shape.axis_ratio);
         // b*, a*, delta* by their own formulas, from the axis ratio.
-        CHECK(shape.minor == doctest::Approx(std::cbrt(2 * shape.axis_ratio * second / pi)).epsilon(1e-12));
-        CHECK(shape.approach ==
-              doctest::Approx(2 * first / pi * std::cbrt(pi * squared / (2 * second))).epsilon(1e-12));
+        CHECK(shape.minor == near(std::cbrt(2 * shape.axis_ratio * second / pi), 1e-12));
+        CHECK(shape.approach == near(2 * first / pi * std::cbrt(pi * squared / (2 * second)), 1e-12));
         if (difference >= 1e-3)
-            CHECK(((1 + squared) * second - 2 * squared * first) / ((1 - squared) * second) ==
-                  doctest::Approx(difference).epsilon(1e-9));
+            CHECK(((1 + squared) * second - 2 * squared * first) / ((1 - squared) * second) == near(difference, 1e-9));
         else  // F = 3/8 k^2
-            CHECK(1 - squared == doctest::Approx(difference * 8 / 3).epsilon(1e-4));
+            CHECK(1 - squared == near(difference * 8 / 3, 1e-4));
     }
     CHECK_THROWS_AS(contact_shape(1), DomainError);
     CHECK_THROWS_AS(contact_shape(-0.1), DomainError);
@@ -110,10 +109,10 @@ TEST_CASE("contact of a ball on a plane: the closed form")
     const double compliance = contact_compliance(208e9, 0.3, 110e9, 0.34);
     const double a = std::cbrt(3 * load * radius * compliance / 4);
     const ContactEllipse contact = contact_ellipse({2 / radius, 0}, compliance, load);
-    CHECK(contact.major == doctest::Approx(a).epsilon(1e-13));
-    CHECK(contact.minor == doctest::Approx(a).epsilon(1e-13));
-    CHECK(contact.approach == doctest::Approx(a * a / radius).epsilon(1e-13));
-    CHECK(contact.pressure == doctest::Approx(1.5 * load / (pi * a * a)).epsilon(1e-13));
+    CHECK(contact.major == near(a, 1e-13));
+    CHECK(contact.minor == near(a, 1e-13));
+    CHECK(contact.approach == near(a * a / radius, 1e-13));
+    CHECK(contact.pressure == near(1.5 * load / (pi * a * a), 1e-13));
     CHECK(contact_ellipse({2 / radius, 0}, compliance, 0).major == 0.0);
     CHECK_THROWS_AS(contact_ellipse({2 / radius, 0}, compliance, -1), InputError);
     CHECK_THROWS_AS(contact_ellipse({0, 0}, compliance, 1), DomainError);

@@ -1,6 +1,7 @@
 #include "deadpoint/tribology/friction/lubricant.hpp"
 
 #include "deadpoint/error.hpp"
+#include "near.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -41,15 +42,15 @@ TEST_CASE("viscosity: every grade meets its two points, falls with temperature, 
     std::vector<ViscosityLaw> laws;
     laws.reserve(iso_vg_grades().size());
     for (const IsoVgGrade& grade : iso_vg_grades()) {
-        CHECK(grade.at_40 * 1e6 == doctest::Approx(grade.grade).epsilon(1e-12));
+        CHECK(grade.at_40 * 1e6 == near(grade.grade, 1e-12));
         laws.push_back(iso_vg_oil(grade.grade).viscosity);
         const ViscosityLaw& law = laws.back();
-        CHECK(law(zero_celsius + 40).value == doctest::Approx(grade.at_40).epsilon(1e-11));
-        CHECK(law(zero_celsius + 100).value == doctest::Approx(grade.at_100).epsilon(1e-11));
+        CHECK(law(zero_celsius + 40).value == near(grade.at_40, 1e-11));
+        CHECK(law(zero_celsius + 100).value == near(grade.at_100, 1e-11));
         for (double celsius = -20; celsius <= 140; celsius += 5) {
             const LawValue nu = law(zero_celsius + celsius);
             CHECK(nu.slope < 0);
-            CHECK(nu.slope == doctest::Approx(central_slope(law, zero_celsius + celsius)).epsilon(1e-6));
+            CHECK(nu.slope == near(central_slope(law, zero_celsius + celsius), 1e-6));
             if (thinner != nullptr)
                 CHECK((*thinner)(zero_celsius + celsius).value < nu.value);
         }
@@ -62,27 +63,26 @@ TEST_CASE("viscosity: Vogel's formula, its derivative, and a fit of published po
     // Vogel-Cameron through the points of Zheng et al. 2018 from 30 to 70 degC: within 0.7 % is what a fit reaches
     // there.
     const ViscosityLaw law = vogel_viscosity({0.13870e-6, 736.48});
-    CHECK(law(zero_celsius + 40).value == doctest::Approx(0.13870e-6 * std::exp(736.48 / 135)).epsilon(1e-12));
+    CHECK(law(zero_celsius + 40).value == near(0.13870e-6 * std::exp(736.48 / 135), 1e-12));
     const double points[] = {50, 32.5, 22.5, 16, 12};
     for (int i = 0; i < 5; ++i)
         CHECK(std::abs(law(zero_celsius + 30 + 10 * i).value * 1e6 / points[i] - 1) < 0.01);
     for (const double temperature : {280.0, 320.0, 380.0})
-        CHECK(law(temperature).slope == doctest::Approx(central_slope(law, temperature)).epsilon(1e-7));
+        CHECK(law(temperature).slope == near(central_slope(law, temperature), 1e-7));
     CHECK_THROWS_AS(law(178.0), DomainError);
 }
 
 TEST_CASE("density and dynamic viscosity")
 {
     const DensityLaw density = linear_density({870, 288.15, 7e-4});
-    CHECK(density(288.15).value == doctest::Approx(870).epsilon(1e-15));
-    CHECK(density(338.15).value == doctest::Approx(870 * (1 - 0.035)).epsilon(1e-14));
-    CHECK(density(338.15).slope == doctest::Approx(-0.609).epsilon(1e-14));
+    CHECK(density(288.15).value == near(870, 1e-15));
+    CHECK(density(338.15).value == near(870 * (1 - 0.035), 1e-14));
+    CHECK(density(338.15).slope == near(-0.609, 1e-14));
     const Lubricant oil = iso_vg_oil(32);
     const ViscosityLaw eta = dynamic_viscosity(oil);
     for (const double temperature : {290.0, 313.15, 350.0}) {
-        CHECK(eta(temperature).value ==
-              doctest::Approx(oil.density(temperature).value * oil.viscosity(temperature).value).epsilon(1e-14));
-        CHECK(eta(temperature).slope == doctest::Approx(central_slope(eta, temperature)).epsilon(1e-7));
+        CHECK(eta(temperature).value == near(oil.density(temperature).value * oil.viscosity(temperature).value, 1e-14));
+        CHECK(eta(temperature).slope == near(central_slope(eta, temperature), 1e-7));
     }
 }
 
@@ -111,5 +111,5 @@ TEST_CASE("lubricants that mean nothing are refused")
     // Either order of the two points gives the same line.
     const Walther forth = walther_through({313.15, 32e-6}, {373.15, 5.4e-6});
     const Walther back = walther_through({373.15, 5.4e-6}, {313.15, 32e-6});
-    CHECK(forth.b == doctest::Approx(back.b).epsilon(1e-13));
+    CHECK(forth.b == near(back.b, 1e-13));
 }
