@@ -9,7 +9,7 @@ export OMPI_ALLOW_RUN_AS_ROOT = 1
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
 export OMP_NUM_THREADS = 1
 
-.PHONY: run test sanitize validate program build dependencies format clean
+.PHONY: run test sanitize gates validate program build dependencies format clean
 
 run: program
 	build/$(PRESET)/app/deadpoint run cases/$(CASE)/case.toml -o results/$(CASE) --force
@@ -20,6 +20,11 @@ test: build
 # All tests with address and undefined-behaviour sanitizers.
 sanitize:
 	$(MAKE) test PRESET=debug
+
+# The checks beyond the tests of every change; hours.
+gates:
+	scripts/install-dependencies --checks
+	scripts/gates
 
 # Writes docs/validation anew: what the tests hold against exact and published figures, then the paper, then what the results depend on and
 # the comparison with CalculiX, which take an hour.

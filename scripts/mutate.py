@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Changes signs, factors and comparisons in the physics, one at a time, and lists the changes that no test notices.
+"""Changes signs, factors and comparisons, one at a time, and lists the changes that no test notices.
 
-    scripts/mutate.py [COUNT [FOLDER...]]    COUNT changes (default 60), as many from each folder, drawn at random but always the same ones
+    scripts/mutate.py [COUNT [FOLDER...]]    COUNT changes (default 120), as many from each folder, drawn at random but always the same ones
 
-Folders: mechanism, crankshaft, tribology, surroundings, drift. Works on a copy in build/mutate; a change counts as caught when
-the folder's unit tests, or the tests of the folders that build on it, fail. Writes docs/validation/mutation.md; what is said
-there about survivors below "Looked at" is kept. JOBS sets how many compilers run at a time.
+Folders: those of `tests` below, all of src/deadpoint, app and python/bindings together. Works on copies in build/mutate, WORKERS of them
+(default 2) at a time; a change counts as caught when the folder's own tests, or those of the folders that build on it, fail. Writes
+docs/validation/mutation.md; what is said there about survivors below "Looked at" is kept.
 """
+import concurrent.futures
 import datetime
 import itertools
 import os
@@ -17,18 +18,64 @@ import resource
 import shutil
 import subprocess
 import sys
+import threading
+import time
 
 root = pathlib.Path(__file__).resolve().parent.parent
-copy = root / "build/mutate/tree"
-build = copy / "build/mutate"
-jobs = os.environ.get("JOBS", str(os.cpu_count()))
-# The tests of a folder: its own, and those of what uses it without solving fields.
+workplace = root / "build/mutate"
+# The tests of a folder: its own, and behind the bar those of what uses it. A name is that of ctest.
 tests = {
-    "mechanism": ["test_unit_mechanism", "test_unit_study"],
-    "crankshaft": ["test_unit_crankshaft", "test_unit_study"],
-    "tribology": ["test_unit_tribology", "test_unit_study", "test_paper"],
-    "surroundings": ["test_unit_surroundings", "test_unit_study", "test_paper"],
-    "drift": ["test_unit_drift", "test_unit_study", "test_verification_elastic"],
+    "core": "unit_core | unit_casefile bad_cases unit_study",
+    "io": "unit_io | unit_report unit_study faults",
+    "exchange": "unit_exchange | unit_study unit_fem",
+    "casefile/describe": "unit_casefile | bad_cases unit_study",
+    "casefile/check": "unit_casefile | bad_cases unit_study",
+    "casefile/files": "unit_casefile | bad_cases unit_study unit_learn",
+    "casefile/syntax": "unit_casefile | bad_cases unit_study",
+    "mechanism": "unit_mechanism | unit_study",
+    "crankshaft": "unit_crankshaft | unit_study",
+    "tribology": "unit_tribology | unit_study paper",
+    "surroundings": "unit_surroundings | unit_study paper",
+    "machine/assembly": "unit_machine | unit_study drawings verification_heat",
+    "machine/cad": "unit_machine | unit_study drawings",
+    "machine/foreign": "unit_machine | unit_study drawings",
+    "machine/geometry": "unit_machine | unit_study verification_heat",
+    "machine/parts": "unit_machine | unit_study verification_heat",
+    "heat": "unit_heat | unit_reduce unit_fem verification_heat",
+    "reduce/causes": "unit_reduce | unit_fem unit_study",
+    "reduce/certificate": "unit_reduce | unit_fem unit_study",
+    "reduce/dense": "unit_reduce | unit_fem unit_learn",
+    "reduce/offline": "unit_reduce | unit_fem unit_learn",
+    "reduce/online": "unit_reduce | unit_fem unit_learn",
+    "reduce/sensitivity": "unit_reduce | unit_learn",
+    "fem/algebra": "unit_fem | verification_elastic verification_heat",
+    "fem/conduction": "unit_fem | verification_heat",
+    "fem/elastic": "unit_fem | verification_elastic",
+    "fem/estimate": "unit_fem | verification_heat verification_elastic",
+    "fem/reduction": "unit_fem | unit_learn unit_study",
+    "fem/space": "unit_fem | verification_heat verification_elastic",
+    "fem/transfer": "unit_fem | verification_elastic",
+    "drift": "unit_drift | unit_study verification_elastic",
+    "calibration": "unit_calibration | unit_learn",
+    "design": "unit_design | unit_learn",
+    "study/check": "unit_study | bad_cases cli",
+    "study/compare": "unit_study | cli",
+    "study/design": "unit_learn | unit_study cli",
+    "study/draft": "unit_study | cli",
+    "study/drift": "unit_study | verification_elastic unit_learn",
+    "study/fields": "unit_study | verification_elastic cli",
+    "study/laws": "unit_study | unit_learn paper",
+    "study/learn": "unit_learn | cli",
+    "study/pipeline": "unit_study | cli",
+    "study/reduce": "unit_learn | unit_study cli",
+    "study/refine": "unit_study | cli",
+    "study/result": "unit_study | unit_report cli",
+    "study/sweep": "unit_study | cli",
+    "study/translate": "unit_study | verification_heat",
+    "report": "unit_report | cli page",
+    "api": "unit_api | install_and_link",
+    "app": "cli | faults",
+    "bindings": "python_reduced | python_results python_field",
 }
 looked_at = "\n## Looked at\n"
 changes = [
@@ -43,8 +90,12 @@ changes = [
 ]
 
 
+def source_folder(folder):
+    return root / {"app": "app", "bindings": "python/bindings"}.get(folder, f"src/deadpoint/{folder}")
+
+
 def candidates(folder):
-    for file in sorted((root / "src/deadpoint" / folder).rglob("*.cpp")):
+    for file in sorted(source_folder(folder).rglob("*.cpp")):
         for number, line in enumerate(file.read_text().splitlines()):
             code = line.split("//")[0]
             if not code.strip() or code.lstrip().startswith("#") or '"' in code or "throw" in code or "template" in code:
@@ -55,60 +106,71 @@ def candidates(folder):
                     yield folder, file.relative_to(root), number, line, changed, name
 
 
-def build_test(name):
-    return subprocess.run(["ninja", "-C", build, "-j", jobs, name], stdout=subprocess.DEVNULL,
-                          stderr=subprocess.DEVNULL).returncode == 0
+def targets_of(test):
+    """What has to be built for a test of ctest."""
+    if test.startswith("python"):
+        return ["deadpoint", "deadpoint_reduced_module", "deadpoint_field_module"]
+    if test in ("cli", "faults", "page", "drawings", "install_and_link"):
+        return ["all"]
+    return [f"test_{test}"]
 
 
-def run_test(name, limit):
-    """Whether it passes, and the seconds of the processor it took; it may have `limit` of them, and 8 GiB."""
-    def limits():
-        resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
-        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
+class Workplace:
+    """A copy of the sources with a build of its own, in which one change at a time is tried."""
 
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    program = next(build.glob(f"tests/**/{name}"))
-    passes = subprocess.run([program], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                            preexec_fn=limits).returncode == 0
-    return passes, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    def __init__(self, number):
+        self.tree = workplace / f"tree-{number}"
+        self.build = self.tree / "build/ci"
+        self.seconds = {}  # of each test before anything is changed
 
+    def prepare(self):
+        if self.tree.exists():
+            shutil.rmtree(self.tree)
+        shutil.copytree(root, self.tree, ignore=shutil.ignore_patterns("build", ".git", "results"))
+        # Each source by itself: a change then compiles one, and what is not changed comes from the compiler's cache.
+        subprocess.run(["cmake", "--preset", "ci", "-S", self.tree, "-B", self.build, "-DDEADPOINT_UNITY=OFF",
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"], check=True, stdout=subprocess.DEVNULL)
 
-def time_of_sound(name):
-    """Seconds of a test before anything is changed."""
-    passes, seconds = run_test(name, 900) if build_test(name) else (False, 0)
-    if not passes:
-        sys.exit(f"error: {name} fails before anything is changed")
-    return seconds
+    def builds(self, test):
+        return subprocess.run(["ninja", "-C", self.build, "-j1", *targets_of(test)], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL).returncode == 0
 
+    def passes(self, test, limit):
+        """Whether it passes within `limit` seconds and 8 GiB."""
+        def limits():
+            resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
 
-def prepare():
-    if copy.exists():
-        shutil.rmtree(copy)
-    shutil.copytree(root, copy, ignore=shutil.ignore_patterns("build", ".git", "results"))
-    # Each source by itself: a change then compiles one, and what is not changed comes from the compiler's cache.
-    os.environ["CCACHE_BASEDIR"] = str(copy)
-    subprocess.run(["cmake", "--preset", "ci", "-S", copy, "-B", build, "-DDEADPOINT_UNITY=OFF"], check=True, stdout=subprocess.DEVNULL)
+        began = time.monotonic()
+        passes = subprocess.run(["ctest", "--preset", "ci", "--test-dir", self.build, "-R", f"^{test}$", "--timeout", str(limit)],
+                                cwd=self.tree, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                preexec_fn=limits).returncode == 0
+        return passes, time.monotonic() - began
 
+    def time_of_sound(self, test):
+        if test not in self.seconds:
+            passes, self.seconds[test] = self.passes(test, 1800) if self.builds(test) else (False, 0)
+            if not passes:
+                sys.exit(f"error: {test} fails before anything is changed")
+        return self.seconds[test]
 
-def fate(entry, names, sound):
-    """What becomes of a change by these tests."""
-    _, file, number, _, changed, _ = entry
-    path = copy / file
-    original = path.read_text()
-    lines = original.splitlines()
-    lines[number] = changed
-    for test in names:
-        if test not in sound:
-            sound[test] = time_of_sound(test)
-        path.write_text("\n".join(lines) + "\n")
-        try:
-            if not build_test(test):
-                return "does not compile"
-            if not run_test(test, 30 + int(10 * sound[test]))[0]:  # a loop may have lost its end
-                return "caught"
-        finally:
-            path.write_text(original)
-    return "survived"
+    def fate(self, entry, names):
+        """What becomes of a change by these tests."""
+        _, file, number, _, changed, _ = entry
+        path = self.tree / file
+        original = path.read_text()
+        lines = original.splitlines()
+        lines[number] = changed
+        for test in names:
+            sound = self.time_of_sound(test)
+            path.write_text("\n".join(lines) + "\n")
+            try:
+                if not self.builds(test):
+                    return "does not compile"
+                if not self.passes(test, 30 + int(5 * sound))[0]:  # a loop may have lost its end
+                    return "caught"
+            finally:
+                path.write_text(original)
+        return "survived"
 
 
 def report(done):
@@ -118,7 +180,7 @@ def report(done):
         "<!-- Written by scripts/mutate.py, but for what stands below \"Looked at\". -->",
         "# Changes that the tests must notice",
         "",
-        f"{len(done)} changes of a sign, factor, constant or comparison in the physics folders, drawn at random from each, on",
+        f"{len(done)} changes of a sign, factor, constant or comparison drawn at random from each folder, on",
         f"{datetime.date.today().isoformat()}: {caught} caught, {len(survivors)} not.",
         "",
         "| folder | changes | caught |",
@@ -138,30 +200,37 @@ def report(done):
 
 
 def main():
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 60
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else 120
     folders = sys.argv[2:] or list(tests)
     drawn = []
     for folder in folders:
         every = list(candidates(folder))
         drawn.append(random.Random(folder).sample(every, len(every)))
-    chosen = [entry for turn in itertools.zip_longest(*drawn) for entry in turn if entry]
-    prepare()
+    chosen = iter([entry for turn in itertools.zip_longest(*drawn) for entry in turn if entry])
     done = []
-    sound = {}
-    # First all by the folder's own tests; those of other folders take long to build, and only survivors need them.
-    for entry in chosen:
-        if len(done) == count:
-            break
-        what = fate(entry, tests[entry[0]][:1], sound)
-        if what != "does not compile":
-            done.append((*entry, what))
-            print(f"{len(done)}/{count} {what}: {entry[1]}:{entry[2] + 1} {entry[5]}", flush=True)
-            report(done)
-    for i, (*entry, what) in enumerate(done):
-        if what == "survived":
-            done[i] = (*entry, fate(entry, tests[entry[0]][1:], sound))
-            print(f"again, {done[i][-1]}: {entry[1]}:{entry[2] + 1} {entry[5]}", flush=True)
-            report(done)
+    lock = threading.Lock()
+
+    def next_entry():
+        with lock:
+            return next(chosen, None) if len(done) < count else None
+
+    def work(place):
+        """All tests of a folder in turn: those of others take long to build, and only survivors of its own need them."""
+        place.prepare()
+        while entry := next_entry():
+            own, others = (part.split() for part in tests[entry[0]].split("|"))
+            what = place.fate(entry, own + others)
+            with lock:
+                if what != "does not compile" and len(done) < count:
+                    done.append((*entry, what))
+                    print(f"{len(done)}/{count} {what}: {entry[1]}:{entry[2] + 1} {entry[5]}", flush=True)
+                    report(done)
+
+    places = [Workplace(number) for number in range(int(os.environ.get("WORKERS", "2")))]
+    with concurrent.futures.ThreadPoolExecutor(len(places)) as pool:
+        for finished in [pool.submit(work, place) for place in places]:
+            finished.result()
+    print(f"{sum(1 for *_, what in done if what == 'caught')} of {len(done)} caught")
 
 
 if __name__ == "__main__":

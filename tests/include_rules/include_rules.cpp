@@ -319,6 +319,29 @@ void find_full_folders(const Files& files, std::vector<std::string>& result)
     }
 }
 
+/// doctest's Approx accepts |a - b| < eps (1 + max(|a|, |b|)), so it holds nothing for micrometres in metres.
+void find_loose_comparisons(const fs::path& root, std::vector<std::string>& result)
+{
+    if (!fs::exists(root / "tests")) {
+        return;
+    }
+    const std::regex loose("(^|[^A-Za-z_])Approx\\(");
+    for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
+        const auto ending = entry.path().extension();
+        if (ending != ".cpp" && ending != ".hpp") {
+            continue;
+        }
+        std::ifstream stream(entry.path());
+        std::string line;
+        for (int number = 1; std::getline(stream, line); ++number) {
+            if (std::regex_search(line.substr(0, line.find("//")), loose)) {
+                result.push_back(fs::relative(entry.path(), root).generic_string() + ":" + std::to_string(number) +
+                                 ": Approx adds 1 to its scale; compare with near() of tests/near.hpp");
+            }
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> include_violations(const fs::path& root)
@@ -338,5 +361,6 @@ std::vector<std::string> include_violations(const fs::path& root)
     result.insert(result.end(), cycles.begin(), cycles.end());
     find_wide_headers(files, result);
     find_full_folders(files, result);
+    find_loose_comparisons(root, result);
     return result;
 }

@@ -12,7 +12,8 @@
 ///  - files below src/ spell own headers "deadpoint/<folder>/<file>";
 ///  - units (a header and its source together) form no cycle;
 ///  - no header reaches more than 19 own headers, directly or through others;
-///  - no folder holds more than 25 files.
+///  - no folder holds more than 25 files;
+///  - tests compare numbers by near() (tests/near.hpp), not by doctest's Approx.
 ///
 /// @return one line per violation: "file:line: what is wrong"; empty if all is well
 std::vector<std::string> include_violations(const std::filesystem::path& root);

@@ -156,3 +156,14 @@ TEST_CASE("a folder of twenty-six files is too full")
     REQUIRE(found.size() == 1);
     CHECK(found.front() == "src/deadpoint/core/room:1: holds 26 files; divide it into rooms");
 }
+
+TEST_CASE("a comparison that adds 1 to its scale is found in tests; words that only contain its name are not")
+{
+    const Tree tree;
+    tree.add("tests/unit/near.cpp", "CHECK(a.isApprox(b, 1e-9));\nCHECK(a == near(b, 1e-9));  // not Approx\n");
+    CHECK(include_violations(tree.root).empty());
+    tree.add("tests/unit/loose.cpp", std::string("#include <vector>\nCHECK(a == doctest::Appr") + "ox(b).scale(0));\n");
+    const auto found = include_violations(tree.root);
+    REQUIRE(found.size() == 1);
+    CHECK(found.front() == "tests/unit/loose.cpp:2: Approx adds 1 to its scale; compare with near() of tests/near.hpp");
+}

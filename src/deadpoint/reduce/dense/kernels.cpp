@@ -5,7 +5,8 @@
 
 // The compiler makes each function for processors with AVX-512, with AVX2, and for all; the program takes the one that
 // fits when it starts. Sanitizers do not bear such functions, and clang 14 does not know these names of processors.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&          \
+    !defined(__SANITIZE_THREAD__)
 #define DEADPOINT_FOR_PROCESSORS [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #else
 #define DEADPOINT_FOR_PROCESSORS
