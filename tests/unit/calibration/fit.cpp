@@ -152,12 +152,12 @@ TEST_CASE("points of the prior have its standard deviation, and two minima are t
     REQUIRE(!other_minima(fits).empty());
     CHECK(std::abs(fits.front().theta[0]) == near(1, 1e-3));
     // The search runs on a model that is a little off; the minima are those of the problem.
-    auto near = of;
-    near.model = [](const VectorXd& theta, bool) {
+    auto rough = of;
+    rough.model = [](const VectorXd& theta, bool) {
         return Prediction{VectorXd::Constant(1, 1.1 * theta[0] * theta[0] + 1),
                           MatrixXd::Constant(1, 1, 2.2 * theta[0])};
     };
-    CHECK(std::abs(fit_from_many(of, near, 10).front().theta[0]) == near(1, 1e-3));
+    CHECK(std::abs(fit_from_many(of, rough, 10).front().theta[0]) == near(1, 1e-3));
     const auto linear_one = problem(pair(0.5, -0.3), {0.05, 0, 0, 1}, 2);
     CHECK(other_minima(fit_from_many(linear_one, linear_one, 10)).empty());
 }

@@ -39,7 +39,7 @@ TEST_CASE("the shipped steel over temperature follows the formulas of EN 1993-1-
         // linear between the points of a cubic
         CHECK(at(steel.specific_heat_table, t) == near(425 + 0.773 * t - 1.69e-3 * t * t + 2.22e-6 * t * t * t, 2e-3));
         const double elongation = 1.2e-5 * t + 0.4e-8 * t * t - 2.416e-4;
-        CHECK(at(steel.expansion_table, t) * (t - 20) == near(elongation, 1e-6));
+        CHECK(at(steel.expansion_table, t) * (t - 20) == near(elongation, 1e-6, 1e-18));  // at 20 degC rounding of 2e-4
     }
     CHECK(steel.expansion_kind == Material::Expansion::mean);
     CHECK(*steel.expansion_reference == near(293.15, 1e-5));

@@ -42,7 +42,8 @@ TEST_CASE("slider-crank: position, velocity and acceleration are those of the cl
         const PlanarMotion motion = system.motion(poses, speed);
         const Vec2 pin{0.408, 0};
         CHECK(mechanism::place(poses[3], pin)[0] == near(row.position, 1e-8));
-        CHECK(mechanism::velocity_of(poses[3], motion.velocities[3], pin)[0] == near(row.velocity, 2e-9));
+        CHECK(mechanism::velocity_of(poses[3], motion.velocities[3], pin)[0] ==
+              near(row.velocity, 2e-9, 1e-15));  // at the dead points rounding of 0.5 m/s
         CHECK(mechanism::acceleration_of(poses[3], motion.velocities[3], motion.accelerations[3], pin)[0] ==
               near(row.acceleration, 1e-6));
     }
