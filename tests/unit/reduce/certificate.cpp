@@ -347,7 +347,7 @@ TEST_CASE("a certificate that went through its file gives the same bounds")
     const auto before = certify(models.large, *models.residual, rods::problem(), large.time, outputs());
     const auto after = certify(models.large, again, rods::problem(), large.time, outputs());
     for (std::size_t k = 0; k < outputs().size(); ++k)
-        CHECK(after.bounds[k] == near(before.bounds[k], 1e-4));  // 32 bits a number
+        CHECK(after.bounds[k] == near(before.bounds[k], 5e-4));  // 32 bits a number, and residuals are differences
     auto cut = stored(*models.residual);
     cut.root.pop_back();
     CHECK_THROWS_AS(restored(cut), InputError);
