@@ -1,12 +1,9 @@
 #include "deadpoint/fem/algebra/huge_pages.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <doctest/doctest.h>
 #include <numeric>
-#include <petscsys.h>
 #include <span>
 
 using namespace deadpoint::fem;
@@ -61,24 +58,4 @@ TEST_CASE("a large array begins at a large page and is zero; there is none of no
     release_array(nullptr);
     CHECK(allocate_array(0) == nullptr);
     CHECK(allocate_array(std::size_t{1} << 62) == nullptr);
-}
-
-TEST_CASE("what a function has allocated since then can be given back, and nothing else; it is still freed as before")
-{
-    constexpr std::size_t bytes = 40 * mebibyte;
-    std::array<char*, 3> arrays{};
-    std::size_t before = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (k == 1)
-            before = large_arrays_so_far();
-        REQUIRE(PetscTrMalloc(bytes, PETSC_FALSE, 1, k < 2 ? "MatMade" : "MatOther", "file.c",
-                              reinterpret_cast<void**>(&arrays[k])) == 0);
-        std::memset(arrays[k], 7, bytes);
-    }
-    give_back_arrays_of("MatMade", before);
-    CHECK(arrays[0][bytes / 2] == 7);  // made before
-    CHECK(arrays[1][bytes / 2] == 0);
-    CHECK(arrays[2][bytes / 2] == 7);  // made by another
-    for (auto* array : arrays)
-        PetscTrFree(array, 1, "", "");
 }

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <malloc.h>
 #include <memory>
-#include <string_view>
 #include <sys/mman.h>
 #include <unistd.h>
 #include <unordered_map>
@@ -19,23 +18,11 @@ constexpr std::size_t large_page = std::size_t{1} << 21;
 constexpr std::size_t worth_while = 16 * large_page;  // smallest size that uses large pages: matrices
 constexpr std::size_t vector_alignment = 64;
 
-struct Mapped {
-    std::size_t size = 0;
-    std::size_t number = 0;     ///< counts all arrays, in the order in which they were allocated
-    std::string_view function;  ///< of PETSc that has allocated it; empty: unknown
-};
-
-std::size_t& count()
+// Sizes of arrays that are mapped directly: malloc would take them from its pool of small pages that were used before.
+std::unordered_map<void*, std::size_t>& mapped()
 {
-    static std::size_t arrays = 0;
-    return arrays;
-}
-
-// Mapped directly: malloc would take them from its pool of small pages that were used before.
-std::unordered_map<void*, Mapped>& mapped()
-{
-    static std::unordered_map<void*, Mapped> arrays;
-    return arrays;
+    static std::unordered_map<void*, std::size_t> sizes;
+    return sizes;
 }
 
 // Starts at the boundary of a large page, so that the kernel can use one.
@@ -55,18 +42,15 @@ void* map_large(std::size_t size)
     if (before < large_page)
         munmap(static_cast<char*>(aligned) + wanted, large_page - before);
     madvise(aligned, wanted, MADV_HUGEPAGE);
-    mapped()[aligned] = {wanted, count()++, {}};
+    mapped()[aligned] = wanted;
     return aligned;
 }
 
-PetscErrorCode petsc_allocate(std::size_t size, PetscBool clear, int, const char function[], const char[],
-                              void** result)
+PetscErrorCode petsc_allocate(std::size_t size, PetscBool clear, int, const char[], const char[], void** result)
 {
     *result = allocate_array(size);
     if (size > 0 && !*result)
         return PETSC_ERR_MEM;
-    if (size >= worth_while && function)
-        mapped()[*result].function = function;  // a literal
     if (clear && size < worth_while && size > 0)
         std::memset(*result, 0, size);
     return 0;
@@ -104,14 +88,14 @@ void release_array(void* array)
         std::free(array);
         return;
     }
-    munmap(array, large->second.size);
+    munmap(array, large->second);
     mapped().erase(large);
 }
 
 void* resize_array(void* array, std::size_t size)
 {
     const auto large = mapped().find(array);
-    const std::size_t before = large == mapped().end() ? malloc_usable_size(array) : large->second.size;
+    const std::size_t before = large == mapped().end() ? malloc_usable_size(array) : large->second;
     void* resized = allocate_array(size);
     if (size > 0 && !resized)
         return nullptr;
@@ -124,14 +108,5 @@ void* resize_array(void* array, std::size_t size)
 void ask_for_large_pages() { PetscMallocSet(petsc_allocate, petsc_release, petsc_resize); }
 
 void give_back_freed_memory() { malloc_trim(0); }
-
-std::size_t large_arrays_so_far() { return count(); }
-
-void give_back_arrays_of(std::string_view function, std::size_t since)
-{
-    for (const auto& [array, by] : mapped())
-        if (by.function == function && by.number >= since)
-            madvise(array, by.size, MADV_DONTNEED);
-}
 
 }  // namespace deadpoint::fem

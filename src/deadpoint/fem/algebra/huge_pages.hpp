@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
 
 namespace deadpoint::fem {
 
@@ -12,14 +11,6 @@ void ask_for_large_pages();
 
 /// Returns freed arrays that malloc keeps to the kernel, since huge pages do not come from there.
 void give_back_freed_memory();
-
-/// How many arrays of huge pages there have been, those that were freed among them.
-std::size_t large_arrays_so_far();
-
-/// Returns to the kernel what the arrays of huge pages hold that a function of PETSc has allocated. They can be freed
-/// as before, but no longer be read. For what PETSc keeps and does not use any more.
-/// @param function  its name in PETSc's sources  @param since  large_arrays_so_far() before the first of them
-void give_back_arrays_of(std::string_view function, std::size_t since);
 
 /// Memory for an array of `size` bytes; from 32 MiB on it begins at a huge page and is zero. Null
 /// if there is no memory, or for 0 bytes. Only one thread may call these.

@@ -1,6 +1,5 @@
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
 
-#include "deadpoint/fem/algebra/huge_pages.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/fem/algebra/shell_matrix.hpp"
 #include "deadpoint/fem/algebra/vectors.hpp"
@@ -198,7 +197,6 @@ void StageMatrix::prepare()
 {
     if (coarse_)
         return;
-    const auto before = large_arrays_so_far();
     create_multigrid();
     coarse_ = std::make_unique<CoarseMatrices>();
     for (const double factor : {longest_, shortest_factor}) {
@@ -208,9 +206,6 @@ void StageMatrix::prepare()
             break;
         coarse_->keep(multigrid_, factor);
     }
-    // On several ranks, PETSc's copy of the matrix for ML, from which no level is made any more.
-    if (coarse_->complete())
-        give_back_arrays_of("MatConvert_MPIAIJ_ML", before);
 }
 
 bool StageMatrix::combine(double factor, Vec temperature)
