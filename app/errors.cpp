@@ -1,15 +1,17 @@
 #include "errors.hpp"
 
+#include "deadpoint/io/plain_reason.hpp"
 #include "output.hpp"
 
 #include <filesystem>
 #include <functional>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace {
 
-constexpr int other_error = 1;
+constexpr int other_error = 1;  // a defect
 
 /// @param show_text  takes the message of an error that is not the library's
 int handle(const std::exception_ptr& thrown, const std::function<void(const deadpoint::Error&)>& show,
@@ -20,14 +22,22 @@ int handle(const std::exception_ptr& thrown, const std::function<void(const dead
     } catch (const deadpoint::Error& error) {
         show(error);
         return error.exit_code();
-    } catch (const std::bad_alloc&) {
-        show_text("out of memory\n  help: make the mesh coarser, for example with --size 1.5");
+    } catch (const std::bad_alloc& error) {
+        show_text(fmt::format("{}\n  help: make the mesh coarser, for example with --size 1.5",
+                              deadpoint::plain_reason(error)));
+        return static_cast<int>(deadpoint::ErrorKind::input);
     } catch (const std::filesystem::filesystem_error& error) {
-        show_text(fmt::format("{}\n  help: check the length of the path and its permissions", error.what()));
+        show_text(fmt::format("{}\n  help: check the length of the path and its permissions",
+                              deadpoint::plain_reason(error)));
+        return static_cast<int>(deadpoint::ErrorKind::io);
+    } catch (const std::system_error& error) {
+        show_text(fmt::format("the system refuses what the program needs: {}\n  help: end other programs, or raise the "
+                              "limits of processes and open files (ulimit -u, ulimit -n)",
+                              deadpoint::plain_reason(error)));
         return static_cast<int>(deadpoint::ErrorKind::io);
     } catch (const std::exception& error) {
         show_text(fmt::format("{}\n  help: this is a defect of the program; please report it with the case file",
-                              error.what()));
+                              deadpoint::plain_reason(error)));
     }
     return other_error;
 }

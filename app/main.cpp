@@ -51,6 +51,34 @@ std::optional<std::string> unknown_option(const CLI::App& command, int argc, cha
     return std::nullopt;
 }
 
+/// CLI11's message in words for a user, where its own are those of its options' types.
+std::string said_plainly(const CLI::ParseError& error)
+{
+    const std::string text = error.what(), kind = error.get_name();
+    const auto after = [&](std::string_view mark) { return text.substr(text.find(mark) + mark.size()); };
+    if (kind == "ArgumentMismatch" && text.find(": ") != std::string::npos) {
+        return fmt::format("{} needs a value", text.substr(0, text.find(": ")));
+    }
+    if (kind == "ConversionError" && text.find(" = ") != std::string::npos) {
+        const auto option = after(": ");
+        return fmt::format("'{}' is no value that {} takes", after(" = "), option.substr(0, option.find(" = ")));
+    }
+    if (kind == "RequiredError" && text.ends_with(" is required")) {
+        return fmt::format("{} is missing", text.substr(0, text.find(" is required")));
+    }
+    if (kind == "ExtrasError" && text.find(": ") != std::string::npos) {
+        return fmt::format("there is no room for '{}' in this command", after(": "));
+    }
+    if (kind == "ExcludesError" && text.find(" excludes ") != std::string::npos) {
+        return fmt::format("{} and {} exclude each other", text.substr(0, text.find(" excludes ")),
+                           after(" excludes "));
+    }
+    if (kind == "RequiresError" && text.find(" requires ") != std::string::npos) {
+        return fmt::format("{} works with {} only", text.substr(0, text.find(" requires ")), after(" requires "));
+    }
+    return text;
+}
+
 /// Says what is wrong with the words of the command line, and where to read on.
 int refuse_arguments(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)
 {
@@ -61,7 +89,7 @@ int refuse_arguments(const CLI::App& app, const CLI::ParseError& error, int argc
         return static_cast<int>(deadpoint::ErrorKind::input);
     }
     const auto& command = *used.front();
-    std::string what = error.what();
+    std::string what = said_plainly(error);
     std::string help = fmt::format("`deadpoint {} --help` shows its arguments and examples", command.get_name());
     if (const auto unknown = unknown_option(command, argc, argv)) {
         std::vector<std::string> known;
@@ -72,7 +100,7 @@ int refuse_arguments(const CLI::App& app, const CLI::ParseError& error, int argc
         const auto meant = longer != known.end() ? *longer : deadpoint::closest_name(*unknown, known);
         what = fmt::format("there is no option '{}' of '{}'", *unknown, command.get_name());
         help = meant.empty() ? help : fmt::format("did you mean '{}'? {}", meant, help);
-    } else if (what == "--output is required") {
+    } else if (what == "--output is missing") {
         what = "-o is missing, the name for what is written";
         help = fmt::format("add it, like -o results; {}", help);
     }

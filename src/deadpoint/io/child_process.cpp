@@ -2,6 +2,7 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/confine.hpp"
+#include "deadpoint/io/plain_reason.hpp"
 
 #include <algorithm>
 #include <array>
@@ -88,9 +89,9 @@ void set_limit(int resource, std::uint64_t value)
     } catch (const std::bad_alloc&) {
         hand_over(to, out_of_memory, "");
     } catch (const std::exception& error) {
-        hand_over(to, foreign_error, error.what());
+        hand_over(to, foreign_error, plain_reason(error));
     } catch (...) {
-        hand_over(to, foreign_error, "an error without a message");
+        hand_over(to, foreign_error, "an error that the program does not know");
     }
     _exit(0);
 }

@@ -1,12 +1,14 @@
 #include "deadpoint/machine/parts/gmsh_session.hpp"
 
 #include "deadpoint/error.hpp"
+#include "deadpoint/io/plain_reason.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>
 #include <gmsh.h>
 #include <new>
 #include <optional>
+#include <stdexcept>
 
 namespace deadpoint::machine {
 
@@ -99,8 +101,10 @@ void guard_gmsh(const std::string& part, const char* step, const std::function<v
         throw;
     } catch (const std::bad_alloc&) {
         throw;
-    } catch (const std::exception& error) {
+    } catch (const std::runtime_error& error) {  // with the text of Gmsh
         fail(part, step, error.what());
+    } catch (const std::exception& error) {
+        fail(part, step, plain_reason(error));
     } catch (const std::string& message) {
         fail(part, step, message);
     } catch (int code) {

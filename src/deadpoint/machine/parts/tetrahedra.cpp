@@ -1,5 +1,6 @@
 #include "deadpoint/machine/parts/tetrahedra.hpp"
 
+#include "deadpoint/io/plain_reason.hpp"
 #include "deadpoint/machine/parts/cell_limit.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
@@ -81,8 +82,10 @@ std::string failure_of(const TetrahedronSize& sizes, const Attempt& attempt, Par
         return mesh.cells.empty() ? "no tetrahedra were made" : "";
     } catch (const std::bad_alloc&) {
         throw;
-    } catch (const std::exception& error) {
+    } catch (const std::runtime_error& error) {  // with the text of Gmsh
         return error.what();
+    } catch (const std::exception& error) {
+        return plain_reason(error);
     } catch (const std::string& message) {
         return message;
     } catch (int code) {

@@ -32,9 +32,10 @@ void write_optimise_page(const std::filesystem::path& file, const std::filesyste
                     {"courses", files.read("courses.csv").value_or("")}};
     try {
         content.title = found->at("study").at("name").get<std::string>();
-    } catch (const Json::exception& reason) {
-        throw InputError(fmt::format("{}: {}\n  help: it is from another version of the program; run the study again",
-                                     (folder / "optimise.json").string(), reason.what()));
+    } catch (const Json::exception&) {
+        throw InputError(fmt::format("{}: a figure is missing or of another kind\n  help: it is from another version "
+                                     "of the program; run the study again",
+                                     (folder / "optimise.json").string()));
     }
     content.without_scripts =
         "<p>This page draws its charts with scripts, which are switched off here; they are missing below.</p>\n" +

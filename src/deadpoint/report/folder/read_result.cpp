@@ -125,10 +125,10 @@ study::RunRecord read_result(const fs::path& folder)
     const fs::path summary = folder / "summary.json";
     try {
         read_summary(needed(read_json(files, "summary.json"), summary), run);
-    } catch (const Json::exception& reason) {
-        throw InputError(
-            fmt::format("{}: {}\n  help: it is from another version of the program; compute the case again",
-                        summary.string(), reason.what()));
+    } catch (const Json::exception&) {
+        throw InputError(fmt::format("{}: a figure is missing or of another kind\n  help: it is from another version "
+                                     "of the program; compute the case again",
+                                     summary.string()));
     }
     const fs::path history = folder / "history.csv";
     read_history(ResultTable(needed(files.read("history.csv"), history), history.string()), run);

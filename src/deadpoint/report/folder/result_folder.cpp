@@ -2,6 +2,7 @@
 
 #include "deadpoint/core/unique_name.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/io/plain_reason.hpp"
 #include "deadpoint/io/rename.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
@@ -99,7 +100,7 @@ void require_own(const fs::path& folder)
         const std::string reason = error.what();
         refuse(reason.substr(0, reason.find('\n')), remove_yourself);
     } catch (const fs::filesystem_error& error) {
-        refuse(error.what(), remove_yourself);
+        refuse(plain_reason(error), remove_yourself);
     }
 }
 
@@ -178,7 +179,7 @@ void ResultFolder::commit()
             throw;
         }
         partial_ = rename_uniquely(partial_, kept_prefix(target()));
-        throw IoError(fmt::format("{}\n  the results are in '{}'", error.what(), partial_.string()));
+        throw IoError(fmt::format("{}\n  the results are in '{}'", plain_reason(error), partial_.string()));
     }
 }
 

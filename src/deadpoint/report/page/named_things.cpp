@@ -178,7 +178,7 @@ std::vector<NamedThing> things_of(const Diagnostic& found, const Case& input)
 
 Diagnostic taken_apart(const std::string& warning)
 {
-    static const std::regex first("(?:(.*?):(\\d+):(\\d+): )?warning\\[([\\w-]+)\\](?:: (.*))?");
+    static const std::regex first("(?:(.*?):(\\d{1,9}):(\\d{1,9}): )?warning\\[([\\w-]+)\\](?:: (.*))?");
     static const std::regex indented("\\s{2}(\\S.*)");
     Diagnostic result;
     result.severity = DiagnosticSeverity::warning;

@@ -68,10 +68,10 @@ std::string tables_of(const Json& run, const fs::path& folder)
 {
     try {
         return run_tables(run);
-    } catch (const Json::exception& reason) {
-        throw InputError(
-            fmt::format("{}: {}\n  help: it is from another version of the program; compute the case again",
-                        folder.string(), reason.what()));
+    } catch (const Json::exception&) {
+        throw InputError(fmt::format("{}: a figure is missing or of another kind\n  help: it is from another version "
+                                     "of the program; compute the case again",
+                                     folder.string()));
     }
 }
 

@@ -149,9 +149,10 @@ void write_sweep_report(const fs::path& file, const fs::path& folder, IfThere if
             "<p>This page draws its charts and maps with scripts, which are switched off here; "
             "they are missing below. The folder of the study holds the charts as SVG files.</p>\n" +
             sweep_tables(sweep, ResultTable(*table, (folder / "sweep.csv").string()).csv());
-    } catch (const Json::exception& reason) {
-        throw InputError(fmt::format("{}: {}\n  help: it is from another version of the program; run the study again",
-                                     source.string(), reason.what()));
+    } catch (const Json::exception&) {
+        throw InputError(fmt::format("{}: a figure is missing or of another kind\n  help: it is from another version "
+                                     "of the program; run the study again",
+                                     source.string()));
     }
     const std::array scripts{page_data_script(), page_charts_script(), page_sweep_script()};
     write_page(file, content, scripts, if_there);

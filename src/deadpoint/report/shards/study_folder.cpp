@@ -61,6 +61,20 @@ std::vector<fs::path> of_shards(const fs::path& folder)
     return result;
 }
 
+/// Reads a file of the shards. @throws InputError if it is not as deadpoint wrote it
+template <class Take>
+void read_shared(const fs::path& file, const Take& take)
+{
+    const auto json = read_json(file);
+    try {
+        take(json);
+    } catch (const nlohmann::ordered_json::exception&) {
+        throw InputError(fmt::format("'{}' was changed since deadpoint wrote it\n  help: remove the folder '{}' and "
+                                     "repeat the shards; finished points stay",
+                                     file.string(), file.parent_path().string()));
+    }
+}
+
 }  // namespace
 
 StudyFolder::StudyFolder(const fs::path& folder, const std::vector<std::string>& marks,
@@ -102,7 +116,16 @@ void StudyFolder::require_study() const
 {
     const auto file = shards_ / "study.json";
     const auto mark = mark_of_study(marks_);
-    const auto known = read_json(file);
+    std::optional<std::string> known;
+    std::string by;
+    int count = 0;
+    read_shared(file, [&](const auto& json) {
+        if (json) {
+            known = json->at("study").template get<std::string>();
+            by = json->at("version").template get<std::string>();
+            count = json->at("shards").template get<int>();
+        }
+    });
     if (!known) {
         if (shard_) {
             fs::create_directories(shards_);
@@ -111,15 +134,15 @@ void StudyFolder::require_study() const
         }
         return;
     }
-    if (known->value("study", "") != mark) {
+    if (*known != mark) {
         if (!shard_) {
             return;  // it computes what is missing; points of other cases do not count
         }
         throw InputError(fmt::format("shards of another study have begun in '{}', or of the same with another case, "
                                      "option or version (theirs is {}, this is {})\n  help: name a new folder",
-                                     folder_.string(), known->value("version", "unknown"), version));
+                                     folder_.string(), by, version));
     }
-    if (const int count = known->value("shards", 0); shard_ && count != shard_->count) {
+    if (shard_ && count != shard_->count) {
         throw InputError(
             fmt::format("'{}' is a study of {} shards, and --shard {}/{} is of {}\n  help: give {} as their "
                         "number, or name a new folder",
@@ -165,12 +188,11 @@ std::map<std::string, std::string> StudyFolder::failures() const
 {
     std::map<std::string, std::string> result;
     for (const auto& file : files_of_all(failed_file)) {
-        const auto json = read_json(file);
-        if (json && json->contains("failed")) {
-            for (const auto& [mark, reason] : json->at("failed").items()) {
-                result[mark] = reason.get<std::string>();
+        read_shared(file, [&](const auto& json) {
+            for (const auto& [mark, reason] : json.value().at("failed").items()) {
+                result[mark] = reason.template get<std::string>();
             }
-        }
+        });
     }
     return result;
 }

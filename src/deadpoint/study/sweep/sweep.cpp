@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/io/plain_reason.hpp"
 #include "deadpoint/io/resources.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
@@ -206,7 +207,7 @@ private:
             write_all(reason, error.what());
             return error.exit_code();
         } catch (const std::exception& error) {
-            write_all(reason, error.what());
+            write_all(reason, plain_reason(error));
             return 1;
         }
     }
