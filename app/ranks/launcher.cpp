@@ -1,7 +1,10 @@
 #include "ranks/launcher.hpp"
 
+#include "deadpoint/error.hpp"
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <string_view>
 #include <unistd.h>
@@ -21,6 +24,23 @@ Launcher launcher()
         return Launcher::ranks;
     }
     return std::ranges::any_of(of_queues, is_set) ? Launcher::queue : Launcher::none;
+}
+
+void require_launcher()
+{
+    // Of Open MPI's mpirun, and of others that speak PMIx: where the server of the ranks is, and its folder.
+    constexpr std::array servers{"PMIX_SERVER_URI41", "PMIX_SERVER_URI4", "PMIX_SERVER_URI3",
+                                 "PMIX_SERVER_URI21", "PMIX_SERVER_URI2", "PMIX_SERVER_URI"};
+    const char* folder = std::getenv("PMIX_SERVER_TMPDIR");
+    const bool by_mpirun = is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK");
+    const bool there = is_set("PMIX_NAMESPACE") && is_set("PMIX_RANK") && std::ranges::any_of(servers, is_set) &&
+                       (folder == nullptr || access(folder, F_OK) == 0 || errno != ENOENT);
+    if (by_mpirun && !there) {
+        throw deadpoint::InputError(
+            "the environment says that mpirun started this program as one of its ranks, but that mpirun is not there\n"
+            "  help: start it by mpirun, or remove the variables OMPI_COMM_WORLD_* and PMIX_* from the environment, as "
+            "by `env -u OMPI_COMM_WORLD_SIZE -u PMIX_RANK deadpoint ...`");
+    }
 }
 
 int launched_ranks()
@@ -55,4 +75,24 @@ std::vector<std::string> environment_of_no_launcher()
         }
     }
     return result;
+}
+
+void leave_mpi_to_itself()
+{
+    constexpr std::array<std::string_view, 6> of_mpi{"OMPI_", "OPAL_", "ORTE_", "PMIX_", "PMI_", "PRTE_"};
+    std::vector<std::string> dropped;
+    for (char** variable = environ; *variable != nullptr; ++variable) {
+        const std::string_view text(*variable);
+        if (std::ranges::any_of(of_mpi, [&](std::string_view prefix) { return text.starts_with(prefix); })) {
+            dropped.emplace_back(text.substr(0, text.find('=')));
+        }
+    }
+    for (const auto& name : dropped) {
+        unsetenv(name.c_str());
+    }
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", 1);
+    setenv("OMPI_MCA_pml", "ob1", 1);
+    setenv("OMPI_MCA_btl", "self", 1);
+    setenv("OMPI_MCA_mca_base_param_files", "/dev/null", 1);
 }

@@ -1,6 +1,8 @@
 #include "ranks/places.hpp"
 
+#include "deadpoint/error.hpp"
 #include "ranks/launcher.hpp"
+#include "system/private_folder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +14,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <memory>
 #include <poll.h>
 #include <random>
 #include <string_view>
@@ -32,7 +35,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto longest_start = 30s;
 constexpr auto longest_end = 3s;
+constexpr int not_started = 127;
 constexpr std::size_t largest_environment = std::size_t{4} << 20;
+constexpr std::size_t room_of_mpi = std::size_t{16} << 20;  // Open MPI's shared files among temporary ones [byte]
 
 /// A name that no file has: Linux keeps it while the socket is open.
 struct Address {
@@ -82,9 +87,11 @@ std::string mpirun_program()
 
 /// Of mpirun: ranks of any user, on this machine, more than cores if wanted, bound to no core (a second run beside this
 /// one would be bound to the same).
-std::vector<std::string> mpirun_environment()
+std::vector<std::string> mpirun_environment(const std::string& folder)
 {
     auto result = environment_of_no_launcher();
+    std::erase_if(result, [](const std::string& variable) { return variable.starts_with("TMPDIR="); });
+    result.push_back("TMPDIR=" + folder);
     for (const char* setting :
          {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1", "OMPI_MCA_rmaps_base_oversubscribe=1",
           "OMPI_MCA_hwloc_base_binding_policy=none", "PRTE_ALLOW_RUN_AS_ROOT=1", "PRTE_ALLOW_RUN_AS_ROOT_CONFIRM=1",
@@ -97,7 +104,8 @@ std::vector<std::string> mpirun_environment()
     return result;
 }
 
-[[noreturn]] void become_mpirun(const std::string& program, int count, const std::string& socket, int log)
+[[noreturn]] void become_mpirun(const std::string& program, int count, const std::string& socket, int log,
+                                const std::string& folder)
 {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     setpgid(0, 0);  // Ctrl-C goes to the program, not to mpirun
@@ -107,7 +115,7 @@ std::vector<std::string> mpirun_environment()
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
-    auto environment = mpirun_environment();
+    auto environment = mpirun_environment(folder);
     std::vector<std::string> arguments{program, "-n", std::to_string(count), own_program(), hold_place_argument,
                                        socket};
     std::vector<char*> argv, envp;
@@ -122,10 +130,11 @@ std::vector<std::string> mpirun_environment()
     execvpe(program.c_str(), argv.data(), envp.data());
     const auto reason = fmt::format("cannot start {}: {}\n", program, std::strerror(errno));
     [[maybe_unused]] const auto written = write(STDERR_FILENO, reason.data(), reason.size());
-    _exit(1);
+    _exit(not_started);
 }
 
-bool ended(pid_t process) { return waitpid(process, nullptr, WNOHANG) != 0; }
+/// Whether a process has ended, and how.
+bool ended(pid_t process, int* status = nullptr) { return waitpid(process, status, WNOHANG) != 0; }
 
 bool wait_for_end(pid_t process, Clock::duration longest)
 {
@@ -167,7 +176,14 @@ Places::Places(int count) : owner_(getpid()), log_(memfd_create("mpirun", MFD_CL
     if (listener < 0 || bind(listener, address.get(), address.size) != 0 || listen(listener, count) != 0) {
         const std::string reason = std::strerror(errno);
         close(listener);
-        give_up(fmt::format("no socket: {}", reason));
+        give_up(fmt::format("there is no socket, {}", reason));
+    }
+    try {
+        folder_ = std::make_unique<PrivateFolder>(room_of_mpi);
+    } catch (const deadpoint::IoError& error) {
+        close(listener);
+        const std::string reason = error.what();
+        give_up(reason.substr(0, reason.find('\n')));
     }
     start_mpirun(count, name);
     accept_holders(count, listener);
@@ -193,13 +209,14 @@ void Places::end()
     mpirun_ = 0;
     close(log_);
     log_ = -1;
+    folder_.reset();
 }
 
 void Places::give_up(const std::string& reason)
 {
-    const auto text = log();
+    None none{reason, log()};
     end();
-    throw None{text.empty() ? reason : fmt::format("{}: {}", reason, text)};
+    throw none;
 }
 
 void Places::start_mpirun(int count, const std::string& socket)
@@ -207,7 +224,7 @@ void Places::start_mpirun(int count, const std::string& socket)
     const auto program = mpirun_program();
     mpirun_ = fork();
     if (mpirun_ == 0) {
-        become_mpirun(program, count, socket, log_);
+        become_mpirun(program, count, socket, log_, folder_->path().string());
     }
     if (mpirun_ < 0) {
         give_up(std::strerror(errno));
@@ -216,24 +233,32 @@ void Places::start_mpirun(int count, const std::string& socket)
 
 void Places::accept_holders(int count, int socket)
 {
+    const auto fail = [&](const std::string& reason) {
+        close(socket);
+        give_up(reason);
+    };
     for (const auto start = Clock::now(); static_cast<int>(holders_.size()) < count;) {
         pollfd wanted{socket, POLLIN, 0};
+        int status = 0;
         if (poll(&wanted, 1, 20) > 0) {
             const int holder = accept4(socket, nullptr, nullptr, SOCK_CLOEXEC);
-            auto environment = holder >= 0 && is_ours(holder) ? read_environment(holder) : std::string();
+            if (holder < 0) {
+                fail(fmt::format("no connection to them, {}", std::strerror(errno)));
+            }
+            auto environment = is_ours(holder) ? read_environment(holder) : std::string();
             if (environment.empty()) {
                 close(holder);
-                continue;
+            } else {
+                holders_.push_back(holder);
+                environments_.push_back(std::move(environment));
             }
-            holders_.push_back(holder);
-            environments_.push_back(std::move(environment));
-        } else if (ended(mpirun_)) {
+        } else if (ended(mpirun_, &status)) {
             mpirun_ = 0;
-            close(socket);
-            give_up("mpirun failed");
-        } else if (Clock::now() - start > longest_start) {
-            close(socket);
-            give_up("mpirun started no ranks");
+            const bool missing = WIFEXITED(status) && WEXITSTATUS(status) == not_started;
+            fail(missing ? fmt::format("{} cannot be started", mpirun_program()) : "mpirun failed");
+        }
+        if (Clock::now() - start > longest_start) {
+            fail("mpirun started none within half a minute");
         }
     }
 }

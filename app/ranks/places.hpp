@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <sys/types.h>
 #include <vector>
+
+class PrivateFolder;
 
 /// Places for the ranks of one parallel program on this machine. mpirun starts a small process for each, which holds
 /// the place: it hands its environment to this process and waits. Whoever starts MPI with that environment is that
@@ -12,7 +15,8 @@ class Places {
 public:
     /// Why there are none.
     struct None {
-        std::string reason;
+        std::string reason;  ///< in a few words
+        std::string log;     ///< what mpirun has said
     };
 
     /// @throws None  if mpirun is missing, fails, or does not start all within half a minute
@@ -49,6 +53,7 @@ private:
     void end();
 
     pid_t owner_;
+    std::unique_ptr<PrivateFolder> folder_;  ///< for what mpirun and MPI write
     pid_t mpirun_ = 0;
     int log_ = -1;
     std::vector<int> holders_;  ///< a socket to each

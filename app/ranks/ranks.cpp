@@ -78,10 +78,15 @@ Ranks::Ranks(const RankOptions& wanted, Console& of_all) : console(of_all), want
     if (own) {
         wanted_.count = wanted_.count > 0 ? wanted_.count : default_count();
         catch_interrupts();
-    } else {
-        open();
-        catch_interrupts();  // after MPI, which installs its own handlers
+        return;
     }
+    if (by == Launcher::ranks) {
+        require_launcher();
+    } else {
+        leave_mpi_to_itself();
+    }
+    open();
+    catch_interrupts();  // after MPI, which installs its own handlers
 }
 
 Ranks::~Ranks() = default;
@@ -135,6 +140,7 @@ void Ranks::stay_alone(const std::string& what)
 void Ranks::spread_to(int count)
 {
     if (count == 1 || !start(count)) {
+        leave_mpi_to_itself();
         open();
         catch_interrupts();
     }
@@ -145,8 +151,11 @@ bool Ranks::start(int count)
 {
     console.finish();
     flush_out();
-    const auto note = [&](const std::string& reason) {
-        console.info(fmt::format("one process computes, since no {} ranks could be started: {}", count, reason));
+    const auto note = [&](const std::string& reason, const std::string& log) {
+        console.note(fmt::format("one process computes, since no {} ranks could be started: {} (--verbose tells more, "
+                                 "--ranks 1 starts none)",
+                                 count, reason));
+        console.info(log);
     };
     try {
         places_ = std::make_unique<Places>(count);
@@ -164,11 +173,11 @@ bool Ranks::start(int count)
             }
             throw AllEnded{end.exit_code};
         }
-        note(places_->log());
+        note("MPI did not begin in them", places_->log());
     } catch (const Places::None& none) {
-        note(none.reason);
+        note(none.reason, none.log);
     } catch (const IoError& error) {
-        note(error.what());
+        note("the system gives no more processes", error.what());
     }
     processes_.reset();
     places_.reset();

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <fstream>
+#include <iterator>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -256,4 +257,79 @@ TEST_CASE("a study of fewer points than cores runs each on the ranks that are wa
     CHECK(outcome.code == 0);
     CHECK(has(content(target / "points/speed=50_rpm/summary.json"), "\"ranks\": 2"));
     CHECK(fs::exists(target / "report.html"));
+}
+
+TEST_CASE("one process needs neither PATH nor a folder for temporary files nor sound settings of MPI")
+{
+    const ScratchFolder folder;
+    const auto line = fmt::format("run -q {}/cli/two-blocks.toml --ranks 1 --force -o {}/result", DEADPOINT_TEST_DATA,
+                                  folder.path.string());
+    const auto usual = run("", line);
+    REQUIRE(usual.code == 0);
+    for (const char* settings :
+         {"PATH=", "env -u PATH", "TMPDIR=/no/such/folder", "TMPDIR=/proc", "TMPDIR=", "OMPI_MCA_pml=nonsense",
+          "OMPI_MCA_btl=nonsense", "OMPI_MCA_coll=nonsense", "OMPI_MCA_ess=nonsense", "OMPI_MCA_shmem=nonsense",
+          "OMPI_MCA_mpi_param_check=nonsense", "OPAL_PREFIX=/no/such/folder", "PMIX_MCA_gds=nonsense",
+          "PMIX_SERVER_URI2=nonsense", "PMIX_NAMESPACE=nonsense", "HOME=/no/such/folder"}) {
+        CAPTURE(settings);
+        const auto outcome = run(settings, line);
+        CHECK(outcome.code == 0);
+        CHECK(outcome.text == usual.text);
+    }
+    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
+}
+
+TEST_CASE("what mpirun left in the environment, and too few open files, are refused in one sentence")
+{
+    const ScratchFolder folder;
+    const auto line =
+        fmt::format("run -q {}/cli/two-blocks.toml -o {}/result", DEADPOINT_TEST_DATA, folder.path.string());
+    for (const char* settings :
+         {"PMIX_RANK=0", "PMIX_RANK=nonsense", "OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0",
+          "PMIX_RANK=0 PMIX_NAMESPACE=n PMIX_SERVER_URI2=u PMIX_SERVER_TMPDIR=/no/such/folder"}) {
+        CAPTURE(settings);
+        const auto outcome = run(settings, line);
+        CHECK(outcome.code == 2);
+        CHECK(has(outcome.text, "error: the environment says that mpirun started this program"));
+        CHECK(has(outcome.text, "env -u OMPI_COMM_WORLD_SIZE -u PMIX_RANK"));
+        CHECK(count(outcome.text, "\n") == 2);
+    }
+    for (const int files : {12, 20, 40}) {
+        const auto outcome = run(fmt::format("ulimit -n {};", files), line);
+        CHECK(outcome.code == 2);
+        CHECK(has(outcome.text, fmt::format("open at a time is limited to {}, fewer than the 48", files)));
+        CHECK(has(outcome.text, "ulimit -n 1024"));
+        CHECK(count(outcome.text, "\n") == 2);
+    }
+    CHECK(run("ulimit -n 48;", line).code == 0);           // so many are enough
+    CHECK(run("ulimit -S -n 20;", line + "2").code == 0);  // what the user may raise is raised
+    CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 2);
+}
+
+TEST_CASE("ranks leave nothing among the temporary files, whether they can be started there or not")
+{
+    const ScratchFolder folder;
+    const auto temporary = folder.path / "tmp";
+    fs::create_directories(temporary);
+    const auto line = fmt::format("run {} --set 'operation.0.duration=1 min' --ranks 2 --force -o {}/result", starter,
+                                  folder.path.string());
+    const auto ranks_of = [&](const std::string& settings) {
+        const auto outcome = run(settings, line);
+        CAPTURE(settings);
+        CAPTURE(outcome.text);
+        CHECK(outcome.code == 0);
+        CHECK_FALSE(has(outcome.text, "-----"));  // of pages of Open MPI
+        const bool told = has(outcome.text, "note: one process computes, since no 2 ranks could be started: ");
+        const bool alone = has(content(folder.path / "result/summary.json"), "\"ranks\": 1");
+        CHECK(told == alone);
+        CHECK(fs::is_empty(temporary));
+        CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 2);
+        return alone ? 1 : 2;
+    };
+    CHECK(ranks_of(fmt::format("TMPDIR={}", temporary.string())) == 2);
+    CHECK(ranks_of("TMPDIR=/no/such/folder") == 2);  // /tmp serves as well
+    CHECK(ranks_of(fmt::format("TMPDIR={} OMPI_MCA_coll=nonsense", temporary.string())) == 1);
+    CHECK(ranks_of(fmt::format("TMPDIR={} OMPI_MCA_rmaps=nonsense", temporary.string())) == 1);
+    CHECK(ranks_of(fmt::format("TMPDIR={} DEADPOINT_MPIRUN=/no/such/program", temporary.string())) == 1);
+    (void)ranks_of(fmt::format("PATH= TMPDIR={}", temporary.string()));  // mpirun may need it
 }

@@ -22,6 +22,23 @@ namespace {
 /// Of addresses, beyond the program itself, for MPI, the workspace of products and a small case [byte].
 constexpr std::size_t least_room = std::size_t{512} << 20;
 
+/// Of files that are open at a time: those of MPI, of a mesher's process and of the results [-].
+constexpr rlim_t least_files = 48;
+
+/// Raises the number of files that may be open at a time as far as the user may. @throws InputError if that is too low
+void require_files()
+{
+    rlimit limit{};
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= least_files)
+        return;
+    limit.rlim_cur = limit.rlim_max;
+    if (limit.rlim_max < least_files || setrlimit(RLIMIT_NOFILE, &limit) != 0)
+        throw InputError(fmt::format("the number of files that this program may have open at a time is limited to {}, "
+                                     "fewer than the {} that the smallest case needs\n  help: raise the limit (ulimit "
+                                     "-n 1024)",
+                                     limit.rlim_max, least_files));
+}
+
 /// OpenBLAS requests its workspace (some 128 MiB of addresses) at the first large product. If it gets none, it repeats
 /// the request for ever and ignores interrupts. So it gets the workspace now, and keeps it.
 void take_workspace_of_products()
@@ -128,7 +145,7 @@ void Session::start_petsc()
         return;
     ask_for_large_pages();
     // PETSc must neither read our command line nor catch our signals.
-    PetscInitializeNoArguments();
+    DEADPOINT_PETSC(PetscInitializeNoArguments());
     PetscPopSignalHandler();
     closes_petsc_ = true;
 }
@@ -149,6 +166,7 @@ Session::~Session()
 
 void require_room()
 {
+    require_files();
     void* room = mmap(nullptr, least_room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (room == MAP_FAILED) {
         rlimit limit{};

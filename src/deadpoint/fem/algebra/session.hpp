@@ -40,8 +40,8 @@ private:
     bool closes_petsc_ = false;
 };
 
-/// @throws InputError if a limit (ulimit -v) leaves no room for MPI and the smallest case; both would fail with
-/// messages of their own
+/// @throws InputError if a limit of memory or of open files (ulimit -v, -n) leaves no room for MPI and the smallest
+/// case; both would fail with messages of their own
 void require_room();
 /// From now on this process computes on one thread: with several ranks, each core has a process.
 void use_one_thread();
