@@ -2,11 +2,15 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/design/optimise_files.hpp"
 #include "deadpoint/report/design/sensitivity_files.hpp"
+#include "deadpoint/report/folder/folder_claim.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/page.hpp"
 #include "deadpoint/report/page/sweep_page.hpp"
+#include "interrupt.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 #include "results/open_page.hpp"
+#include "results/pictures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +18,6 @@
 #include <fmt/format.h>
 #include <memory>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 using namespace deadpoint;
@@ -29,63 +32,13 @@ struct ReportOptions {
     bool force = false;
 };
 
-/// The page of a single folder belongs to it and is renewed; a file named by the user is not overwritten unasked.
+/// The page of a single folder belongs to it and is renewed.
 fs::path page_file(const ReportOptions& options)
 {
-    if (options.file.empty()) {
-        if (options.folders.size() == 1) {
-            return options.folders.front() / "report.html";
-        }
+    if (options.file.empty() && options.folders.size() != 1) {
         throw InputError("a page of several folders needs a name\n  help: add '-o compared.html'");
     }
-    if (fs::exists(options.file) && !options.force) {
-        throw IoError(
-            fmt::format("'{}' exists\n  help: choose another name, or add --force to replace it", options.file));
-    }
-    return options.file;
-}
-
-/// Pictures of the machine at the end of the run, drawn by a browser without a window from the page itself.
-void take_pictures(const fs::path& page, const fs::path& folder)
-{
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw IoError(fmt::format("cannot create '{}': {}", folder.string(), error.message()));
-    }
-    // Uses a separate profile. With the profile of a running browser it would hand over to that one and draw nothing.
-    const auto profile = fs::temp_directory_path() / fmt::format("deadpoint-browser-{}", getpid());
-    for (const char* pose : {"oblique", "front", "side", "cut"}) {
-        const auto file = fs::absolute(folder / fmt::format("machine-{}.png", pose));
-        fs::remove(file, error);
-        std::vector<std::string> command{"",
-                                         "--headless=new",
-                                         "--use-gl=angle",
-                                         "--use-angle=swiftshader",
-                                         "--enable-unsafe-swiftshader",
-                                         "--hide-scrollbars",
-                                         "--force-color-profile=srgb",
-                                         "--window-size=1600,1200",
-                                         "--virtual-time-budget=2000",
-                                         "--user-data-dir=" + profile.string(),
-                                         "--screenshot=" + file.string(),
-                                         fmt::format("file://{}#picture={}", fs::absolute(page).string(), pose)};
-        if (geteuid() == 0) {
-            command.insert(command.begin() + 1, "--no-sandbox");  // otherwise it refuses to start as root
-        }
-        for (const char* browser : {"chromium", "chromium-browser", "google-chrome"}) {
-            command.front() = browser;
-            if (run_program(command, Says::nothing) && fs::exists(file)) {
-                break;
-            }
-        }
-        fs::remove_all(profile, error);
-        if (!fs::exists(file)) {
-            throw IoError("pictures need Chromium, which was not found or did not start\n  help: install it (Debian: "
-                          "apt-get install chromium), or open the page and use 'Save as picture'");
-        }
-    }
-    print_out("pictures of the machine are in {}\n", folder.string());
+    return options.file.empty() ? options.folders.front() / "report.html" : fs::path(options.file);
 }
 
 /// A kind of study: the file by which its folder is known, and its page.
@@ -111,6 +64,7 @@ void write_page_of(const std::vector<fs::path>& folders, const fs::path& file, I
 {
     Console console({});
     const auto claim = claim_folder_of(file, console);  // no other run may change the folder between reading and adding
+    console.stage("page");
     const auto study = std::ranges::find_if(folders, kind_of);
     if (study == folders.end()) {
         report::write_report(file, report::report_sources(folders), if_there);
@@ -125,18 +79,40 @@ void write_page_of(const std::vector<fs::path>& folders, const fs::path& file, I
     kind_of(*study)->write(file, *study, if_there);
 }
 
-void make_report(const ReportOptions& options)
+int make_report(const ReportOptions& options)
 {
     if (!options.pictures.empty() && kind_of(options.folders.front())) {
         throw InputError(
             "a study has no view of the machine to take pictures of\n  help: take them from one of its points");
     }
     const auto file = page_file(options);
-    const bool replaces = options.force || options.file.empty();
-    write_page_of(options.folders, file, replaces ? IfThere::replace : IfThere::refuse);
-    print_out("the report is {}\n", file.string());
+    const auto if_there = report::if_there(file, options.force, options.file.empty());
     if (!options.pictures.empty()) {
-        take_pictures(file, options.pictures);
+        require_new_pictures(options.pictures, options.force);
+    }
+    write_page_of(options.folders, file, if_there);
+    print_out("the report is {}\n", file.string());
+    if (options.pictures.empty()) {
+        return 0;
+    }
+    Console console({});
+    if (!take_pictures(file, options.pictures, console)) {
+        return interrupted_exit_code;
+    }
+    console.finish();
+    print_out("pictures of the machine are in {}\n", options.pictures);
+    return 0;
+}
+
+/// @throws InputError if a table or a figure was changed since deadpoint wrote it
+void require_unchanged(const fs::path& folder)
+{
+    const report::ResultFiles files(folder);
+    for (const auto& [name, written] : files.listed()) {
+        const bool grows = name == "points.csv";  // while a study runs; no page reads it
+        if (!grows && (name.ends_with(".json") || name.ends_with(".csv"))) {
+            files.check(name);
+        }
     }
 }
 
@@ -156,8 +132,10 @@ bool is_current(const fs::path& page, const fs::path& folder)
 void open_report(const fs::path& folder)
 {
     const auto page = folder / "report.html";
+    require_unchanged(folder);
+    const auto if_there = report::if_there(page, false, true);
     if (!is_current(page, folder)) {
-        write_page_of({folder}, page, IfThere::replace);
+        write_page_of({folder}, page, if_there);
     }
     open_page(page);
 }
@@ -179,11 +157,8 @@ void add_report(CLI::App& app, int& exit_code)
         ->add_option("--pictures", options->pictures,
                      "also write pictures of the machine (PNG) into this folder; needs Chromium")
         ->type_name("DIR");
-    command->add_flag("--force", options->force, "replace the file if it exists");
-    command->callback([options, &exit_code] {
-        make_report(*options);
-        exit_code = 0;
-    });
+    command->add_flag("--force", options->force, "replace files that exist");
+    command->callback([options, &exit_code] { exit_code = make_report(*options); });
 }
 
 void add_view(CLI::App& app, int& exit_code)

@@ -6,11 +6,19 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <spawn.h>
+#include <string>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 extern char** environ;
 
+namespace {
+
+/// What a started program may write.
+enum class Says { everything, no_errors };
+
+/// Runs a program of the path; false if there is none or it fails.
 bool run_program(std::vector<std::string> command, Says says)
 {
     std::vector<char*> arguments;
@@ -20,9 +28,6 @@ bool run_program(std::vector<std::string> command, Says says)
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    if (says == Says::nothing) {
-        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    }
     if (says != Says::everything) {
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     }
@@ -36,6 +41,8 @@ bool run_program(std::vector<std::string> command, Says says)
     waitpid(child, &status, 0);
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
+
+}  // namespace
 
 void open_page(const std::filesystem::path& page)
 {

@@ -7,6 +7,7 @@
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/schema/schema.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -100,6 +101,49 @@ void remove_listed(const fs::path& folder)
     }
 }
 
+/// The folder of results that a file lies in or below; empty if there is none.
+fs::path results_around(const fs::path& file)
+{
+    for (auto folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
+        if (is_whole(folder)) {
+            return folder;
+        }
+    }
+    return {};
+}
+
+/// Whether `report` or `compare` adds a file of this name to results.
+bool is_added(const std::string& name)
+{
+    return std::ranges::any_of(schema::files(), [&](const schema::File& file) {
+        return file.name == name && (file.written_by == "compare" || file.written_by.ends_with("report"));
+    });
+}
+
+/// Whether a file is one of those that are added to results, as it was written. @throws IoError for other files of
+/// results
+bool is_added_and_unchanged(const fs::path& file)
+{
+    const auto whole = fs::weakly_canonical(folder_above(file)) / file.filename();
+    const auto folder = results_around(whole);
+    if (folder.empty()) {
+        return false;
+    }
+    const auto name = whole.lexically_relative(folder).generic_string();
+    const ResultFiles results(folder);
+    const bool listed = results.listed().contains(name);
+    if (name == manifest_name || (listed && !is_added(name))) {
+        throw IoError(fmt::format("'{}' belongs to the results in '{}' and is not replaced\n  help: give another name",
+                                  file.string(), folder.string()));
+    }
+    try {
+        results.check(name);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 fs::path folder_above(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
@@ -189,6 +233,19 @@ void FolderClaim::tidy_replaced(const fs::path& folder)
     } else if (!remove_written(folder)) {
         note(fmt::format("'{}' still holds files that deadpoint did not write", folder.string()));
     }
+}
+
+IfThere if_there(const fs::path& file, bool force, bool renews)
+{
+    if (!fs::exists(fs::symlink_status(file))) {
+        return IfThere::refuse;
+    }
+    const bool own = is_added_and_unchanged(file);
+    if (force || (renews && own)) {
+        return IfThere::replace;
+    }
+    throw IoError(fmt::format("'{}' exists{}\n  help: choose another name, or add --force to replace it", file.string(),
+                              renews ? " and is not as deadpoint wrote it" : ""));
 }
 
 }  // namespace deadpoint::report

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/io/file_lock.hpp"
+#include "deadpoint/io/write_file.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -65,5 +66,12 @@ bool remove_written(const std::filesystem::path& folder);
 
 /// The parent folder of a path; "." for a bare name.
 std::filesystem::path folder_above(const std::filesystem::path& path);
+
+/// What a command may do that writes a file for the user. Files of results are never replaced, the list least of all.
+/// Page and comparison of a folder (report.html, compare.*) are made anew if `renews`, as long as they are as deadpoint
+/// wrote them. Any other file is replaced by force only.
+/// @param renews  the user has given no name
+/// @throws IoError that names the file and what to do, if it must stay
+IfThere if_there(const std::filesystem::path& file, bool force, bool renews = false);
 
 }  // namespace deadpoint::report
