@@ -8,6 +8,7 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/machine/parts/meshed_parts.hpp"
 #include "deadpoint/report/files/loads_files.hpp"
+#include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/page/check_page.hpp"
 #include "deadpoint/report/page/named_things.hpp"
 #include "deadpoint/report/text/plan_text.hpp"
@@ -107,17 +108,18 @@ void check(const CaseOptions& options)
 
 // ---------------------------------------------------------------- with a picture
 
-/// The page next to the case is renewed; a file that the user names is not overwritten unasked.
 fs::path page_file(const CheckOptions& options)
 {
-    if (options.file.empty()) {
-        return fs::path(options.input.path).replace_extension(".check.html");
-    }
-    if (fs::exists(options.file) && !options.force) {
-        throw IoError(
-            fmt::format("'{}' exists\n  help: choose another name, or add --force to replace it", options.file));
-    }
-    return options.file;
+    return options.file.empty() ? fs::path(options.input.path).replace_extension(".check.html")
+                                : fs::path(options.file);
+}
+
+/// The page next to the case is renewed as long as nobody has changed it. @throws IoError if the file must stay
+IfThere page_there(const CheckOptions& options)
+{
+    const auto page = page_file(options);
+    const bool renews = options.file.empty() && report::is_unchanged_page(page);
+    return renews ? IfThere::replace : report::if_there(page, options.force);
 }
 
 /// A case as far as it can be read.
@@ -157,19 +159,18 @@ study::CaseSketch sketch(const CaseOptions& options, const casefile::Case& input
 void draw(const CheckOptions& options, const casefile::Case& input, const study::CaseSketch& sketch,
           std::vector<Diagnostic> found, const Console& console)
 {
-    const auto page = page_file(options);
     for (const auto& warning : console.warnings()) {
         found.push_back(report::taken_apart(warning));
     }
-    report::write_check_page(page, input, sketch, found, IfThere::replace);
-    open_page(page);
+    report::write_check_page(page_file(options), input, sketch, found, page_there(options));
+    open_page(page_file(options));
 }
 
 /// As check(), with the page in any case; then the errors.
 void check_and_draw(const CheckOptions& all)
 {
     const auto& options = all.input;
-    page_file(all);  // refused before anything is meshed
+    (void)page_there(all);  // refused before anything is meshed
     Console console(options.console);
     std::unique_ptr<study::Press> press;
     const Machine* meshed = nullptr;
@@ -205,7 +206,7 @@ void add_check(CLI::App& app, int& exit_code)
         ->add_option("-o,--output", options->file, "the page of --view; default: next to the case, as CASE.check.html")
         ->type_name("FILE")
         ->needs(view);
-    command->add_flag("--force", options->force, "replace the file of -o if it exists")->needs(view);
+    command->add_flag("--force", options->force, "replace the page if it exists")->needs(view);
     command->callback([options, &exit_code] {
         options->view ? check_and_draw(*options) : check(options->input);
         exit_code = 0;

@@ -5,7 +5,9 @@
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/files/compare_files.hpp"
+#include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/study/compare/compare.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
 #include "options/result_options.hpp"
@@ -36,6 +38,7 @@ std::optional<std::string> point_warning(const study::RunRecord& run, const case
                                          const std::string& name)
 {
     const fs::path file = fs::path(run.folder) / "case.toml";
+    report::ResultFiles(run.folder).check("case.toml");
     try {
         const auto as_set = casefile::read_case(file, point.set, casefile::FileAccess::anywhere).value;
         if (casefile::case_hash(as_set) == run.hash) {
@@ -64,21 +67,19 @@ fs::path output_stem(const CompareOptions& options)
     return stem;
 }
 
-/// Whether files of these names may be lost: those in the folder of results are renewed, others are the user's.
-/// @throws IoError if they are there and must not
+/// Whether files of these names are replaced: those in the folder of results are renewed, others are the user's.
+/// @throws IoError if they are there and must stay
 IfThere replaced_files(const CompareOptions& options, const fs::path& stem)
 {
-    if (options.output.empty() || options.force) {
-        return IfThere::replace;
-    }
-    for (const char* extension : report::compare_endings) {
+    auto result = IfThere::refuse;
+    for (const char* ending : report::compare_endings) {
         auto file = stem;
-        if (fs::exists(file += extension)) {
-            throw IoError(
-                fmt::format("'{}' exists\n  help: choose another name, or add --force to replace it", file.string()));
+        file += ending;
+        if (report::if_there(file, options.force, options.output.empty()) == IfThere::replace) {
+            result = IfThere::replace;
         }
     }
-    return IfThere::refuse;
+    return result;
 }
 
 void compare(const CompareOptions& options)
@@ -87,6 +88,7 @@ void compare(const CompareOptions& options)
     const auto stem = output_stem(options);
     const auto if_there = replaced_files(options, stem);
     const auto claim = claim_folder_of(stem, console);  // no other run may change the folder between reading and adding
+    console.stage("reading the results");
     const auto run = report::read_result(options.folder);
     const auto contents = study::contents(run);
     const auto reference = casefile::read_reference(options.reference, options.point, &contents);
@@ -96,6 +98,7 @@ void compare(const CompareOptions& options)
         const auto offered = study::contents(*baseline);
         (void)casefile::read_reference(options.reference, options.point, &offered);
     }
+    console.stage("comparison");
     auto comparison = study::compare(run, reference, options.point, baseline ? &*baseline : nullptr);
     if (!options.point.empty()) {
         if (auto warning = point_warning(run, reference.points.at(options.point), options.point)) {

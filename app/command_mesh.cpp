@@ -50,12 +50,14 @@ void write_mesh(const MeshOptions& options)
     for (const auto& warning : report::plan_warnings(description, machine)) {
         console.warn(warning);
     }
+    console.stage("files");
     report::write_mesh_files(folder->path(), machine, file_comments(description, console));
     const bool calculix = options.calculix || !options.temperatures.empty();
     if (calculix) {
         write_calculix(options, folder->path(), description, machine, file_comments(description, console));
     }
     commit(*folder, options.tables, console);
+    console.finish();
     print_out("{} cells, {} exterior faces; open {} and {} in ParaView\n", machine.cells.size(), machine.faces.size(),
               (folder->target() / "mesh.vtu").string(), (folder->target() / "surfaces.vtu").string());
     if (calculix) {

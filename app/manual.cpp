@@ -1,5 +1,7 @@
 #include "manual.hpp"
 
+#include "deadpoint/error.hpp"
+#include "deadpoint/io/read_file.hpp"
 #include "deadpoint/io/write_file.hpp"
 
 #include <algorithm>
@@ -242,7 +244,15 @@ std::string fish_completion(const CLI::App& app)
 void write_manual(const CLI::App& app, const std::string& version, const std::filesystem::path& folder)
 {
     const auto write = [&](const char* name, const std::string& text) {
-        deadpoint::write_file(folder / name, [&](std::ostream& out) { out << text; });
+        const auto file = folder / name;
+        const auto there = deadpoint::read_file(file, deadpoint::largest_result);
+        constexpr std::size_t heading = 16;  // an older one begins alike
+        if (there && there->substr(0, heading) != text.substr(0, heading)) {
+            throw deadpoint::IoError(fmt::format("'{}' exists, and deadpoint did not write it\n  help: name another "
+                                                 "folder",
+                                                 file.string()));
+        }
+        deadpoint::write_file(file, text);
     };
     write("deadpoint.1", man_page(app, version));
     write("deadpoint.bash", bash_completion(app));

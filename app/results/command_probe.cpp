@@ -3,6 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/charts/svg_chart.hpp"
+#include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/probe/probe_fields.hpp"
 #include "options/case_options.hpp"
@@ -46,30 +47,33 @@ void say_what_is_known(const report::ProbedFields& fields, Console& console)
     }
 }
 
-void refuse_existing(const fs::path& table, const fs::path& chart)
+/// The chart beside a table. @throws InputError if the table has its name
+fs::path chart_beside(const fs::path& table)
 {
-    for (const auto& file : {table, chart}) {
-        if (fs::exists(file)) {
-            throw IoError(
-                fmt::format("'{}' exists\n  help: choose another name, or add --force to replace it", file.string()));
-        }
+    auto chart = table;
+    if (chart.replace_extension(".svg") == table) {
+        throw InputError(fmt::format("'{}' is the name of the chart beside the table\n  help: give the table another "
+                                     "one, like probe.csv",
+                                     table.string()));
     }
+    return chart;
 }
 
 void probe(const ProbeOptions& options)
 {
     Console console(options.console);
     const fs::path table = options.output;
-    auto chart = table;
-    chart.replace_extension(".svg");
-    if (!options.output.empty() && !options.force) {
-        refuse_existing(table, chart);
+    const auto chart = options.output.empty() ? fs::path() : chart_beside(table);
+    if (!options.output.empty()) {
+        (void)report::if_there(table, options.force);
+        (void)report::if_there(chart, options.force);
     }
     const auto places = report::probe_places(options.at);
     const report::ResultFiles results(options.folder);
     results.check("case.toml");
     const auto input =
         casefile::read_case(fs::path(options.folder) / "case.toml", {}, casefile::FileAccess::anywhere).value;
+    console.stage("reading the fields");
     const auto fields = report::probe_fields(results, input, places);
     say_what_is_known(fields, console);
     console.finish();

@@ -96,8 +96,33 @@ TEST_CASE("results of two runs that were put together, cut or edited are exit co
         } else {
             refused("report " + mixed, name);
         }
+        if (name == std::string("history.csv") || name == std::string("summary.json")) {
+            refused("view " + mixed, name);
+        }
     }
     const auto history = fs::path(one) / "history.csv";
     fs::resize_file(history, fs::file_size(history) / 2);
     refused("report " + one, "history.csv");
+}
+
+TEST_CASE("an edited page of results is not opened, and an edited case is not compared")
+{
+    const ScratchFolder folder;
+    const auto results = folder.path / "results";
+    REQUIRE(run("", fmt::format("run -q {} -o {}", two_blocks, results.string())).code == 0);
+    const auto page = content(results / "report.html"), text = content(results / "case.toml");
+    (void)folder.file("results/report.html", page + "<p>mine</p>");
+    const auto view = run("BROWSER=true", "view " + results.string());
+    CHECK(view.code == 5);
+    CHECK(has(view.text, "report.html' exists and is not as deadpoint wrote it"));
+    CHECK(run("", "report " + results.string()).code == 5);
+    CHECK(run("", "report --force " + results.string()).code == 0);
+    CHECK(run("BROWSER=true", "view " + results.string()).code == 0);
+    (void)folder.file("results/case.toml", text + "\n# mine\n");
+    const auto reference = folder.file("m.toml", "format = 1\nname = \"m\"\nsource = \"s\"\n[points.p]\nset = "
+                                                 "[\"machine.ambient=20 degC\"]\n[[rises]]\npoint = \"p\"\ntime = \"7 "
+                                                 "min\"\nvalues = { top = \"0.1 K\" }\n");
+    const auto compare = run("", fmt::format("compare {} {} --point p", results.string(), reference.string()));
+    CHECK(compare.code == 2);
+    CHECK(has(compare.text, "case.toml' was changed since deadpoint wrote it"));
 }

@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/version.hpp"
+#include "deadpoint/io/read_file.hpp"
 #include "deadpoint/report/page/named_things.hpp"
 #include "deadpoint/report/page/page_parts.hpp"
 #include "deadpoint/report/page/page_shell.hpp"
@@ -81,6 +82,11 @@ void write_check_page(const std::filesystem::path& file, const casefile::Case& i
     content.without_scripts = without_scripts(found);
     const std::array scripts{page_data_script(), page_shape_script(), page_check_script()};
     write_page(file, content, scripts, if_there);
+}
+
+bool is_unchanged_page(const std::filesystem::path& file)
+{
+    return is_sealed(read_file(file, largest_result).value_or(""));
 }
 
 }  // namespace deadpoint::report

@@ -21,5 +21,7 @@ namespace deadpoint::report {
 /// @throws IoError if it cannot be written
 void write_check_page(const std::filesystem::path& file, const casefile::Case& input, const study::CaseSketch& sketch,
                       const std::vector<Diagnostic>& found, IfThere if_there);
+/// Whether a file is a page of deadpoint that nobody has changed. @throws IoError if it cannot be read
+bool is_unchanged_page(const std::filesystem::path& file);
 
 }  // namespace deadpoint::report

@@ -1,5 +1,6 @@
 #include "deadpoint/report/page/page_shell.hpp"
 
+#include "deadpoint/core/hash.hpp"
 #include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/io/write_file.hpp"
@@ -32,31 +33,39 @@ std::string embedded(const Json& json)
     return result;
 }
 
+// The last line: a checksum of all before, by which a page is known that nobody has edited.
+constexpr std::string_view seal_mark = "<!-- deadpoint wrote this page, checksum ";
+
+std::string seal(std::string_view text) { return fmt::format("{}{} -->\n", seal_mark, stable_hash(text)); }
+
 }  // namespace
 
 void write_page(const fs::path& file, const PageContent& content, std::span<const std::string_view> scripts,
                 IfThere if_there)
 {
     const auto title = xml_text(content.title);
-    const auto fill = [&](std::ostream& out) {
-        out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-            << "<meta http-equiv=\"Content-Security-Policy\" content=\"" << policy << "\">\n"
-            << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-            << "<meta name=\"generator\" content=\"deadpoint " << version << "\">\n"
-            << "<title>" << title << " - deadpoint</title>\n<style>\n"
-            << page_style() << "</style>\n</head>\n<body>\n<main id=\"page\">\n<h1>" << title << "</h1>\n"
-            << "<noscript>\n"
-            << content.without_scripts << "</noscript>\n</main>\n"
-            << "<script type=\"application/json\" id=\"data\">" << embedded(content.data) << "</script>\n"
-            << "<script>\n/*\n"
-            << page_licences() << "*/\n"
-            << page_libraries() << "\n</script>\n<script>\n\"use strict\";\n";
-        for (const auto script : scripts)
-            out << script;
-        out << "</script>\n</body>\n</html>\n";
-    };
-    write_file(file, fill, Durability::usual, if_there);
+    std::string text =
+        fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                    "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+                    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                    "<meta name=\"generator\" content=\"deadpoint {}\">\n"
+                    "<title>{} - deadpoint</title>\n<style>\n{}</style>\n</head>\n<body>\n<main id=\"page\">\n"
+                    "<h1>{}</h1>\n<noscript>\n{}</noscript>\n</main>\n"
+                    "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n/*\n{}*/\n{}\n</script>\n"
+                    "<script>\n\"use strict\";\n",
+                    policy, version, title, page_style(), title, content.without_scripts, embedded(content.data),
+                    page_licences(), page_libraries());
+    for (const auto script : scripts)
+        text += script;
+    text += "</script>\n</body>\n</html>\n";
+    write_file(file, text + seal(text), if_there);
     record_file(file);
+}
+
+bool is_sealed(std::string_view page)
+{
+    const auto end = page.rfind(seal_mark);
+    return end != std::string_view::npos && page.substr(end) == seal(page.substr(0, end));
 }
 
 }  // namespace deadpoint::report

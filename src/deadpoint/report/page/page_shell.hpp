@@ -21,5 +21,7 @@ struct PageContent {
 /// @throws IoError if it cannot be written
 void write_page(const std::filesystem::path& file, const PageContent& content,
                 std::span<const std::string_view> scripts, IfThere if_there);
+/// Whether a text is a page that write_page() has written and nobody has changed.
+bool is_sealed(std::string_view page);
 
 }  // namespace deadpoint::report
