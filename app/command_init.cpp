@@ -1,18 +1,24 @@
 #include "commands.hpp"
+#include "console.hpp"
 #include "deadpoint/casefile/files/shipped.hpp"
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/io/read_file.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
 #include "deadpoint/report/schema/input_schema.hpp"
 #include "deadpoint/study/draft/draft.hpp"
 #include "output.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -25,16 +31,62 @@ struct InitOptions {
     std::vector<std::string> bodies;  ///< "name=solid,solid"
 };
 
-void create(const fs::path& folder)
-{
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw deadpoint::IoError(
-            fmt::format("cannot create the folder '{}': {}\n  help: name a folder you may write to", folder.string(),
-                        error.message()));
+/// What init has made so far; removed with the object unless all of it is there.
+class NewFiles {
+public:
+    NewFiles() = default;
+    ~NewFiles()
+    {
+        std::error_code ignored;  // a folder that holds something else stays
+        for (auto made = made_.rbegin(); made != made_.rend(); ++made) {
+            fs::remove(*made, ignored);
+        }
     }
-}
+    NewFiles(const NewFiles&) = delete;
+    NewFiles& operator=(const NewFiles&) = delete;
+
+    /// Makes a folder and those above it that are missing. @throws IoError
+    void create(const fs::path& folder)
+    {
+        std::error_code error;
+        fs::path above;
+        for (const auto& name : fs::absolute(folder)) {
+            above /= name;
+            if (fs::create_directory(above, error)) {
+                made_.push_back(above);
+            }
+        }
+        if (error) {
+            throw deadpoint::IoError(
+                fmt::format("cannot create the folder '{}': {}\n  help: name a folder you may write to",
+                            folder.string(), error.message()));
+        }
+    }
+    /// @throws IoError as write_file()
+    void write(const fs::path& file, std::string_view text)
+    {
+        deadpoint::write_file(file, text, deadpoint::IfThere::refuse);
+        made_.push_back(file);
+    }
+    /// @throws IoError
+    void copy(const fs::path& from, const fs::path& to)
+    {
+        std::error_code error;
+        fs::copy_file(from, to, fs::copy_options::none, error);
+        if (error != std::errc::file_exists) {
+            made_.push_back(to);
+        }
+        if (error) {
+            throw deadpoint::IoError(
+                fmt::format("cannot copy '{}' to '{}': {}\n  help: name a new folder, or remove that file",
+                            from.string(), to.string(), error.message()));
+        }
+    }
+    void keep() { made_.clear(); }
+
+private:
+    std::vector<fs::path> made_;
+};
 
 void say_next(const fs::path& file)
 {
@@ -42,35 +94,58 @@ void say_next(const fs::path& file)
               file.string(), file.string(), (file.parent_path() / "results").string());
 }
 
-/// Writes the case, which begins with the line that tells editors its schema, and the schema beside it.
-void write_case(const fs::path& file, std::string_view text)
+constexpr const char* schema_name = "case.schema.json";
+
+/// @throws IoError if a case is there
+void refuse_existing(const fs::path& file)
 {
-    constexpr const char* schema = "case.schema.json";
-    deadpoint::write_file(file, fmt::format("#:schema ./{}\n{}", schema, text), deadpoint::IfThere::refuse);
-    deadpoint::write_file(file.parent_path() / schema, deadpoint::report::schema::input_schema("case"));
+    if (fs::exists(fs::symlink_status(file))) {
+        throw deadpoint::IoError(
+            fmt::format("'{}' exists already and is not overwritten\n  help: name another folder", file.string()));
+    }
+}
+
+/// Writes the case, which begins with the line that tells editors its schema, and the schema beside it, unless it is
+/// there.
+void write_case(const fs::path& file, std::string_view text, NewFiles& files)
+{
+    const auto schema = deadpoint::report::schema::input_schema("case");
+    const auto beside = file.parent_path() / schema_name;
+    files.write(file, fmt::format("#:schema ./{}\n{}", schema_name, text));
+    if (deadpoint::read_file(beside, deadpoint::largest_result) != schema) {
+        files.write(beside, schema);
+    }
 }
 
 void write_starter(const fs::path& folder)
 {
-    create(folder);
+    NewFiles files;
     const fs::path file = folder / "case.toml";
-    write_case(file, deadpoint::casefile::starter_case());
+    refuse_existing(file);
+    files.create(folder);
+    write_case(file, deadpoint::casefile::starter_case(), files);
+    files.keep();
     say_next(file);
 }
 
+/// The name of a drawing in the folder of its case. A case names files in one printable line.
+std::string name_beside_case(const fs::path& drawing)
+{
+    auto name = deadpoint::masked(drawing.filename().string());
+    constexpr std::string_view mark = "\xEF\xBF\xBD";  // of masked()
+    for (auto at = name.find(mark); at != std::string::npos; at = name.find(mark)) {
+        name.replace(at, mark.size(), "_");
+    }
+    std::ranges::replace(name, '\t', '_');
+    return name;
+}
+
 /// A case holds its files: the drawing goes into its folder, unless it is there.
-void copy_into(const fs::path& drawing, const fs::path& copy)
+void copy_into(const fs::path& drawing, const fs::path& copy, NewFiles& files)
 {
     std::error_code unknown;
-    if (fs::equivalent(drawing, copy, unknown)) {
-        return;
-    }
-    std::error_code error;
-    fs::copy_file(drawing, copy, fs::copy_options::none, error);
-    if (error) {
-        throw deadpoint::IoError(
-            fmt::format("cannot copy '{}' to '{}': {}\n  help: name a new folder, or remove that file",
-                        drawing.string(), copy.string(), error.message()));
+    if (!fs::equivalent(drawing, copy, unknown)) {
+        files.copy(drawing, copy);
     }
 }
 
@@ -127,6 +202,19 @@ deadpoint::study::WantedBody wanted_body(const std::string& text)
     return body;
 }
 
+/// Reading and comparing solids takes a minute for hundreds of them, so it tells how far it is.
+deadpoint::study::Draft draft_from(const fs::path& drawing, const std::vector<deadpoint::study::WantedBody>& wanted)
+{
+    Console console({});
+    console.stage("drawing");
+    auto model =
+        deadpoint::machine::read_cad(drawing.stem().string(), drawing.string(), std::nullopt, [&](double seconds) {
+            console.progress(0, fmt::format("reading solids and finding where they touch, {:.0f} s", seconds));
+        });
+    console.stage("bodies and joints");
+    return deadpoint::study::draft_of(std::move(model), wanted);
+}
+
 void write_draft(const InitOptions& options)
 {
     std::vector<deadpoint::study::WantedBody> wanted;
@@ -135,9 +223,7 @@ void write_draft(const InitOptions& options)
     }
     const fs::path folder = options.folder;
     const fs::path file = folder / "case.toml";
-    if (fs::exists(file)) {
-        throw deadpoint::IoError(fmt::format("'{}' is there already\n  help: name another folder", file.string()));
-    }
+    refuse_existing(file);
     const fs::path drawing = options.step;
     if (!fs::exists(drawing)) {
         const bool of_windows = options.step.find('\\') != std::string::npos;
@@ -146,11 +232,13 @@ void write_draft(const InitOptions& options)
                                                  ? "write its path with / instead of \\"
                                                  : "check its path, which is relative to the folder you are in"));
     }
-    const auto draft = deadpoint::study::draft_of(
-        deadpoint::machine::read_cad(drawing.stem().string(), drawing.string(), std::nullopt, [](double) {}), wanted);
-    create(folder);
-    copy_into(drawing, folder / drawing.filename());
-    write_case(file, deadpoint::study::draft_text(draft, drawing.filename().string()));
+    const auto draft = draft_from(drawing, wanted);
+    const auto name = name_beside_case(drawing);
+    NewFiles files;
+    files.create(folder);
+    copy_into(drawing, folder / name, files);
+    write_case(file, deadpoint::study::draft_text(draft, name), files);
+    files.keep();
     say_what_was_found(draft);
     say_next(file);
 }

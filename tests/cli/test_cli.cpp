@@ -8,12 +8,15 @@
 #include <doctest/doctest.h>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -1295,6 +1298,81 @@ TEST_CASE("check --view draws a case that passes and one that does not")
     CHECK(deadpoint("check -o x.html " + (folder / "case.toml")).code != 0);  // only with --view
 }
 
+TEST_CASE("check --view and init replace no file that deadpoint did not write")
+{
+    const Folder folder;
+    fs::copy_file(two_blocks, folder / "case.toml");
+    const auto page = folder / "case.check.html";
+    setenv("BROWSER", "true", 1);
+    std::ofstream(page) << "mine";
+    const auto foreign = deadpoint("check -q --view " + (folder / "case.toml"));
+    CHECK(foreign.code == 5);
+    CHECK(has(foreign.err, "case.check.html' exists\n  help: choose another name, or add --force"));
+    CHECK(content(page) == "mine");
+    CHECK(deadpoint("check -q --view --force " + (folder / "case.toml")).code == 0);
+    CHECK(deadpoint("check -q --view " + (folder / "case.toml")).code == 0);  // its own page is renewed
+    std::ofstream(page, std::ios::app) << "<p>a note of mine</p>\n";
+    CHECK(deadpoint("check -q --view " + (folder / "case.toml")).code == 5);
+    CHECK(has(content(page), "a note of mine"));
+    unsetenv("BROWSER");
+
+    fs::create_directories(folder / "press");
+    std::ofstream(folder / "press/case.schema.json") << "mine";
+    const auto schema = deadpoint("init " + (folder / "press"));
+    CHECK(schema.code == 5);
+    CHECK(has(schema.err, "case.schema.json' exists already and is not overwritten"));
+    CHECK(content(folder / "press/case.schema.json") == "mine");
+    CHECK_FALSE(fs::exists(folder / "press/case.toml"));
+    std::ofstream(folder / "press/case.schema.json") << deadpoint("schema case").out;
+    CHECK(deadpoint("init " + (folder / "press")).code == 0);  // as it would be written
+}
+
+TEST_CASE("no command replaces a file of results, not even by force")
+{
+    const Folder folder;
+    const auto results = folder / "results";
+    REQUIRE(deadpoint("run -q " + two_blocks + " -o " + results + " --set 'output.field_times=[\"5 min\"]'").code == 0);
+    std::ofstream(folder / "m.toml") << "format = 1\nname = \"m\"\nsource = \"s\"\n[[rises]]\ntime = \"7 min\"\n"
+                                        "values = { top = \"0.1 K\" }\n";
+    const auto compare = "compare " + results + " " + (folder / "m.toml");
+    const auto probe = "probe " + results + " --at 'upper,50 mm,200 mm,50 mm'";
+    const auto refused = [&](const std::string& line, const char* name) {
+        const auto before = content(results + "/" + name);
+        const auto outcome = deadpoint(line + " --force");
+        CAPTURE(line);
+        CAPTURE(outcome.err);
+        CHECK(outcome.code == 5);
+        CHECK(has(outcome.err, std::string(name) + "' belongs to the results in '"));
+        CHECK(content(results + "/" + name) == before);
+    };
+    refused(compare + " -o " + results + "/summary", "summary.json");
+    refused(compare + " -o " + results + "/deadpoint", "deadpoint.json");
+    refused(probe + " -o " + results + "/history.csv", "history.csv");
+    refused(probe + " -o " + results + "/temperatures.csv", "temperatures.svg");  // the chart beside it
+    refused("report " + results + " -o " + results + "/history.csv", "history.csv");
+    refused("check --view " + two_blocks + " -o " + results + "/case.toml", "case.toml");
+    refused("report " + results + " -o " + results + "/../results/view.json", "view.json");
+
+    // Page and comparison of the folder are made anew, unless they are not as deadpoint wrote them.
+    CHECK(deadpoint(compare).code == 0);
+    CHECK(deadpoint(compare).code == 0);
+    std::ofstream(results + "/compare.md") << "mine";
+    CHECK(deadpoint(compare).code == 5);
+    CHECK(content(results + "/compare.md") == "mine");
+    CHECK(deadpoint(compare + " --force").code == 0);
+    std::ofstream(results + "/report.html") << "mine";
+    CHECK(deadpoint("report " + results).code == 5);
+    CHECK(deadpoint("report --force " + results).code == 0);
+    CHECK(deadpoint("report " + results).code == 0);
+
+    const auto chart = deadpoint(probe + " -o " + (folder / "p.svg"));
+    CHECK(chart.code == 2);
+    CHECK(has(chart.err, "is the name of the chart beside the table"));
+    std::ofstream(folder / "deadpoint.1") << "mine";
+    CHECK(deadpoint("--write-manual " + folder.path.string()).code == 5);
+    CHECK(content(folder / "deadpoint.1") == "mine");
+}
+
 TEST_CASE("--accuracy refuses what is no accuracy of something in the case")
 {
     const Folder folder;
@@ -1376,4 +1454,55 @@ TEST_CASE("init --step writes a case from an assembly that passes its check, or 
     CHECK(has(other.err, "is not a STEP file"));
     CHECK_FALSE(std::filesystem::exists(folder / "a"));
     CHECK_FALSE(std::filesystem::exists(folder / "b"));
+}
+
+TEST_CASE("init --step writes the name of its drawing as a text, whatever is in it, and leaves nothing if it fails")
+{
+    const Folder folder;
+    const fs::path source = DEADPOINT_SOURCE_DIR "/cases/c-frame/press.step";
+    const auto shown = [&](const std::string& name, const std::string& written) {
+        CAPTURE(name);
+        const auto drawing = folder.path / name;
+        fs::copy_file(source, drawing);
+        const auto target = folder / "drawn";
+        const auto made = deadpoint("init --step '" + drawing.string() + "' " + target);
+        CAPTURE(made.err);
+        CHECK(made.code == 0);
+        const auto text = content(target + "/case.toml");
+        CHECK(has(text, "step = " + written + "\n"));
+        CHECK_FALSE(has(text, "\ninclude"));
+        CHECK(deadpoint("check -q --size 3 " + target + "/case.toml").code == 0);
+        CHECK(std::distance(fs::directory_iterator(target), fs::directory_iterator{}) == 3);
+        fs::remove_all(target);
+    };
+    shown("a \"quoted\" back\\slash.step", R"("a \"quoted\" back\\slash.step")");
+    shown("x\ninclude = [\"y.toml\"]\n#.step", R"("x_include = [\"y.toml\"]_#.step")");
+    shown("bell\a tab\t\xff.step", "\"bell_ tab__.step\"");
+    shown("Presse \xC3\xBC.step", "\"Presse \xC3\xBC.step\"");
+
+    // The schema that is in the way ends it after drawing and case are there.
+    fs::create_directories(folder / "full");
+    std::ofstream(folder / "full/case.schema.json") << "mine";
+    CHECK(deadpoint("init --step " + source.string() + " " + (folder / "full")).code == 5);
+    CHECK(std::distance(fs::directory_iterator(folder / "full"), fs::directory_iterator{}) == 1);
+}
+
+TEST_CASE("messages about the command line are in words of the program")
+{
+    const std::vector<std::pair<std::string, const char*>> lines{
+        {"check " + two_blocks + " --size", "--size needs a value"},
+        {"check " + two_blocks + " --size big", "'big' is no value that --size takes"},
+        {"check", "CASE is missing"},
+        {"check " + two_blocks + " more", "there is no room for 'more' in this command"},
+        {"check " + two_blocks + " -o x.html", "--output works with --view only"},
+        {"sweep s.toml -o s --gather --shard 1/2", "exclude each other"}};
+    for (const auto& [line, said] : lines) {
+        CAPTURE(line);
+        const auto outcome = deadpoint(line);
+        CAPTURE(outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK(has(outcome.err, std::string("error: ")));
+        CHECK(has(outcome.err, said));
+        CHECK(has(outcome.err, "help: "));
+    }
 }

@@ -1,3 +1,5 @@
+#include "deadpoint/casefile/syntax/value_texts.hpp"
+#include "deadpoint/core/plain_text.hpp"
 #include "deadpoint/study/draft/draft.hpp"
 
 #include <algorithm>
@@ -120,7 +122,7 @@ private:
     {
         line("# A first case from '{}': {} solids, {} contacts between them. Every line with TO DO holds a guess; "
              "replace it, then",
-             file_, draft_.model.solids.size(), draft_.contacts.size());
+             one_line(file_), draft_.model.solids.size(), draft_.contacts.size());
         line("#   deadpoint check case.toml               is it sound, and what would be computed?");
         line("#   deadpoint run case.toml -o results      how far does it drift?");
         line("# The drawing must show the press at bottom dead point. y points up, z along the crankshaft; seen from z "
@@ -217,10 +219,10 @@ private:
             const CadSolid& one = solid(i);
             const Vec3 edges = one.bounds.max - one.bounds.min;
             line("# {:.4g} litres, {:.1f} x {:.1f} x {:.1f} mm{}{}", 1e3 * one.volume, 1e3 * edges[0], 1e3 * edges[1],
-                 1e3 * edges[2], one.path.empty() ? "" : ", in " + one.path,
-                 one.colour.empty() ? "" : ", colour " + one.colour);
-            line("[parts.{}]\nbody = \"{}\"\nmaterial = \"{}\"\nstep = \"{}\"\nsolid = \"{}\"\n{}size = {}\n", one.name,
-                 body(draft_.body_of[i]), material(i), file_, one.name, axes(), mm(size_of(one)));
+                 1e3 * edges[2], one.path.empty() ? "" : ", in " + one_line(one.path),
+                 one.colour.empty() ? "" : ", colour " + one_line(one.colour));
+            line("[parts.{}]\nbody = \"{}\"\nmaterial = \"{}\"\nstep = {}\nsolid = \"{}\"\n{}size = {}\n", one.name,
+                 body(draft_.body_of[i]), material(i), casefile::in_quotes(file_), one.name, axes(), mm(size_of(one)));
         }
     }
 
