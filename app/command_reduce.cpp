@@ -19,6 +19,7 @@ struct ReduceOptions : CaseOptions {
     bool fields = false;
     bool certify = false;
     bool resume = false;
+    bool force = false;
     RankOptions ranks;
 };
 
@@ -28,8 +29,7 @@ int reduce_case(const ReduceOptions& options, Ranks& ranks)
     if (options.certify) {
         ranks.stay_alone("a certificate");
     }
-    const BuildFolder folder(options.file, options.resume ? StoppedBuild::resume : StoppedBuild::refuse, read.value,
-                             ranks);
+    const BuildFolder folder(options.file, stopped_build(options.resume, options.force), read.value, ranks);
     study::Press press(read.value, options.size_scale);
     press.mesh(ranks.console);
     ranks.spread([&] { return press.machine(ranks.console).cells.size(); });
@@ -64,6 +64,8 @@ void add_reduce(CLI::App& app, int& exit_code)
     command->add_flag("--resume", options->resume,
                       "continue a stopped build from its checkpoint FILE.checkpoint; without one, start at the "
                       "beginning");
+    command->add_flag("--force", options->force,
+                      "replace the files of a reduced press, and discard a stopped build of it");
     add_rank_options(*command, options->ranks);
     command->callback([options, &exit_code] {
         exit_code =

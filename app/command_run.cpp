@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/io/plain_reason.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
@@ -58,7 +59,7 @@ bool add_page(const ResultFolder& folder, Console& console)
     } catch (const std::exception& error) {
         std::error_code ignored;
         std::filesystem::remove(page, ignored);
-        console.warn(fmt::format("report.html is missing: {}", error.what()));
+        console.warn(fmt::format("report.html is missing: {}", plain_reason(error)));
         return false;
     }
 }
@@ -295,9 +296,7 @@ std::optional<BuildFolder> start_build(const RunOptions& options, const casefile
     if (options.reduce.empty()) {
         return std::nullopt;
     }
-    const auto stopped = options.checkpoints.resume ? StoppedBuild::resume
-                         : options.force            ? StoppedBuild::discard
-                                                    : StoppedBuild::refuse;
+    const auto stopped = stopped_build(options.checkpoints.resume, options.force);
     return std::make_optional<BuildFolder>(options.reduce, stopped, input, ranks);
 }
 
@@ -337,12 +336,10 @@ int run_case(RunOptions options, Ranks& ranks)
     std::optional<report::FolderClaim> claim;  // taken before files beside the folder are trusted
     on_first_rank(ranks.first, [&] { claim.emplace(claim_folder(options.folder, console)); });
     study::RunOptions wanted;
-    plan_checkpoints(options.checkpoints, options.folder, options.force, input, ranks.first, wanted);
+    const bool continues =
+        plan_checkpoints(options.checkpoints, options.folder, options.force, input, ranks.first, wanted);
+    const bool replaces = options.force || continues;
     std::unique_ptr<ResultFolder> folder;
-    const bool continues = !wanted.resume_from.empty();
-    const bool replaces =
-        options.force ||
-        (continues && (holds_interrupted(options.folder, input) || holds_beginning(options.folder, input)));
     const auto start = [&] {
         using enum ResultFolder::IfExists;
         return std::make_unique<ResultFolder>(*std::move(claim), replaces ? replace : refuse, input_files(read));
@@ -365,11 +362,13 @@ int run_case(RunOptions options, Ranks& ranks)
     const auto& result = run.result;
     console.finish();
     if (folder) {
+        console.stage("files");
         report::write_run_files(folder->path(), run.press->input(), run.press->machine(console), result,
                                 console.warnings());
         report::write_manifest(folder->path());
         const bool has_page = add_page(*folder, console);
         commit(*folder, options.tables, console);
+        console.finish();
         const auto where = folder->target().string();
         const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
         print_out("{}\nresults{} are in {}\n", report::run_text(run.press->input(), result, detail),

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fstream>
+#include <string>
 
 using namespace deadpoint;
 namespace fs = std::filesystem;
@@ -31,6 +33,36 @@ void require_folder(const fs::path& file)
 {
     if (!fs::is_directory(fs::absolute(file).parent_path())) {
         throw IoError(fmt::format("cannot write '{}': its folder does not exist", file.string()));
+    }
+}
+
+/// By its first bytes, in any version.
+bool is_of_reduced_press(const fs::path& file)
+{
+    std::string kind;
+    std::getline(std::ifstream(file, std::ios::binary), kind);
+    return fs::is_regular_file(file) &&
+           (kind.starts_with("deadpoint reduced press") || kind.starts_with("deadpoint certificate") ||
+            kind.starts_with("deadpoint fields of a reduced press"));
+}
+
+/// @throws IoError if a file of the press is there that must stay
+void require_replaceable(const fs::path& file, bool wanted)
+{
+    for (const auto& one : {file, large_file(file), study::certificate_file(file), study::fields_file(file)}) {
+        if (!fs::exists(fs::symlink_status(one))) {
+            continue;
+        }
+        if (!is_of_reduced_press(one)) {
+            throw IoError(fmt::format("'{}' exists, and is no file of a reduced press\n  help: give another name with "
+                                      "-o",
+                                      one.string()));
+        }
+        if (!wanted) {
+            throw IoError(fmt::format("'{}' exists already\n  help: give another name with -o, or replace it with "
+                                      "--force",
+                                      one.string()));
+        }
     }
 }
 
@@ -57,27 +89,47 @@ bool is_hardly_begun(const fs::path& folder)
     });
 }
 
+/// Whether a folder holds pieces of a build and nothing else.
+bool is_build(const fs::path& folder)
+{
+    return fs::is_directory(fs::symlink_status(folder)) &&
+           std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
+               return entry.path().filename().string().find(".bin") != std::string::npos;
+           });
+}
+
+[[noreturn]] void refuse_other(const fs::path& folder)
+{
+    throw IoError(fmt::format("'{}' is not a checkpoint of a build\n  help: move it away, or give another name with -o",
+                              folder.string()));
+}
+
 /// Removes a checkpoint under another name, so that a kill on the way leaves no half of one under its own.
 void discard(const fs::path& folder)
 {
     const fs::path discarded = folder.string() + ".discarded";
     std::error_code ignored;
-    fs::remove_all(discarded, ignored);
+    if (is_build(discarded)) {
+        fs::remove_all(discarded, ignored);
+    }
     fs::rename(folder, discarded, ignored);
-    fs::remove_all(discarded, ignored);
+    fs::remove_all(ignored ? folder : discarded, ignored);
 }
 
 // Returns whether there is something to go on with.
 bool find_stopped(const fs::path& folder, StoppedBuild stopped)
 {
     std::error_code ignored;
-    if (stopped == StoppedBuild::discard) {
+    if (stopped == StoppedBuild::discard && fs::exists(fs::symlink_status(folder))) {
+        if (!is_build(folder)) {
+            refuse_other(folder);
+        }
         discard(folder);
     }
     const bool there = fs::exists(folder, ignored) && !(fs::is_directory(folder, ignored) && is_hardly_begun(folder));
     if (there && stopped == StoppedBuild::refuse) {
         throw IoError(fmt::format("'{}' is the checkpoint of a build that was stopped\n  help: continue from it with "
-                                  "--resume, or remove it to build anew",
+                                  "--resume, or discard it with --force",
                                   folder.string()));
     }
     return there;
@@ -86,9 +138,7 @@ bool find_stopped(const fs::path& folder, StoppedBuild stopped)
 void require_build(const fs::path& folder, const reduce::BuildCheckpoint& pieces)
 {
     if (!pieces.read(first_piece)) {
-        throw IoError(fmt::format("'{}' is not a checkpoint of a build\n  help: move it away, or give another name "
-                                  "with -o",
-                                  folder.string()));
+        refuse_other(folder);
     }
 }
 
@@ -116,12 +166,18 @@ std::string text_of_fields(const std::string& file)
 
 }  // namespace
 
+StoppedBuild stopped_build(bool resume, bool force)
+{
+    return resume ? StoppedBuild::resume : force ? StoppedBuild::discard : StoppedBuild::refuse;
+}
+
 BuildFolder::BuildFolder(const std::string& file, StoppedBuild stopped, const casefile::Case& input, Ranks& ranks)
     : file_(file), checkpoint_(file + ".checkpoint")
 {
     std::string there;
     on_first_rank(ranks.first, [&] {
         require_folder(file_);
+        require_replaceable(file_, stopped != StoppedBuild::refuse);
         lock_.emplace(file + ".lock", fmt::format("the reduced press '{}' is being built", file));
         there = find_stopped(checkpoint_, stopped) ? "there" : "";
     });

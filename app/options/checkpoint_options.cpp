@@ -14,7 +14,9 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <fstream>
 #include <limits>
+#include <string_view>
 
 using namespace deadpoint;
 namespace fs = std::filesystem;
@@ -71,11 +73,61 @@ fs::path kept_in(const fs::path& folder, const fem::RunMark& run)
     return file;
 }
 
-/// Says where a run begins.
-void say_start(const fs::path& file, const fem::RunMark& run)
+/// By its first bytes, in any version.
+bool is_checkpoint(const fs::path& file)
 {
-    const double time = fem::checkpoint_head(file.string(), run).time;
-    print_out("continuing from {}, t = {:.2f} h\n", file.string(), time / 3600);
+    constexpr std::string_view kind = "deadpoint-checkpoint-";
+    std::string beginning(kind.size(), '\0');
+    std::ifstream(file, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    return fs::is_regular_file(file) && beginning == kind;
+}
+
+/// @throws IoError unless a checkpoint may be lost, and is one
+void require_discardable(const fs::path& file, bool force)
+{
+    if (!force) {
+        throw IoError(fmt::format("'{}' is the checkpoint of a run that was stopped\n  help: continue from it with "
+                                  "--resume, or discard it with --force",
+                                  file.string()));
+    }
+    if (!is_checkpoint(file)) {
+        throw IoError(fmt::format("'{}' is the name of this run's checkpoint, but that file is something else\n  help: "
+                                  "rename the file, or give another folder with -o",
+                                  file.string()));
+    }
+}
+
+/// Says where a run begins.
+void say(bool first, const std::string& text)
+{
+    if (first) {
+        print_out("{}\n", text);
+        flush_out();
+    }
+}
+
+/// Whether a run that continues from a checkpoint replaces what is in its folder: the results of the same run up to its
+/// stop, or its beginning. @throws InputError if the folder keeps the checkpoint of another run
+bool replaces_results(const fs::path& folder, const fem::CheckpointHead& head, const fem::RunMark& run)
+{
+    if (!is_result(folder)) {
+        return false;
+    }
+    const auto record = report::read_result(folder);
+    if (record.interrupted && (record.hash == head.run.case_hash || record.hash == run.case_hash)) {
+        return true;
+    }
+    if (!report::ResultFiles(folder).listed().contains(kept_checkpoint)) {
+        return false;
+    }
+    kept_in(folder, run);
+    return true;
+}
+
+bool holds_stopped(const fs::path& folder, const fem::RunMark& run)
+{
+    const auto record = report::read_result(folder);
+    return record.interrupted && record.hash == run.case_hash;
 }
 
 }  // namespace
@@ -103,7 +155,7 @@ fs::path checkpoint_of(const fs::path& folder)
     return path += ".checkpoint";
 }
 
-void plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, bool force, const casefile::Case& input,
+bool plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, bool force, const casefile::Case& input,
                       bool first, study::RunOptions& wanted)
 {
     const double interval = interval_of(options.interval);
@@ -112,55 +164,37 @@ void plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, 
             throw InputError("a run that refines its parts writes no checkpoints, so there is none to continue from\n"
                              "  help: leave --resume out, or give the sizes that are known and no accuracy");
         }
-        return;
+        return false;
     }
     const auto file = checkpoint_of(folder);
-    const bool there = fs::exists(file);
-    if (there && !options.resume && !force) {
-        throw IoError(fmt::format("'{}' is the checkpoint of a run that was stopped\n  help: continue from it with "
-                                  "--resume, or discard it with --force",
-                                  file.string()));
+    const bool there = fs::exists(fs::symlink_status(file));
+    if (there && !options.resume) {
+        require_discardable(file, force);
     }
-    if (options.resume) {
-        const auto run = study::run_mark(input);
-        if (there) {
-            wanted.resume_from = file.string();
-        } else if (is_result(folder) && !holds_interrupted(folder, input)) {
-            wanted.resume_from = kept_in(folder, run).string();
-        }
-        if (first && !wanted.resume_from.empty()) {
-            say_start(wanted.resume_from, run);
-        } else if (first) {
-            print_out("there is no {}: starting at the beginning\n", file.string());
-        }
-    }
-    flush_out();
+    wanted.checkpoint_interval = interval;
     if (there || std::isfinite(interval)) {
         wanted.checkpoint_file = file.string();
     }
-    wanted.checkpoint_interval = interval;
+    if (!options.resume) {
+        return false;
+    }
+    const auto run = study::run_mark(input);
+    if (there) {
+        wanted.resume_from = file.string();
+    } else if (is_result(folder) && !holds_stopped(folder, run)) {
+        wanted.resume_from = kept_in(folder, run).string();
+    } else {
+        say(first, fmt::format("there is no {}: starting at the beginning", file.string()));
+        return false;
+    }
+    const auto head = fem::checkpoint_head(wanted.resume_from, run);
+    const bool replaces = !force && replaces_results(folder, head, run);
+    say(first, fmt::format("continuing from {}, t = {:.2f} h", wanted.resume_from, head.time / 3600));
+    return replaces;
 }
 
 std::string kept_checkpoint_in(const std::string& folder, const study::RunOptions& wanted)
 {
     const bool keeps = !wanted.checkpoint_file.empty() && std::isfinite(wanted.checkpoint_interval);
     return folder.empty() || !keeps ? std::string{} : folder + "/" + kept_checkpoint;
-}
-
-bool holds_interrupted(const fs::path& folder, const casefile::Case& input)
-{
-    if (!fs::exists(folder / "summary.json")) {
-        return false;
-    }
-    const auto record = report::read_result(folder);
-    return record.interrupted && record.hash == casefile::case_hash(input);
-}
-
-bool holds_beginning(const fs::path& folder, const casefile::Case& input)
-{
-    if (!is_result(folder) || !report::ResultFiles(folder).listed().contains(kept_checkpoint)) {
-        return false;
-    }
-    kept_in(folder, study::run_mark(input));
-    return true;
 }

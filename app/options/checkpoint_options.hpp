@@ -22,17 +22,11 @@ std::filesystem::path checkpoint_of(const std::filesystem::path& folder);
 /// Sets the checkpoints of a run, and says on the first rank where it starts. If it continues, the
 /// file has been checked except for its mesh and start. The kept one is left to the caller.
 /// @param force  true if an existing checkpoint may be lost
+/// @return whether the run continues one whose results in the folder it may replace: those up to a stop, or of a
+/// finished run with a shorter operation, whose history begins with it
 /// @throws InputError, IoError on all ranks alike
-void plan_checkpoints(const CheckpointOptions& options, const std::filesystem::path& folder, bool force,
+bool plan_checkpoints(const CheckpointOptions& options, const std::filesystem::path& folder, bool force,
                       const deadpoint::casefile::Case& input, bool first, deadpoint::study::RunOptions& wanted);
 
 /// Where a run keeps the state for a longer operation: in the folder that is filled, if it keeps any.
 std::string kept_checkpoint_in(const std::string& folder, const deadpoint::study::RunOptions& wanted);
-
-/// True if a folder holds the results of this case up to an interruption, which a resumed run may
-/// replace.
-bool holds_interrupted(const std::filesystem::path& folder, const deadpoint::casefile::Case& input);
-
-/// True if a folder holds a finished run with a shorter operation, which a resumed run may replace: its history begins
-/// with that run. False for results without a checkpoint. @throws InputError if they are of another run
-bool holds_beginning(const std::filesystem::path& folder, const deadpoint::casefile::Case& input);

@@ -234,7 +234,7 @@ class Press:
         return result
 
     def reduce(self, file: str | pathlib.Path, size: float = 1.0, full_runs: int = 2, fields: bool = False,
-               certify: bool = False, resume: bool = False, progress: bool = False) -> Rom:
+               certify: bool = False, resume: bool = False, replace: bool = False, progress: bool = False) -> Rom:
         """Builds a reduced model with ``deadpoint reduce`` and opens it.
 
         :param file: of the model: ``press.rom``
@@ -243,11 +243,13 @@ class Press:
         :param fields: also store the fields of the states
         :param certify: also store what bounds of errors need
         :param resume: continue a build that was stopped
+        :param replace: replace a model that is there, and discard a build that was stopped
         """
         from deadpoint._command import call, case_arguments
         from deadpoint._rom import open_rom
 
-        flags = [name for name, on in (("--fields", fields), ("--certify", certify), ("--resume", resume)) if on]
+        flags = [name for name, on in (("--fields", fields), ("--certify", certify), ("--resume", resume),
+                                  ("--force", replace)) if on]
         call("reduce", [*case_arguments(self), "--size", size, "--full-runs", full_runs, "-o", file, *flags], progress)
         return open_rom(file)
 

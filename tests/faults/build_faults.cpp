@@ -117,3 +117,30 @@ TEST_CASE("a disk too full for a piece of a build is a warning, and the build go
     CHECK(has(outcome.text, "the build goes on without keeping 'training': cannot write"));
     CHECK(fs::exists(build.file));
 }
+
+TEST_CASE("a build replaces a reduced press only if asked, and other files never")
+{
+    const Build build;
+    REQUIRE(run("", build.line).code == 0);
+    const auto wanted = build.result();
+    const auto plain = run("", build.line);
+    CHECK(plain.code == 5);
+    CHECK(has(plain.text, "press.rom' exists already"));
+    CHECK(build.result() == wanted);
+    CHECK(run("", build.line + " --force").code == 0);
+    CHECK(build.result() == wanted);
+    for (const char* name : {"press.rom", "press.large.rom"}) {
+        CAPTURE(name);
+        const auto bytes = content(build.folder.path / name);
+        (void)build.folder.file(name, "mine");
+        const auto foreign = run("", build.line + " --force");
+        CHECK(foreign.code == 5);
+        CHECK(has(foreign.text, fmt::format("{}' exists, and is no file of a reduced press", name)));
+        CHECK(content(build.folder.path / name) == "mine");
+        (void)build.folder.file(name, bytes);
+    }
+    fs::create_directories(build.checkpoint);
+    (void)build.folder.file("press.rom.checkpoint/mine.txt", "mine");
+    CHECK(run("", build.line + " --force").code == 5);
+    CHECK(content(build.checkpoint / "mine.txt") == "mine");
+}

@@ -196,6 +196,45 @@ TEST_CASE("stopped politely, a run leaves results so far and a checkpoint, from 
     CHECK_FALSE(fs::exists(folder.path / "result.checkpoint"));
 }
 
+TEST_CASE("a run that was stopped may end earlier, after the time reached, and replaces its results")
+{
+    const ScratchFolder folder;
+    const auto target = folder.path / "result";
+    const auto script =
+        folder.file("stop-when", "#!/bin/sh\nfile=$1; shift\n\"$@\" &\nprogram=$!\nwhile [ ! -e \"$file\" ]; "
+                                 "do sleep 0.02; done\nkill -TERM $program\nwait $program\n");
+    fs::permissions(script, fs::perms::owner_all);
+    const auto line = fmt::format("run {} --set 'numerics.max_step=2 s' --checkpoint step -o {}",
+                                  DEADPOINT_TEST_DATA "/cli/two-blocks.toml", target.string());
+    REQUIRE(run(fmt::format("{} {}.checkpoint", script.string(), target.string()),
+                line + " --set 'operation.0.duration=10 h'")
+                .code == 130);
+    const auto stopped = content(target / "history.csv");
+    const auto before = run("", line + " --resume --set 'operation.0.duration=1 s'");  // it was further already
+    CHECK(before.code == 2);
+    CHECK(has(before.text, "was reached by another operation"));
+    CHECK(content(target / "history.csv") == stopped);
+    const auto shorter = run("", line + " --resume --set 'operation.0.duration=30 min'");
+    CHECK(shorter.code == 0);
+    CHECK(has(shorter.text, "continuing from"));
+    CHECK(has(content(target / "summary.json"), "\"interrupted\": false"));
+    CHECK(has(content(target / "history.csv"), "\n1800,"));
+    CHECK_FALSE(fs::exists(folder.path / "result.checkpoint"));
+}
+
+TEST_CASE("a file that only has the name of a checkpoint is never lost")
+{
+    const ScratchFolder folder;
+    const auto mine = folder.file("result.checkpoint", "mine");
+    const auto line = fmt::format("run {} -o {}", long_rest, (folder.path / "result").string());
+    for (const char* flag : {"", " --force", " --resume"}) {
+        CAPTURE(flag);
+        CHECK(run("", line + flag).code == 5);
+        CHECK(content(mine) == "mine");
+        CHECK_FALSE(fs::exists(folder.path / "result"));
+    }
+}
+
 TEST_CASE("--checkpoint takes a time, 0 or step")
 {
     const ScratchFolder folder;

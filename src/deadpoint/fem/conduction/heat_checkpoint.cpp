@@ -197,6 +197,8 @@ Field HeatCheckpoint::read_field(BinaryReader& reader) const
     reader(values);
     if (values.size() != order_.size())
         reader.refuse("a field in it has another number of unknowns");
+    if (!std::ranges::all_of(values, [](Value value) { return std::isfinite(value); }))
+        reader.refuse("a field in it holds a value that is no finite number");
     return {share_of_file(space_, order_, values)};
 }
 
