@@ -60,7 +60,7 @@ def group_row(name, curves):
 
 def fitted(options, name, file, case="oil-with-speed.toml"):
     """What `deadpoint calibrate` finds for the press."""
-    model = reduced(options, "press.rom", os.path.join(PRESS, "oil.toml"), settings(RANGES) + ["--full-runs", "1"])
+    model = reduced(options, "press.rom", os.path.join(PRESS, "oil.toml"), settings(RANGES) + ["--full-runs", "1", "--size", f"{options.size:g}"])
     folder = os.path.join(options.scratch, name)
     if not os.path.exists(os.path.join(folder, "calibration.json")):
         call([options.program, "calibrate", os.path.join(PRESS, case), file, "--reduced", model, "-q", "-o",
@@ -184,7 +184,7 @@ The place of the true value in its posterior, in ten classes, should be uniform.
 
 
 def starter(options, size):
-    return reduced(options, f"starter-{size}.rom", STARTER, ["--size", str(size), "--full-runs", "0",
+    return reduced(options, f"starter-{size}.rom", STARTER, ["--size", f"{size * options.size:g}", "--full-runs", "0",
                                                              *settings(["reduce.states=80", "reduce.gap=\"1 um\""])])
 
 
@@ -274,6 +274,7 @@ def main():
                                                             "benchmark_calibration_coverage"))
     parser.add_argument("--scratch", default=os.path.join(ROOT, "build", "calibration"))
     parser.add_argument("--draws", type=int, default=200)
+    parser.add_argument("--size", type=float, default=1, help="factor on all cell sizes: a trial")
     options = parser.parse_args()
     os.makedirs(options.scratch, exist_ok=True)
     page = HEAD + paper(options) + coverage(options)

@@ -26,6 +26,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "validation" / "calculix.md"
 STACK = ROOT / "benchmarks" / "calculix" / "stack.toml"
 STARTER = ROOT / "cases" / "starter" / "case.toml"
+DURATION = 3600  # [s], of the stack
 LAYER = 1e-3  # [m], thickness of the elements that stand for a contact
 SOLVERS = ["ITERATIVE SCALING", "ITERATIVE CHOLESKY", "SPOOLES"]
 # By number of nodes: those of the faces S1, S2, ... of CalculiX, counter-clockwise as seen from within.
@@ -238,19 +239,22 @@ def read_dat(path):
 
 # ---------------------------------------------------------------- the transient
 
-def compare_stack(deadpoint, folder):
+def compare_stack(deadpoint, folder, scale):
     case = tomllib.loads(STACK.read_text())
-    run_timed([deadpoint, "mesh", STACK, "--calculix", "-o", folder / "mesh"], folder, "mesh.log")
+    smaller = ["--size", scale, "--set", f"operation.0.duration={DURATION / scale:g} s"]
+    run_timed([deadpoint, "mesh", STACK, "--calculix", *smaller, "-o", folder / "mesh"], folder, "mesh.log")
     mesh = Mesh(folder / "mesh" / "mesh.inp")
     step = quantity(case["numerics"]["max_step"], "s")
-    duration = quantity(case["operation"][0]["duration"], "s")
+    duration = DURATION / scale
     trials = {s: run_ccx(heat_deck(mesh, case, s, step, 5 * step, 5), folder, "trial") for s in SOLVERS}
     solver = min(trials, key=lambda s: trials[s]["cpu"])
     every = round(duration / step / 6)
     theirs_time = run_ccx(heat_deck(mesh, case, solver, step, duration, every), folder, "stack")
     theirs = read_dat(folder / "stack.dat")
     load = os.getloadavg()[1]
-    ours_time = run_timed([deadpoint, "run", "--quiet", STACK, "-o", folder / "stack"], folder, "deadpoint.log")
+    ours_time = run_timed([deadpoint, "run", "--quiet", "--ranks", "1", STACK, *smaller, "--set",
+                           f"output.field_times={[f'{k * duration / 6:g} s' for k in range(1, 6)]}".replace("'", '"'),
+                           "-o", folder / "stack"], folder, "deadpoint.log")
 
     at = {}
     for part in mesh.parts:
@@ -349,7 +353,8 @@ def without_free_motion(places, moves):
 
 def compare_frame(deadpoint, folder, scale):
     run_timed([deadpoint, "mesh", STARTER, "--calculix", "--size", scale, "-o", folder / "frame-mesh"], folder, "mesh.log")
-    run_timed([deadpoint, "run", "--quiet", STARTER, "--size", scale, "-o", folder / "frame"], folder, "frame-run.log")
+    run_timed([deadpoint, "run", "--quiet", "--ranks", "1", STARTER, "--size", scale, "-o", folder / "frame"], folder,
+              "frame-run.log")
     mesh = Mesh(folder / "frame-mesh" / "mesh.inp")
     case = tomllib.loads((folder / "frame" / "case.toml").read_text())
     parts = [name for name, part in case["parts"].items() if part["body"] == "frame" and f"PART_{name}" in mesh.parts]
@@ -459,6 +464,7 @@ def main():
     parser.add_argument("--program", type=Path, default=ROOT / "build" / "release" / "app" / "deadpoint")
     parser.add_argument("--keep", type=Path, help="do the work in this folder and leave it")
     parser.add_argument("--sizes", nargs="+", default=["1", "0.7"], help="cell sizes of the frame")
+    parser.add_argument("--stack", type=int, default=1, help="divides time and cells along each edge of the stack: a trial")
     options = parser.parse_args()
     if not options.program.exists():
         fail(f"{options.program} does not exist", "run `make build` first, or name the program with --program")
@@ -468,7 +474,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = (options.keep or Path(scratch)).resolve()
         folder.mkdir(parents=True, exist_ok=True)
-        stack = compare_stack(deadpoint, folder)
+        stack = compare_stack(deadpoint, folder, options.stack)
         frames = []
         for size in options.sizes:
             below = folder / f"size-{size}"

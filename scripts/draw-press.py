@@ -40,7 +40,8 @@ def part_numbers(results, names):
 
 
 def deformed(path):
-    reader = vtk.vtkXMLUnstructuredGridReader()
+    # On several ranks each wrote a piece.
+    reader = vtk.vtkXMLPUnstructuredGridReader() if path.endswith(".pvtu") else vtk.vtkXMLUnstructuredGridReader()
     reader.SetFileName(path)
     reader.Update()
     grid = reader.GetOutput()

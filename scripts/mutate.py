@@ -200,6 +200,9 @@ def report(done):
 
 
 def main():
+    if "--help" in sys.argv:
+        print(__doc__)
+        return
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 120
     folders = sys.argv[2:] or list(tests)
     drawn = []

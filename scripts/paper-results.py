@@ -833,6 +833,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", type=Path, default=ROOT / "build" / "release" / "app" / "deadpoint")
     parser.add_argument("--results", type=Path, help="folder of a finished sweep of paper-study.toml; else it is run")
+    parser.add_argument("--size", default="1", help="scale of the cell sizes of the sweep: a trial with 5 takes some minutes")
     parser.add_argument("--write", action="store_true", help=f"write {PAGE.relative_to(ROOT)}")
     options = parser.parse_args()
     program = options.program.resolve()
@@ -841,7 +842,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         results = options.results or Path(folder) / "sweep"
         if options.results is None:
-            run([program, "sweep", PRESS / "paper-study.toml", "-o", results, "--quiet"])
+            run([program, "sweep", PRESS / "paper-study.toml", "-o", results, "--quiet", "--size", options.size])
         elif not (results / "sweep.json").is_file():
             fail(f"{results} is not the folder of a sweep",
                  "name one that 'deadpoint sweep cases/jl75g-60/paper-study.toml' has finished")

@@ -98,7 +98,7 @@ def narrow_row(options, place):
         more = [word for setting in settings + [f"reduce.states={states}", 'reduce.temperature="0.001 K"', 'reduce.gap="0.001 um"']
                 for word in ("--set", setting)]
         call([options.program, "reduce", os.path.join(ROOT, "cases", "jl75g-60", "oil.toml"), "-o", file, "-q", "--full-runs",
-              str(options.full_runs), "--size", str(NARROW_SIZE), *more])
+              str(options.full_runs), "--size", f"{NARROW_SIZE * options.size:g}", *more])
     rom = rom_file.read_rom(file, checksum=False)
     errors = rom["errors"]
     return (f"| {meaning} | {rom['part_states']['rows']} | {cell(error_of(errors, 'anywhere'))} | "
@@ -128,6 +128,8 @@ def checks(options, name, first, count, *more):
 
 
 def checks_row(meaning, rows):
+    if not rows:
+        return f"| {meaning} | 0 |" + " - |" * 11
     columns = list(zip(*rows))
     worst = [max(columns[k]) for k in range(1, 9)]
     over = max(max(abs(row[3] - row[5]) for row in rows), 0), max(abs(row[4] - row[6]) for row in rows)
@@ -164,6 +166,9 @@ def largest_rise_difference(one, other):
 def page(options):
     rows, sizes, missing = [], [], []
     for name, size in CASES:
+        if options.cases and name not in options.cases:
+            continue
+        size *= options.size
         flat = name.replace("/", "-")
         if options.ready and not os.path.exists(os.path.join(options.scratch, flat + "-reduced", "summary.json")):
             missing.append(name)
@@ -210,7 +215,7 @@ coefficients.
 
 | free | states | ranges [K] | [um] | case [K] | [um] | drawn [K] | [um] |
 |---|--:|--:|--:|--:|--:|--:|--:|
-""" + "\n".join(narrow_row(options, place) for place in range(len(NARROW)) if is_ready(options, f"narrow{place}")) + """
+""" + "\n".join(narrow_row(options, place) for place in range(len(NARROW)) if is_ready(options, f"narrow{place}") and not options.cases) + """
 
 ## Error over the number of states
 
@@ -229,6 +234,8 @@ def main():
     parser.add_argument("--full-runs", type=int, default=4)
     parser.add_argument("--sets", type=int, default=100)
     parser.add_argument("--cycles", type=int, default=20)
+    parser.add_argument("--size", type=float, default=1, help="factor on all cell sizes: a trial")
+    parser.add_argument("--cases", nargs="+", help="only these of the shipped cases, like starter/case: a trial")
     parser.add_argument("--ready", action="store_true", help="only what is in --scratch already; the page names the rest")
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
