@@ -39,10 +39,14 @@ foreach(toolkit IN ITEMS TKXDESTEP TKXCAF TKLCAF TKCAF TKCDF TKSTEP TKSTEPAttr T
     target_link_libraries(opencascade INTERFACE ${${toolkit}_LIBRARY})
 endforeach()
 
-# deal.II: the imported target only, since deal_ii_setup_target() would force its own language standard on ours.
-find_package(deal.II 9.4 REQUIRED HINTS /usr)
-add_library(dealii INTERFACE)
-target_link_libraries(dealii INTERFACE ${DEAL_II_TARGET_RELEASE})
-# Its headers call into PETSc, MPI, TBB and Trilinos, which come with it but are not named by its target.
-target_link_options(dealii INTERFACE -Wl,--copy-dt-needed-entries)
-target_include_directories(dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+# PETSc with MPI, the dense algebra beneath both, and ML, whose hierarchy PETSc's preconditioner makes. The package file's own flags
+# would set warnings and optimisation.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(PETSC REQUIRED PETSc)
+find_package(MPI REQUIRED COMPONENTS C)
+find_package(LAPACK REQUIRED)
+find_library(ML_LIBRARY trilinos_ml REQUIRED)
+find_path(ML_INCLUDE ml_utils.h PATH_SUFFIXES trilinos REQUIRED)
+add_library(petsc INTERFACE)
+target_link_libraries(petsc INTERFACE ${PETSC_LINK_LIBRARIES} ${ML_LIBRARY} MPI::MPI_C LAPACK::LAPACK)
+target_include_directories(petsc SYSTEM INTERFACE ${PETSC_INCLUDE_DIRS} ${ML_INCLUDE})

@@ -9,7 +9,5 @@ endfunction()
 
 # For sources that compute fields.
 function(deadpoint_precompile_fields target)
-    deadpoint_precompile(${target} <Eigen/Dense> <fmt/format.h> <deal.II/base/quadrature_lib.h> <deal.II/base/symmetric_tensor.h>
-        <deal.II/fe/fe_q.h> <deal.II/fe/fe_simplex_p.h> <deal.II/hp/fe_collection.h> <deal.II/hp/q_collection.h>
-        <deal.II/lac/full_matrix.h> <petscksp.h>)
+    deadpoint_precompile(${target} <Eigen/Dense> <fmt/format.h> <petscksp.h>)
 endfunction()

@@ -1,4 +1,4 @@
-/// deadpoint._field: meshes, loads, heat and full runs for Python. It brings deal.II, PETSc, MPI and Gmsh.
+/// deadpoint._field: meshes, loads, heat and full runs for Python. It brings PETSc, MPI and Gmsh.
 #include "deadpoint/api/results.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/write.hpp"
@@ -227,7 +227,7 @@ PYBIND11_MODULE(_field, module)
     translate_errors();
     fem::choose_product_kernels();
     py::module_::import("deadpoint._reduced");  // declares Case and Run
-    module.doc() = "Meshes, loads, heat and full runs. Brings deal.II, PETSc, MPI and Gmsh.";
+    module.doc() = "Meshes, loads, heat and full runs. Brings PETSc, MPI and Gmsh.";
     py::module_::import("atexit").attr("register")(py::cpp_function(&close_session));
     module.def("check", &check, arg("case"), arg("size"));
 

@@ -1,4 +1,4 @@
-/// deadpoint._reduced: cases, results and the reduced press for Python. It loads no deal.II, PETSc, MPI or Gmsh.
+/// deadpoint._reduced: cases, results and the reduced press for Python. It loads no PETSc, MPI or Gmsh.
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/version.hpp"
@@ -330,7 +330,7 @@ PYBIND11_MODULE(_reduced, module)
 {
     using py::arg;
     translate_errors();
-    module.doc() = "Cases, results and the reduced press. Loads no deal.II, PETSc, MPI or Gmsh.";
+    module.doc() = "Cases, results and the reduced press. Loads no PETSc, MPI or Gmsh.";
     module.def("version", [] { return std::string(library_version()); });
     module.def("schema", &schema_of_tables);
     module.def("dimensions", &dimensions);

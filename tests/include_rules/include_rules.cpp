@@ -54,7 +54,7 @@ const std::map<std::string, std::set<std::string>>& allowed_folders()
 const std::vector<std::pair<std::regex, std::string>>& wrapped_libraries()
 {
     static const std::vector<std::pair<std::regex, std::string>> rules{
-        {std::regex("deal\\.II/.*|petsc.*|slepc.*|mpi\\.h|mpi/.*|.*openmpi.*"), "fem"},
+        {std::regex("petsc.*|slepc.*|mpi\\.h|mpi/.*|.*openmpi.*"), "fem"},
         {std::regex("gmsh.*"), "machine"},
         {std::regex("toml.*"), "casefile"},
         {std::regex("nlopt.*"), "design"},

@@ -15,7 +15,7 @@ foreach(path IN ITEMS bin/deadpoint lib/libdeadpoint.so. lib/libdeadpoint_reduce
 endforeach()
 refuse_match("${output}" "${SOURCE}|${BUILD}|python")
 run(dpkg-deb --field ${package} Depends)
-foreach(library IN ITEMS libc6 libstdc\\+\\+6 libgmsh libdeal.ii libpetsc libopenmpi libfmt libmuparser libudunits2)
+foreach(library IN ITEMS libc6 libstdc\\+\\+6 libgmsh libpetsc libopenmpi libfmt libmuparser libudunits2)
     require_match("${output}" "${library}")
 endforeach()
 run(dpkg-deb --field ${package} Version Architecture Maintainer Description)

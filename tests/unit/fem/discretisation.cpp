@@ -145,7 +145,7 @@ TEST_CASE("a place in a cell has reference coordinates, from which the place com
             const unsigned corners = tetrahedra ? 4 : 8;
             for (unsigned i = 0; i < corners; ++i)  // somewhere inside, nearer to the later corners
                 x = x + (2.0 * (i + 1) / (corners * (corners + 1))) * part.machine.nodes[cell.nodes[i]];
-            dealii::Point<3> unit;
+            Vec3 unit{};
             REQUIRE(part.space.maps.unit_position(c, x, unit));
             CHECK(part.space.distance_outside(c, unit) == 0);
             PointShape shape;

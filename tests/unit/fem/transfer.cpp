@@ -161,7 +161,7 @@ TEST_CASE("a place is found in its cell, and beside the part in the cell it is l
         const auto found = finder.find({centre[0], centre[1], centre[2]});
         CHECK(found.cell == c);
         CHECK(found.outside == 0);
-        CHECK(found.unit.distance(dealii::Point<3>(0.5, 0.5, 0.5)) < 1e-12);
+        CHECK(norm(found.unit - Vec3{0.5, 0.5, 0.5}) < 1e-12);
     }
     const auto beside = finder.find({2.1, 0.25, 0.25});  // a fifth of a cell beyond x = 2
     CHECK(beside.outside == near(0.2, 1e-10));

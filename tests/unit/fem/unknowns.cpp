@@ -97,12 +97,12 @@ TEST_CASE("all places of a cell are found that is thin at one end and leans")
         for (const double y : steps)
             for (const double z : steps) {
                 const auto place = cell.space.maps.position(0, {x, y, z});
-                dealii::Point<3> unit;
+                Vec3 unit{};
                 CAPTURE(x);
                 CAPTURE(y);
                 CAPTURE(z);
                 REQUIRE(cell.space.maps.unit_position(0, {place[0], place[1], place[2]}, unit));
-                CHECK(unit.distance(dealii::Point<3>(x, y, z)) < 1e-10);
+                CHECK(norm(unit - Vec3{x, y, z}) < 1e-10);
             }
 }
 
@@ -121,14 +121,13 @@ TEST_CASE("values in a cell: weights sum to its volume, gradients are those of t
                 double own = 0;
                 for (const auto q : v.quadrature_point_indices()) {
                     double value = 0;
-                    dealii::Tensor<1, 3> gradient;
+                    Vec3 gradient{};
                     for (const auto i : v.dof_indices()) {
                         value += v.shape_value(i, q) * field[static_cast<std::size_t>(unknowns[i])];
-                        gradient += field[static_cast<std::size_t>(unknowns[i])] * v.shape_grad(i, q);
+                        gradient = gradient + field[static_cast<std::size_t>(unknowns[i])] * v.shape_grad(i, q);
                     }
-                    const auto x = v.quadrature_point(q);
-                    CHECK(value == near(linear({x[0], x[1], x[2]}), 1e-12));
-                    CHECK((gradient - dealii::Tensor<1, 3>({2, -5, 0.5})).norm() < 1e-11);
+                    CHECK(value == near(linear(v.quadrature_point(q)), 1e-12));
+                    CHECK(norm(gradient - Vec3{2, -5, 0.5}) < 1e-11);
                     own += v.JxW(q);
                 }
                 CHECK(own == near(part.space.maps.volume(cell), 1e-13));

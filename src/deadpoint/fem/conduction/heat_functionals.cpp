@@ -191,8 +191,7 @@ void HeatFunctionals::for_each_point(int part,
         for (const auto q : v.quadrature_point_indices()) {
             for (const auto i : v.dof_indices())
                 shape.value[i] = v.shape_value(i, q);
-            const auto x = v.quadrature_point(q);
-            visit({x[0], x[1], x[2]}, v.JxW(q), shape);
+            visit(v.quadrature_point(q), v.JxW(q), shape);
         }
     }
 }

@@ -25,7 +25,7 @@ void cell_stiffness(const CellValues& v, const Material& material, std::vector<d
             for (unsigned j = 0; j < n; ++j) {
                 const auto& gj = v.shape_grad(j, q);
                 const double w = v.JxW(q);
-                const double diagonal = w * mu * (gi * gj);
+                const double diagonal = w * mu * dot(gi, gj);
                 for (unsigned c = 0; c < 3; ++c) {
                     double* row = &block[(3 * i + c) * 3 * n + 3 * j];
                     row[c] += diagonal;
@@ -123,7 +123,7 @@ void ElasticSolver::load_initial_strain(const std::vector<Tensor6>& strain, Vec 
         cell_load.assign(3 * dofs.size(), 0.0);
         for (const auto q : v.quadrature_point_indices())
             for (unsigned i = 0; i < dofs.size(); ++i) {
-                const dealii::Tensor<1, 3> g = v.JxW(q) * v.shape_grad(i, q);
+                const Vec3 g = v.JxW(q) * v.shape_grad(i, q);
                 cell_load[3 * i] += s[0] * g[0] + s[3] * g[1] + s[5] * g[2];
                 cell_load[3 * i + 1] += s[3] * g[0] + s[1] * g[1] + s[4] * g[2];
                 cell_load[3 * i + 2] += s[5] * g[0] + s[4] * g[1] + s[2] * g[2];

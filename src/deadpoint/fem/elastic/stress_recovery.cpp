@@ -6,7 +6,6 @@
 #include "deadpoint/fem/elastic/elastic_law.hpp"
 #include "deadpoint/fem/space/cell_values.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include <deal.II/base/quadrature_lib.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -24,16 +23,11 @@ constexpr double least_spread_within = 2.5;
 constexpr std::size_t least_tetrahedra = 12;  // stress in tetrahedra scatters, so a fit needs many
 
 // One rule of sampling points per kind of element.
-dealii::hp::QCollection<3> sampling_points(const dealii::hp::FECollection<3>& elements, bool within)
+std::vector<Quadrature> sampling_points(const std::vector<ReferenceElement>& elements, bool within)
 {
-    dealii::hp::QCollection<3> rules;
-    for (unsigned i = 0; i < elements.size(); ++i) {
-        const unsigned points = elements[i].degree > 1 || within ? 2 : 1;
-        if (elements[i].reference_cell() == dealii::ReferenceCells::Hexahedron)
-            rules.push_back(dealii::QGauss<3>(points));
-        else
-            rules.push_back(dealii::QGaussSimplex<3>(points));
-    }
+    std::vector<Quadrature> rules;
+    for (const auto& element : elements)
+        rules.push_back(gauss_on(element, element.degree() > 1 || within ? 2 : 1));
     return rules;
 }
 
@@ -102,15 +96,14 @@ void StressRecovery::sample(const Material& material, const StrainedState& state
     const auto take = [&](const CellValues& v, std::vector<Sample>& target) {
         for (const auto q : v.quadrature_point_indices()) {
             const auto stress = stress_at(v, q, dofs, material, part_, state);
-            const auto x = v.quadrature_point(q);
-            target.push_back({{x[0], x[1], x[2]}, Eigen::Map<const Six>(stress.data())});
+            target.push_back({vector(v.quadrature_point(q)), Eigen::Map<const Six>(stress.data())});
         }
     };
     const auto first = space_.machine.parts[static_cast<std::size_t>(part_)].first_cell;
     std::vector<Sample> inner;
     for (std::uint32_t c = 0; c < cells_.size(); ++c) {
         auto& data = cells_[c];
-        data.quadratic = space_.element(first + c).degree > 1;
+        data.quadratic = space_.element(first + c).degree() > 1;
         space_.unknowns_of(first + c, dofs);
         data.first = samples_.size();
         at_best.reinit(first + c);

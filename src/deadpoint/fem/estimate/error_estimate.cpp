@@ -2,13 +2,12 @@
 
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/fem/elastic/elastic_law.hpp"
 #include "deadpoint/fem/fields.hpp"
 #include "deadpoint/fem/space/cell_values.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/lac/full_matrix.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -17,7 +16,7 @@
 namespace deadpoint::fem {
 namespace {
 
-using Gradient = dealii::Tensor<1, 3>;
+using Gradient = Vec3;
 
 // One scalar of a field on all ranks: entry `offset` of `stride` per unknown.
 struct Nodal {
@@ -44,16 +43,11 @@ constexpr double linear_ridge = 1e-8;
 constexpr double quadratic_ridge = 1e-5;
 
 // A quadrature rule for each kind of element, with degree + `more` points per direction.
-dealii::hp::QCollection<3> rules_of(const dealii::hp::FECollection<3>& elements, unsigned more)
+std::vector<Quadrature> rules_of(const std::vector<ReferenceElement>& elements, unsigned more)
 {
-    dealii::hp::QCollection<3> rules;
-    for (unsigned i = 0; i < elements.size(); ++i) {
-        const unsigned points = elements[i].degree + more;
-        if (elements[i].reference_cell() == dealii::ReferenceCells::Hexahedron)
-            rules.push_back(dealii::QGauss<3>(points));
-        else
-            rules.push_back(dealii::QGaussSimplex<3>(points));
-    }
+    std::vector<Quadrature> rules;
+    for (const auto& element : elements)
+        rules.push_back(gauss_on(element, static_cast<unsigned>(element.degree()) + more));
     return rules;
 }
 
@@ -85,33 +79,32 @@ public:
             for (const auto q : v.quadrature_point_indices()) {
                 own_gradients(v, c, q, defects);
                 for (auto& defect : defects)
-                    defect *= -1;
+                    defect = -1 * defect;
                 for (unsigned i = 0; i < corner_count(cell); ++i)
-                    add_recovered(node_at(cell, i), v.quadrature_point(q), corners.shape_value(i, v.unit_point(q)),
-                                  defects);
+                    add_recovered(node_at(cell, i), v.quadrature_point(q), corners.value(i, v.unit_point(q)), defects);
                 visit(v.JxW(q), defects);
             }
         }
     }
 
     // Sums weight * recovered gradient of the first field * distance over the vertices of a cell; returns half the sum.
-    double interpolation_error(const dealii::Point<3>& position, const PointShape& shape)
+    double interpolation_error(const Vec3& position, const PointShape& shape)
     {
         const auto& cell = cell_of(shape);
         double error = 0;
         std::vector<Gradient> gradient(1);
         for (unsigned i = 0; i < corner_count(cell); ++i) {
-            const auto corner = to_point(space_.machine.nodes[node_at(cell, i)]);
-            gradient[0] = 0;
+            const Vec3& corner = space_.machine.nodes[node_at(cell, i)];
+            gradient[0] = {};
             add_recovered(node_at(cell, i), corner, 1, gradient);
-            error += 0.5 * shape.value[i] * (gradient[0] * (position - corner));
+            error += 0.5 * shape.value[i] * dot(gradient[0], position - corner);
         }
         return error;
     }
 
 private:
     struct Patch {
-        dealii::Point<3> centre;
+        Vec3 centre{};
         double size = 0;
         std::vector<std::array<Gradient, largest_basis>> coefficients;  ///< per field
     };
@@ -120,9 +113,9 @@ private:
     {
         space_.unknowns_of(cell, unknowns_);
         for (std::size_t f = 0; f < fields_.size(); ++f) {
-            gradients[f] = 0;
+            gradients[f] = {};
             for (const auto i : v.dof_indices())
-                gradients[f] += fields_[f].at(unknowns_[i]) * v.shape_grad(i, q);
+                gradients[f] = gradients[f] + fields_[f].at(unknowns_[i]) * v.shape_grad(i, q);
         }
     }
 
@@ -176,46 +169,46 @@ private:
     [[nodiscard]] Patch fit(unsigned vertex) const
     {
         Patch patch;
-        patch.centre = to_point(space_.machine.nodes[vertex]);
+        patch.centre = space_.machine.nodes[vertex];
         const auto cells = cells_around(vertex);
         std::size_t count = 0;
         for (const auto c : cells)
             for (auto s = first_sample_[c]; s < first_sample_[c + 1]; ++s, ++count)
-                patch.size = std::max(patch.size, positions_[s].distance(patch.centre));
+                patch.size = std::max(patch.size, norm(positions_[s] - patch.centre));
         const auto m = static_cast<unsigned>(basis_size_);
-        dealii::FullMatrix<double> normal(m, m);
+        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(m, m);
         patch.coefficients.assign(fields_.size(), {});
         std::vector<std::array<Gradient, largest_basis>> right(fields_.size());
         for (const auto c : cells)
             for (auto s = first_sample_[c]; s < first_sample_[c + 1]; ++s) {
-                const Basis basis = monomials((positions_[s] - patch.centre) / patch.size);
+                const Basis basis = monomials((1 / patch.size) * (positions_[s] - patch.centre));
                 for (unsigned i = 0; i < m; ++i) {
                     for (unsigned j = 0; j < m; ++j)
                         normal(i, j) += basis[i] * basis[j];
                     for (std::size_t f = 0; f < fields_.size(); ++f)
-                        right[f][i] += basis[i] * samples_[s * fields_.size() + f];
+                        right[f][i] = right[f][i] + basis[i] * samples_[s * fields_.size() + f];
                 }
             }
         for (unsigned i = 1; i < m; ++i)
             normal(i, i) += (i < 4 ? linear_ridge : quadratic_ridge) * static_cast<double>(count);
-        normal.gauss_jordan();
+        const Eigen::MatrixXd inverse = normal.inverse();
         for (std::size_t f = 0; f < fields_.size(); ++f)
             for (unsigned i = 0; i < m; ++i)
                 for (unsigned j = 0; j < m; ++j)
-                    patch.coefficients[f][i] += normal(i, j) * right[f][j];
+                    patch.coefficients[f][i] = patch.coefficients[f][i] + inverse(i, j) * right[f][j];
         return patch;
     }
 
-    void add_recovered(unsigned vertex, const dealii::Point<3>& position, double weight, std::vector<Gradient>& sums)
+    void add_recovered(unsigned vertex, const Vec3& position, double weight, std::vector<Gradient>& sums)
     {
         auto found = patches_.find(vertex);
         if (found == patches_.end())
             found = patches_.emplace(vertex, fit(vertex)).first;
         const auto& patch = found->second;
-        const Basis basis = monomials((position - patch.centre) / patch.size);
+        const Basis basis = monomials((1 / patch.size) * (position - patch.centre));
         for (std::size_t f = 0; f < sums.size(); ++f)
             for (std::size_t i = 0; i < basis_size_; ++i)
-                sums[f] += weight * basis[i] * patch.coefficients[f][i];
+                sums[f] = sums[f] + weight * basis[i] * patch.coefficients[f][i];
     }
 
     const Discretisation& space_;
@@ -226,7 +219,7 @@ private:
     std::map<unsigned, std::vector<std::uint32_t>> cells_at_;
     std::map<unsigned, Patch> patches_;
     std::vector<std::size_t> first_sample_;  ///< per cell
-    std::vector<dealii::Point<3>> positions_;
+    std::vector<Vec3> positions_;
     std::vector<Gradient> samples_;  ///< per sample, then per field
     std::vector<PetscInt> unknowns_;
 };
@@ -262,13 +255,24 @@ std::vector<std::vector<double>> summed(const Discretisation& space, const std::
     return result;
 }
 
-dealii::SymmetricTensor<2, 3> strain(const std::vector<Gradient>& gradients, std::size_t first)
+// xx, yy, zz, then xy, yz, zx.
+Tensor6 strain(const std::vector<Gradient>& gradients, std::size_t first)
 {
-    dealii::SymmetricTensor<2, 3> result;
-    for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = i; j < 3; ++j)
-            result[i][j] = 0.5 * (gradients[first + i][j] + gradients[first + j][i]);
+    Tensor6 result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        result[i] = gradients[first + i][i];
+        result[3 + i] = 0.5 * (gradients[first + i][j] + gradients[first + j][i]);
+    }
     return result;
+}
+
+double contraction(const Tensor6& a, const Tensor6& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        sum += a[i] * b[i] + 2 * a[3 + i] * b[3 + i];
+    return sum;
 }
 
 }  // namespace
@@ -284,7 +288,7 @@ std::vector<std::vector<double>> conduction_errors(const Discretisation& space, 
         fields.push_back({&field});
     return summed(space, fields, duals.size(),
                   [&](std::size_t part, const std::vector<Gradient>& defects, std::size_t dual) {
-                      return materials[part].conductivity * (defects[0] * defects[1 + dual]);
+                      return materials[part].conductivity * dot(defects[0], defects[1 + dual]);
                   });
 }
 
@@ -301,12 +305,7 @@ std::vector<std::vector<double>> deformation_errors(const Discretisation& space,
             fields.push_back({&field, 3, c});
     return summed(space, fields, duals.size(),
                   [&](std::size_t part, const std::vector<Gradient>& defects, std::size_t dual) {
-                      const auto e_u = strain(defects, 0), e_z = strain(defects, 3 + 3 * dual);
-                      const auto& m = materials[part];
-                      const double lambda =
-                          m.youngs_modulus * m.poissons_ratio / ((1 + m.poissons_ratio) * (1 - 2 * m.poissons_ratio));
-                      const double mu = m.youngs_modulus / (2 * (1 + m.poissons_ratio));
-                      return lambda * trace(e_u) * trace(e_z) + 2 * mu * (e_u * e_z);
+                      return contraction(hooke(materials[part], strain(defects, 0)), strain(defects, 3 + 3 * dual));
                   });
 }
 
@@ -322,14 +321,13 @@ std::vector<double> interpolation_errors(const Discretisation& space, const Fiel
     for (std::size_t k = 0; k < probes.size(); ++k) {
         if (space.orders[static_cast<std::size_t>(probes[k].part)] > 1)
             continue;
-        const auto& x = probes[k].position;
-        space.evaluate_in_part(probes[k].part, x, shape);
+        space.evaluate_in_part(probes[k].part, probes[k].position, shape);
         auto found = recoveries.find(probes[k].part);
         if (found == recoveries.end())
             found = recoveries
                         .try_emplace(probes[k].part, space, static_cast<std::size_t>(probes[k].part), exterior, fields)
                         .first;
-        errors[k] = found->second.interpolation_error({x[0], x[1], x[2]}, shape);
+        errors[k] = found->second.interpolation_error(probes[k].position, shape);
     }
     return errors;
 }

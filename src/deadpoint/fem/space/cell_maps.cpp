@@ -2,40 +2,22 @@
 
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/exchange/round_edges.hpp"
+#include "deadpoint/fem/reference/quadrature.hpp"
 #include "deadpoint/fem/space/unknowns.hpp"
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace deadpoint::fem {
-namespace {
-
-using Point = dealii::Point<3>;
-using Linear = dealii::GeometryInfo<3>;  // shape functions of first degree on the unit cube
-
-// The sum of x_v times the slopes of its shape function.
-void add_slope(dealii::Tensor<2, 3>& jacobian, const Point& x, const dealii::Tensor<1, 3>& slope)
+std::vector<ReferenceElement> lagrange_elements()
 {
-    for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = 0; j < 3; ++j)
-            jacobian[i][j] += x[i] * slope[j];
+    return {
+        {CellKind::hexahedron, 1}, {CellKind::tetrahedron, 1}, {CellKind::hexahedron, 2}, {CellKind::tetrahedron, 2}};
 }
 
-}  // namespace
-
-Point to_point(const Vec3& x) { return {x[0], x[1], x[2]}; }
-
-dealii::hp::FECollection<3> lagrange_elements()
-{
-    return dealii::hp::FECollection<3>(dealii::FE_Q<3>(1), dealii::FE_SimplexP<3>(1), dealii::FE_Q<3>(2),
-                                       dealii::FE_SimplexP<3>(2));
-}
-
-CellMaps::CellMaps(const Machine& machine, const std::vector<int>& orders, const dealii::hp::FECollection<3>& elements)
+CellMaps::CellMaps(const Machine& machine, const std::vector<int>& orders,
+                   const std::vector<ReferenceElement>& elements)
     : machine_(machine), orders_(orders), elements_(elements)
 {
     if (machine.round_edges.empty())
@@ -51,114 +33,103 @@ unsigned CellMaps::element_index(std::uint32_t cell) const
 
 bool CellMaps::is_hexahedron(std::uint32_t cell) const { return machine_.cells[cell].kind == CellKind::hexahedron; }
 
-Point CellMaps::corner(std::uint32_t cell, unsigned corner) const
+Vec3 CellMaps::corner(std::uint32_t cell, unsigned corner) const
 {
-    return to_point(machine_.nodes[node_at(machine_.cells[cell], corner)]);
+    return machine_.nodes[node_at(machine_.cells[cell], corner)];
 }
 
-Point CellMaps::position(std::uint32_t cell, const Point& unit) const
+Vec3 CellMaps::position(std::uint32_t cell, const Vec3& unit) const
 {
     if (is_round(cell))
-        return to_point(place_in(machine_, machine_.cells[cell], {unit[0], unit[1], unit[2]}));
-    if (!is_hexahedron(cell))
-        return corner(cell, 0) + jacobian(cell, unit) * unit;
-    Point sum;
-    for (unsigned v = 0; v < Linear::vertices_per_cell; ++v)
-        sum += Linear::d_linear_shape_function(unit, v) * corner(cell, v);
+        return place_in(machine_, machine_.cells[cell], unit);
+    const auto& functions = of_first_degree(cell);
+    Vec3 sum{};
+    for (unsigned v = 0; v < functions.size(); ++v)
+        sum = sum + functions.value(v, unit) * corner(cell, v);
     return sum;
 }
 
-void CellMaps::corners(std::uint32_t cell, std::vector<Point>& corners) const
+void CellMaps::corners(std::uint32_t cell, std::vector<Vec3>& corners) const
 {
     corners.clear();
     if (is_round(cell))
-        for (const auto& unit : elements_[element_index(cell)].get_unit_support_points())
+        for (const auto& unit : elements_[element_index(cell)].nodes())
             corners.push_back(position(cell, unit));
     else
         for (unsigned v = 0; v < corner_count(machine_.cells[cell]); ++v)
             corners.push_back(corner(cell, v));
 }
 
-dealii::Tensor<2, 3> CellMaps::jacobian(std::uint32_t cell, const Point& unit) const
+Matrix3 CellMaps::jacobian(std::uint32_t cell, const Vec3& unit) const
 {
-    dealii::Tensor<2, 3> result;
     if (!is_round(cell))
         return straight_jacobian(cell, unit);
     const auto& element = elements_[element_index(cell)];
-    std::vector<Point> places;
+    std::vector<Vec3> places;
     corners(cell, places);
+    Matrix3 result{};
     for (unsigned v = 0; v < places.size(); ++v)
-        add_slope(result, places[v], element.shape_grad(v, unit));
+        add_outer(result, places[v], element.slope(v, unit));
     return result;
 }
 
-dealii::Tensor<2, 3> CellMaps::straight_jacobian(std::uint32_t cell, const Point& unit) const
+Matrix3 CellMaps::straight_jacobian(std::uint32_t cell, const Vec3& unit) const
 {
-    dealii::Tensor<2, 3> result;
-    if (is_hexahedron(cell)) {
-        for (unsigned v = 0; v < Linear::vertices_per_cell; ++v)
-            add_slope(result, corner(cell, v), Linear::d_linear_shape_function_gradient(unit, v));
-    } else {
-        const Point origin = corner(cell, 0);
-        for (unsigned j = 0; j < 3; ++j) {
-            const dealii::Tensor<1, 3> edge = corner(cell, j + 1) - origin;
-            for (unsigned i = 0; i < 3; ++i)
-                result[i][j] = edge[i];
-        }
-    }
+    const auto& functions = of_first_degree(cell);
+    Matrix3 result{};
+    for (unsigned v = 0; v < functions.size(); ++v)
+        add_outer(result, corner(cell, v), functions.slope(v, unit));
     return result;
 }
 
 // Newton's method, with shorter steps where a whole one leads farther away. Its last step squares a small error.
-bool CellMaps::unit_position(std::uint32_t cell, const Vec3& wanted, Point& unit) const
+bool CellMaps::unit_position(std::uint32_t cell, const Vec3& target, Vec3& unit) const
 {
     constexpr int most_steps = 40, most_halvings = 8;
     constexpr double last_step = 1e-8;  // in reference coordinates
-    const Point target = to_point(wanted);
-    unit = is_hexahedron(cell) ? Point(0.5, 0.5, 0.5) : Point(0.25, 0.25, 0.25);
-    dealii::Tensor<1, 3> miss = target - position(cell, unit);
+    unit = is_hexahedron(cell) ? Vec3{0.5, 0.5, 0.5} : Vec3{0.25, 0.25, 0.25};
+    Vec3 miss = target - position(cell, unit);
     for (int k = 0; k < most_steps; ++k) {
         const auto slopes = jacobian(cell, unit);
-        if (!(std::abs(dealii::determinant(slopes)) > 0))
+        if (!(std::abs(determinant(slopes)) > 0))
             return false;
-        dealii::Tensor<1, 3> step = dealii::invert(slopes) * miss;
-        if (step.norm() < last_step) {
-            unit += step;
+        Vec3 step = times_transposed(inverse_transposed(slopes), miss);
+        if (norm(step) < last_step) {
+            unit = unit + step;
             return true;
         }
         for (int half = 0;; ++half) {
             const auto left = target - position(cell, unit + step);
-            if (left.norm() < miss.norm()) {
-                unit += step;
+            if (norm(left) < norm(miss)) {
+                unit = unit + step;
                 miss = left;
                 break;
             }
             if (half == most_halvings)
                 return false;
-            step *= 0.5;
+            step = 0.5 * step;
         }
     }
     return false;
 }
 
-Point CellMaps::nearest_inside(std::uint32_t cell, const Point& unit) const
+Vec3 CellMaps::nearest_inside(std::uint32_t cell, const Vec3& unit) const
 {
-    if (is_hexahedron(cell))
-        return Linear::project_to_unit_cell(unit);
-    Point inside;
+    const double most = is_hexahedron(cell) ? 1.0 : std::numeric_limits<double>::infinity();
+    Vec3 inside{};
     for (unsigned i = 0; i < 3; ++i)
-        inside[i] = std::max(unit[i], 0.0);
+        inside[i] = std::clamp(unit[i], 0.0, most);
     const double sum = inside[0] + inside[1] + inside[2];
-    return sum > 1 ? Point(inside / sum) : inside;
+    return is_hexahedron(cell) || sum <= 1 ? inside : (1 / sum) * inside;
 }
 
-Point CellMaps::centre(std::uint32_t cell) const
+Vec3 CellMaps::centre(std::uint32_t cell) const
 {
     const unsigned count = corner_count(machine_.cells[cell]);
-    Point sum;
+    Vec3 sum{};
     for (unsigned v = 0; v < count; ++v)
-        sum += corner(cell, v);
-    return sum / count;
+        sum = sum + corner(cell, v);
+    return (1.0 / count) * sum;
 }
 
 double CellMaps::diameter(std::uint32_t cell) const
@@ -167,18 +138,18 @@ double CellMaps::diameter(std::uint32_t cell) const
     double largest = 0;
     for (unsigned a = 0; a < count; ++a)
         for (unsigned b = a + 1; b < count; ++b)
-            largest = std::max(largest, corner(cell, a).distance_square(corner(cell, b)));
-    return std::sqrt(largest);
+            largest = std::max(largest, norm(corner(cell, a) - corner(cell, b)));
+    return largest;
 }
 
 double CellMaps::volume(std::uint32_t cell) const
 {
     if (!is_hexahedron(cell))
-        return dealii::determinant(straight_jacobian(cell, {})) / 6;
-    static const dealii::QGauss<3> rule(2);
+        return determinant(straight_jacobian(cell, {})) / 6;
+    static const Quadrature rule = gauss_on_cube(2);
     double sum = 0;
     for (unsigned q = 0; q < rule.size(); ++q)
-        sum += rule.weight(q) * dealii::determinant(straight_jacobian(cell, rule.point(q)));
+        sum += rule.weights[q] * determinant(straight_jacobian(cell, rule.points[q]));
     return sum;
 }
 

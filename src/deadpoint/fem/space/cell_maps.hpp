@@ -1,9 +1,8 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
-#include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
-#include <deal.II/hp/fe_collection.h>
+#include "deadpoint/fem/reference/element.hpp"
+#include "deadpoint/fem/reference/matrix3.hpp"
 
 #include <array>
 #include <cstdint>
@@ -22,27 +21,27 @@ class CellMaps {
 public:
     /// @param orders    of the elements, 1 or 2, per part
     /// @param elements  see element_index()
-    CellMaps(const Machine& machine, const std::vector<int>& orders, const dealii::hp::FECollection<3>& elements);
+    CellMaps(const Machine& machine, const std::vector<int>& orders, const std::vector<ReferenceElement>& elements);
 
-    /// Index of a cell's element in the collections of elements and rules.
+    /// Index of a cell's element in the lists of elements and rules.
     [[nodiscard]] unsigned element_index(std::uint32_t cell) const;
     /// True if some of its edges are round, and its element can follow them.
     [[nodiscard]] bool is_round(std::uint32_t cell) const { return !round_.empty() && round_[cell]; }
 
-    [[nodiscard]] dealii::Point<3> position(std::uint32_t cell, const dealii::Point<3>& unit) const;
+    [[nodiscard]] Vec3 position(std::uint32_t cell, const Vec3& unit) const;
     /// Points whose weighted slopes are the map's derivatives: corners, or where the cell is round all nodes of its
     /// element.
-    void corners(std::uint32_t cell, std::vector<dealii::Point<3>>& corners) const;
+    void corners(std::uint32_t cell, std::vector<Vec3>& corners) const;
     /// d position_i / d unit_j.
-    [[nodiscard]] dealii::Tensor<2, 3> jacobian(std::uint32_t cell, const dealii::Point<3>& unit) const;
+    [[nodiscard]] Matrix3 jacobian(std::uint32_t cell, const Vec3& unit) const;
     /// The point of the reference cell, or beside it, at a position; false where a distorted cell does not reach so
     /// far.
-    bool unit_position(std::uint32_t cell, const Vec3& position, dealii::Point<3>& unit) const;
+    bool unit_position(std::uint32_t cell, const Vec3& position, Vec3& unit) const;
     /// The point itself where it lies in the cell's reference cell, else one near it that does.
-    [[nodiscard]] dealii::Point<3> nearest_inside(std::uint32_t cell, const dealii::Point<3>& unit) const;
+    [[nodiscard]] Vec3 nearest_inside(std::uint32_t cell, const Vec3& unit) const;
 
     /// Mean of the corners.
-    [[nodiscard]] dealii::Point<3> centre(std::uint32_t cell) const;
+    [[nodiscard]] Vec3 centre(std::uint32_t cell) const;
     /// Longest distance of two corners [m].
     [[nodiscard]] double diameter(std::uint32_t cell) const;
     /// With straight edges [m3].
@@ -50,18 +49,20 @@ public:
 
 private:
     [[nodiscard]] bool is_hexahedron(std::uint32_t cell) const;
-    [[nodiscard]] dealii::Point<3> corner(std::uint32_t cell, unsigned corner) const;
-    [[nodiscard]] dealii::Tensor<2, 3> straight_jacobian(std::uint32_t cell, const dealii::Point<3>& unit) const;
+    [[nodiscard]] const ReferenceElement& of_first_degree(std::uint32_t cell) const
+    {
+        return elements_[element_index(cell) % 2];
+    }
+    [[nodiscard]] Vec3 corner(std::uint32_t cell, unsigned corner) const;
+    [[nodiscard]] Matrix3 straight_jacobian(std::uint32_t cell, const Vec3& unit) const;
 
     const Machine& machine_;
     const std::vector<int>& orders_;
-    const dealii::hp::FECollection<3>& elements_;
+    const std::vector<ReferenceElement>& elements_;
     std::vector<bool> round_;  ///< per cell; empty: none
 };
 
 /// Lagrange elements by order and kind of cell; see CellMaps::element_index().
-dealii::hp::FECollection<3> lagrange_elements();
-
-dealii::Point<3> to_point(const Vec3& x);
+std::vector<ReferenceElement> lagrange_elements();
 
 }  // namespace deadpoint::fem

@@ -2,20 +2,19 @@
 
 namespace deadpoint::fem {
 
-CellValues::CellValues(const Discretisation& space, const dealii::hp::QCollection<3>& rules)
-    : space_(space), rules_(rules)
+CellValues::CellValues(const Discretisation& space, const std::vector<Quadrature>& rules) : space_(space), rules_(rules)
 {
     for (unsigned e = 0; e < space.elements.size(); ++e) {
         const auto &element = space.elements[e], &first_degree = space.elements[e % 2];
         Table table;
-        table.count = element.n_dofs_per_cell();
-        for (const auto& unit : rules[e].get_points()) {
+        table.count = element.size();
+        for (const auto& unit : rules[e].points) {
             for (unsigned i = 0; i < table.count; ++i) {
-                table.values.push_back(element.shape_value(i, unit));
-                table.slopes.push_back(element.shape_grad(i, unit));
+                table.values.push_back(element.value(i, unit));
+                table.slopes.push_back(element.slope(i, unit));
             }
-            for (unsigned v = 0; v < first_degree.n_dofs_per_cell(); ++v)
-                table.straight.push_back(first_degree.shape_grad(v, unit));
+            for (unsigned v = 0; v < first_degree.size(); ++v)
+                table.straight.push_back(first_degree.slope(v, unit));
         }
         tables_.push_back(std::move(table));
     }
@@ -32,14 +31,13 @@ void CellValues::reinit(std::uint32_t cell)
     weights_.resize(rule_->size());
     gradients_.resize(table_->slopes.size());
     for (unsigned q = 0; q < rule_->size(); ++q) {
-        dealii::Tensor<2, 3> jacobian;
+        Matrix3 jacobian{};
         for (std::size_t v = 0; v < corners_.size(); ++v)
-            for (unsigned i = 0; i < 3; ++i)
-                jacobian[i] += corners_[v][i] * map[q * corners_.size() + v];
-        weights_[q] = rule_->weight(q) * dealii::determinant(jacobian);
-        const auto inverse = dealii::transpose(dealii::invert(jacobian));
+            add_outer(jacobian, corners_[v], map[q * corners_.size() + v]);
+        weights_[q] = rule_->weights[q] * determinant(jacobian);
+        const auto inverse = inverse_transposed(jacobian);
         for (unsigned i = 0; i < table_->count; ++i)
-            gradients_[q * table_->count + i] = inverse * table_->slopes[q * table_->count + i];
+            gradients_[q * table_->count + i] = times(inverse, table_->slopes[q * table_->count + i]);
     }
 }
 

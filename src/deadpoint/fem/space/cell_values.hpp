@@ -1,7 +1,6 @@
 #pragma once
 
 #include "deadpoint/fem/space/discretisation.hpp"
-#include <deal.II/hp/q_collection.h>
 
 #include <ranges>
 #include <vector>
@@ -9,11 +8,11 @@
 /// Internal to fem/: integration over cells.
 namespace deadpoint::fem {
 
-/// Shape functions and weights at the points of a rule in one cell after another. Named as the library's FEValues.
+/// Shape functions and weights at the points of a rule in one cell after another.
 class CellValues {
 public:
     /// @param rules  by element index; outlive this, as the space does
-    CellValues(const Discretisation& space, const dealii::hp::QCollection<3>& rules);
+    CellValues(const Discretisation& space, const std::vector<Quadrature>& rules);
     explicit CellValues(const Discretisation& space) : CellValues(space, space.quadratures) {}
 
     /// Moves on to a cell.
@@ -23,21 +22,15 @@ public:
     [[nodiscard]] auto dof_indices() const { return std::views::iota(0U, table_->count); }
     [[nodiscard]] auto quadrature_point_indices() const { return std::views::iota(0U, rule_->size()); }
     [[nodiscard]] double shape_value(unsigned i, unsigned q) const { return table_->values[q * table_->count + i]; }
-    [[nodiscard]] const dealii::Tensor<1, 3>& shape_grad(unsigned i, unsigned q) const
-    {
-        return gradients_[q * table_->count + i];
-    }
+    [[nodiscard]] const Vec3& shape_grad(unsigned i, unsigned q) const { return gradients_[q * table_->count + i]; }
     /// Weight of a point, with the size of the cell [m3].
     [[nodiscard]] double JxW(unsigned q) const { return weights_[q]; }
-    [[nodiscard]] dealii::Point<3> quadrature_point(unsigned q) const
-    {
-        return space_.maps.position(cell_, unit_point(q));
-    }
+    [[nodiscard]] Vec3 quadrature_point(unsigned q) const { return space_.maps.position(cell_, unit_point(q)); }
     /// The same in the reference cell.
-    [[nodiscard]] const dealii::Point<3>& unit_point(unsigned q) const { return rule_->point(q); }
+    [[nodiscard]] const Vec3& unit_point(unsigned q) const { return rule_->points[q]; }
 
 private:
-    using Slopes = std::vector<dealii::Tensor<1, 3>>;
+    using Slopes = std::vector<Vec3>;
     /// On the reference cell, by point, then by shape function.
     struct Table {
         unsigned count = 0;  ///< of shape functions
@@ -47,12 +40,12 @@ private:
     };
 
     const Discretisation& space_;
-    const dealii::hp::QCollection<3>& rules_;
+    const std::vector<Quadrature>& rules_;
     std::vector<Table> tables_;  ///< by element index
     const Table* table_ = nullptr;
-    const dealii::Quadrature<3>* rule_ = nullptr;
+    const Quadrature* rule_ = nullptr;
     std::uint32_t cell_ = 0;
-    std::vector<dealii::Point<3>> corners_;
+    std::vector<Vec3> corners_;
     std::vector<double> weights_;
     Slopes gradients_;
 };

@@ -3,7 +3,6 @@
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/heat/system.hpp"
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -81,14 +80,9 @@ int solve(KSP solver, Vec rhs, Vec solution, const char* what)
 namespace {
 
 // By element index, with one point per direction more than the order.
-dealii::hp::QCollection<3> gauss_rules()
+std::vector<Quadrature> gauss_rules()
 {
-    dealii::hp::QCollection<3> rules;
-    for (unsigned order = 1; order <= 2; ++order) {
-        rules.push_back(dealii::QGauss<3>(order + 1));
-        rules.push_back(dealii::QGaussSimplex<3>(order + 1));
-    }
-    return rules;
+    return {gauss_on_cube(2), gauss_on_tetrahedron(2), gauss_on_cube(3), gauss_on_tetrahedron(3)};
 }
 
 }  // namespace
@@ -148,7 +142,7 @@ void share_stretches(std::vector<PetscInt>& values, PetscInt first, PetscInt las
 
 // Reverse Cuthill and McKee over each rank's unknowns, with all that couples them: parts that touch are neighbours too.
 // Products with the matrices then read nearby memory. PETSc's version begins at the end of the longest path through
-// the graph; deal.II's does not and gives wider bands.
+// the graph, which gives narrow bands.
 void Discretisation::number_neighbours_alike()
 {
     auto couplings = cell_couplings();
@@ -175,30 +169,27 @@ void Discretisation::number_neighbours_alike()
     unknowns_.renumber(number);
 }
 
-void Discretisation::evaluate_at(std::uint32_t cell, const dealii::Point<3>& unit, bool gradients,
-                                 PointShape& shape) const
+void Discretisation::evaluate_at(std::uint32_t cell, const Vec3& unit, bool gradients, PointShape& shape) const
 {
     const auto& functions = element(cell);
     std::vector<PetscInt> unknowns;
     unknowns_of(cell, unknowns);
     shape.count = static_cast<int>(unknowns.size());
     std::ranges::copy(unknowns, shape.dof.begin());
-    dealii::Tensor<2, 3> inverse;
+    Matrix3 inverse{};
     if (gradients)
-        inverse = dealii::transpose(dealii::invert(maps.jacobian(cell, unit)));
+        inverse = inverse_transposed(maps.jacobian(cell, unit));
     for (int i = 0; i < shape.count; ++i) {
-        shape.value[i] = functions.shape_value(static_cast<unsigned>(i), unit);
-        if (gradients) {
-            const dealii::Tensor<1, 3> g = inverse * functions.shape_grad(static_cast<unsigned>(i), unit);
-            shape.gradient[i] = {g[0], g[1], g[2]};
-        }
+        shape.value[i] = functions.value(static_cast<unsigned>(i), unit);
+        if (gradients)
+            shape.gradient[i] = times(inverse, functions.slope(static_cast<unsigned>(i), unit));
     }
 }
 
 void Discretisation::evaluate(std::uint32_t face, const Vec3& position, bool gradients, PointShape& shape) const
 {
     const auto cell = machine.faces[face].cell;
-    dealii::Point<3> unit;
+    Vec3 unit{};
     if (!maps.unit_position(cell, position, unit))
         throw InputError(fmt::format(
             "a cell of part '{}' near ({:.1f}, {:.1f}, {:.1f}) mm is so distorted that a point "
@@ -213,16 +204,16 @@ void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape
     const auto& range = machine.parts[part];
     double nearest = std::numeric_limits<double>::max();
     std::uint32_t found = range.first_cell;
-    dealii::Point<3> found_unit;
+    Vec3 found_unit{};
     for (std::uint32_t c = range.first_cell; c < range.first_cell + range.cell_count; ++c) {
         const double diameter = maps.diameter(c);
-        if (maps.centre(c).distance(to_point(position)) > 2 * diameter)
+        if (norm(maps.centre(c) - position) > 2 * diameter)
             continue;
-        dealii::Point<3> unit;
+        Vec3 unit{};
         if (!maps.unit_position(c, position, unit))
             continue;
         const auto inside = maps.nearest_inside(c, unit);
-        const double distance = inside.distance(unit) * diameter;
+        const double distance = norm(inside - unit) * diameter;
         if (distance < nearest) {
             nearest = distance;
             found = c;
@@ -239,7 +230,7 @@ void Discretisation::evaluate_in_part(int part, const Vec3& position, PointShape
 
 double Discretisation::continue_cell(std::uint32_t cell, const Vec3& position, PointShape& shape) const
 {
-    dealii::Point<3> unit;
+    Vec3 unit{};
     if (!maps.unit_position(cell, position, unit))
         return std::numeric_limits<double>::max();
     evaluate_at(cell, unit, false, shape);
@@ -299,8 +290,7 @@ void Discretisation::cell_nodes(std::uint32_t cell, std::vector<std::size_t>& un
 
 Vec3 Discretisation::node_position(std::uint32_t cell, unsigned i) const
 {
-    const auto x = maps.position(cell, element(cell).unit_support_point(i));
-    return {x[0], x[1], x[2]};
+    return maps.position(cell, element(cell).nodes()[i]);
 }
 
 std::vector<std::uint32_t> Discretisation::part_of_unknown() const

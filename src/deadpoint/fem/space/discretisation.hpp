@@ -3,10 +3,9 @@
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/fem/algebra/couplings.hpp"
 #include "deadpoint/fem/algebra/petsc.hpp"
+#include "deadpoint/fem/reference/quadrature.hpp"
 #include "deadpoint/fem/space/cell_maps.hpp"
 #include "deadpoint/fem/space/unknowns.hpp"
-#include <deal.II/hp/fe_collection.h>
-#include <deal.II/hp/q_collection.h>
 
 #include <array>
 #include <cstdint>
@@ -46,9 +45,9 @@ public:
     Discretisation(const Discretisation&) = delete;
 
     const Machine& machine;
-    std::vector<int> orders;               ///< per part
-    dealii::hp::FECollection<3> elements;  ///< by CellMaps::element_index()
-    dealii::hp::QCollection<3> quadratures;
+    std::vector<int> orders;                 ///< per part
+    std::vector<ReferenceElement> elements;  ///< by CellMaps::element_index()
+    std::vector<Quadrature> quadratures;     ///< the same
     CellMaps maps;
     std::uint32_t first_cell = 0;  ///< owned cells: first_cell <= i < end_cell
     std::uint32_t end_cell = 0;
@@ -74,7 +73,7 @@ public:
     void unknowns_of(std::uint32_t cell, std::vector<PetscInt>& unknowns) const { unknowns_.of(cell, unknowns); }
     [[nodiscard]] std::vector<PetscInt> unknowns_of(std::uint32_t cell) const;
     [[nodiscard]] int part_of(std::uint32_t cell) const;
-    [[nodiscard]] const dealii::FiniteElement<3>& element(std::uint32_t cell) const
+    [[nodiscard]] const ReferenceElement& element(std::uint32_t cell) const
     {
         return elements[maps.element_index(cell)];
     }
@@ -93,11 +92,11 @@ public:
     /// Cell size normal to a face: volume over area [m].
     [[nodiscard]] double depth(std::uint32_t face) const { return depth_[face]; }
     /// Shape functions of a cell at a point of its reference cell, or beside it.
-    void evaluate_at(std::uint32_t cell, const dealii::Point<3>& unit, bool gradients, PointShape& shape) const;
+    void evaluate_at(std::uint32_t cell, const Vec3& unit, bool gradients, PointShape& shape) const;
     /// How far beside its reference cell a point lies.
-    [[nodiscard]] double distance_outside(std::uint32_t cell, const dealii::Point<3>& unit) const
+    [[nodiscard]] double distance_outside(std::uint32_t cell, const Vec3& unit) const
     {
-        return unit.distance(maps.nearest_inside(cell, unit));
+        return norm(unit - maps.nearest_inside(cell, unit));
     }
 
 private:

@@ -2,7 +2,6 @@
 
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
-#include <deal.II/base/point.h>
 
 #include <array>
 #include <cstdint>
@@ -17,7 +16,7 @@ struct PointShape;
 /// Cell of a point in a mesh.
 struct CellPlace {
     std::uint32_t cell = 0;
-    dealii::Point<3> unit;                                     ///< in the reference cell, or beside it
+    Vec3 unit{};                                               ///< in the reference cell, or beside it
     double outside = std::numeric_limits<double>::infinity();  ///< distance from it, 1 being the cell's size
 };
 
@@ -72,8 +71,8 @@ private:
 
     const Discretisation& from_;
     const Discretisation& to_;
-    std::vector<std::uint32_t> cell_;     ///< per owned unknown of to_
-    std::vector<dealii::Point<3>> unit_;  ///< the place in that cell
+    std::vector<std::uint32_t> cell_;  ///< per owned unknown of to_
+    std::vector<Vec3> unit_;           ///< the place in that cell
 };
 
 }  // namespace deadpoint::fem

@@ -158,7 +158,7 @@ void HeatMatrices::assemble_cells(Mat mass, Mat stiffness, Mat variable) const
             for (unsigned i = 0; i < n; ++i)
                 for (unsigned j = 0; j < n; ++j) {
                     capacity[i * n + j] += c * v.shape_value(i, q) * v.shape_value(j, q);
-                    conduction[i * n + j] += k * (v.shape_grad(i, q) * v.shape_grad(j, q));
+                    conduction[i * n + j] += k * dot(v.shape_grad(i, q), v.shape_grad(j, q));
                 }
         }
         const auto count = static_cast<PetscInt>(n);
