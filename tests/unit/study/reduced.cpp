@@ -55,6 +55,25 @@ study::SplitProblem nominal(const std::vector<std::string>& overrides = {})
     return split;
 }
 
+study::SplitProblem nominal_of(const casefile::Case& input)
+{
+    Observer quiet;
+    const auto loads = study::compute_loads(input, &machine(), study::first_running_segment(input));
+    auto split = study::split_by_part(study::describe_heat(input, machine(), quiet, &loads), machine());
+    split.problem = study::with_nominal_films(split.problem, 293.15);
+    return split;
+}
+
+/// Before or after the operation.
+casefile::Case with_break(bool first)
+{
+    auto input = press();
+    auto rest = input.operation.front();
+    rest.speed = 0;
+    input.operation.insert(first ? input.operation.begin() : input.operation.end(), rest);
+    return input;
+}
+
 }  // namespace
 
 TEST_CASE("the pieces of a surface have its area, its law and one part each")
@@ -164,6 +183,82 @@ TEST_CASE("what lies outside the box is named with its value and its range")
     CHECK(warm[0] == "ambient: 25 to 25, trained -10 to 10 K");
 }
 
+TEST_CASE("breaks are inside of the range, and friction outside of it is named, also where a case begins at rest")
+{
+    const auto running = nominal();
+    const auto box = study::free_coefficients(running, machine(), {}, 293.15);
+    const auto names_friction = [](const std::vector<std::string>& texts) {
+        return std::ranges::count_if(texts, [](const auto& text) { return text.starts_with("friction."); });
+    };
+    for (const bool first : {false, true}) {
+        auto split = nominal_of(with_break(first));
+        const auto own = study::free_coefficients(split, machine(), {}, 293.15);
+        CHECK(names_friction(study::outside_of(box, split, 293.15)) == 0);
+        CHECK(study::outside_of(own, split, 293.15).empty());
+        for (std::size_t k = 0; k < own.size(); ++k)
+            if (own[k].kind == reduce::FreeCoefficient::Kind::heat ||
+                own[k].kind == reduce::FreeCoefficient::Kind::oil) {
+                CAPTURE(own[k].name);
+                CHECK(own[k].base.front() == near(box[k].base.front(), 1e-12));  // of the segment that runs
+            }
+        for (auto& source : split.problem.sources)
+            source.share *= 6;
+        for (const auto& of : {box, own})
+            CHECK(names_friction(study::outside_of(of, split, 293.15)) == std::ssize(split.problem.sources));
+    }
+}
+
+TEST_CASE("the range of friction holds all running segments of the reduced case, and no other friction law")
+{
+    auto input = press();
+    input.operation.push_back(input.operation.front());
+    input.operation.back().speed *= 0.2;
+    const auto split = nominal_of(input);
+    const auto box = study::free_coefficients(split, machine(), {}, 293.15);
+    CHECK_FALSE(study::outside_of(box, split, 293.15).empty());
+    CHECK(study::outside_of(study::with_heat_of(box, split, {}, 293.15), split, 293.15).empty());
+    auto other = nominal();
+    other.problem.sources[0].name = "other";
+    const auto found = study::outside_of(study::free_coefficients(nominal(), machine(), {}, 293.15), other, 293.15);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0] == "friction.other: the reduced case has no such friction law");
+}
+
+TEST_CASE("members of a coefficient are found by name in a case with other friction laws")
+{
+    const auto split = nominal();
+    auto problem = split.problem;
+    std::ranges::reverse(problem.sources);
+    for (const auto& coefficient : study::free_coefficients(split, machine(), {}, 293.15)) {
+        if (coefficient.kind != reduce::FreeCoefficient::Kind::heat)
+            continue;
+        const auto here = study::in_problem(coefficient, problem);
+        REQUIRE(here.members.size() == 1);
+        CHECK(study::heat_name(problem.sources[here.members[0]]) == coefficient.name);
+        auto foreign = coefficient;
+        foreign.members = {1000};  // as in a file of another program
+        CHECK(study::in_problem(foreign, problem).members == here.members);
+    }
+    problem.sources.clear();
+    auto unknown = study::free_coefficients(split, machine(), {}, 293.15);
+    for (auto& coefficient : unknown)
+        if (coefficient.kind == reduce::FreeCoefficient::Kind::heat)
+            CHECK(study::in_problem(coefficient, problem).members.empty());
+}
+
+TEST_CASE("what the reduced case has not is named without a number")
+{
+    const auto split = nominal();
+    auto box = study::free_coefficients(split, machine(), {}, 293.15);
+    std::erase_if(box, [](const auto& one) { return one.kind != reduce::FreeCoefficient::Kind::heat; });
+    box.resize(1);
+    box[0].base = {0};
+    auto alone = split;
+    const auto found = study::outside_of(box, alone, 293.15);
+    REQUIRE_FALSE(found.empty());
+    CHECK(found[0] == box[0].name + ": there is none in the reduced case");
+}
+
 TEST_CASE("the air that a film states for itself counts, from its own of the reduced case")
 {
     const auto split = nominal();
@@ -246,7 +341,7 @@ TEST_CASE("a range of speeds brings their friction heat, and the box is as wide 
     }
     const auto box = study::free_coefficients(split, machine(), ranges, 293.15, others);
     CHECK_FALSE(study::outside_of(box, slow, 293.15).empty());
-    CHECK(study::outside_of(study::with_heat_of(box, others, 293.15), slow, 293.15).empty());
+    CHECK(study::outside_of(study::with_heat_of(box, split, others, 293.15), slow, 293.15).empty());
 }
 
 TEST_CASE("only what a model cannot change makes a case another press")

@@ -353,7 +353,7 @@ LawTable FrictionLaws::calibrated_table(const std::string& row, const casefile::
 {
     const auto& at = calibrated_at(row, segment);
     const auto parts = tribology::heat_parts(at.law, at.duty);
-    if (segment.speed == 0 || parts.viscous == 0)
+    if (parts.viscous == 0)
         return LawTable(heat(row, segment).heat);
     const auto& lubricant = input_.friction.at(row).lubricant;
     casefile::Case inputs;
@@ -407,8 +407,6 @@ FrictionHeat FrictionLaws::physical(const std::string& row, const casefile::Segm
 
 LawTable FrictionLaws::physical_table(const std::string& row, const casefile::Segment& segment)
 {
-    if (segment.speed == 0)
-        return LawTable(tribology::constant_heat(0));
     const auto& friction = input_.friction.at(row);
     const auto table = kept_->tables.get({inputs_of(row, friction), {{segment.speed, segment.force}, false, 0}},
                                          [&] { return LawTable(unscaled_heat(row, segment)->heat); });
@@ -426,6 +424,8 @@ const FrictionHeat& FrictionLaws::heat(const std::string& row, const casefile::S
 
 LawTable FrictionLaws::table(const std::string& row, const casefile::Segment& segment)
 {
+    if (segment.speed == 0)
+        return {};
     return about("friction." + row, [&] {
         return is_calibrated(input_.friction.at(row)) ? calibrated_table(row, segment) : physical_table(row, segment);
     });

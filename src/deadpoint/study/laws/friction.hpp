@@ -63,7 +63,7 @@ public:
     /// @throws InputError naming the friction law, if it needs loads and the case has no linkage,
     ///         or a size is missing or outside the law; as compute_loads
     const FrictionHeat& heat(const std::string& row, const casefile::Segment& segment);
-    /// Its `heat` as a table, to the tolerance of LawTableRange. @throws as heat()
+    /// Its `heat` as a table, to the tolerance of LawTableRange; no law while the press stands still. @throws as heat()
     LawTable table(const std::string& row, const casefile::Segment& segment);
 
     /// All friction laws in a segment in which the press runs.

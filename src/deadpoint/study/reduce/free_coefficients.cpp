@@ -26,13 +26,29 @@ double side_of(const std::vector<InterfaceLaw>& laws, std::size_t member)
     return member % 2 == 0 ? laws[member / 2].film_a : laws[member / 2].film_b;
 }
 
+// Of a segment, in which a press at rest has no law [W].
+std::optional<double> heat_in(const HeatProblem& problem, std::size_t segment, std::size_t source, double temperature)
+{
+    const auto& law = problem.segments[segment].heat[source];
+    return law ? std::optional(problem.sources[source].share * law(temperature).value) : std::nullopt;
+}
+
 // Of the first segment in which a source heats [W].
 double heat_at(const HeatProblem& problem, std::size_t source, double temperature)
 {
-    for (const auto& segment : problem.segments)
-        if (const auto& law = segment.heat[source])
-            return problem.sources[source].share * law(temperature).value;
+    for (std::size_t segment = 0; segment < problem.segments.size(); ++segment)
+        if (const auto heat = heat_in(problem, segment, source, temperature))
+            return *heat;
     return 0;
+}
+
+// Of the first segment in which oil flows through a joint: while the press stands still it may not.
+std::optional<double> oil_at(const HeatProblem& problem, std::size_t interface)
+{
+    for (const auto& segment : problem.segments)
+        if (const double oil = laws_in(problem, segment)[interface].oil; oil > 0)
+            return oil;
+    return std::nullopt;
 }
 
 // The oil of its joint comes from a circuit.
@@ -68,8 +84,6 @@ bool is_free(const Span& span) { return span.from < span.to; }
 void widen_by_segments(reduce::FreeCoefficient& coefficient, const HeatProblem& problem,
                        const std::vector<SplitProblem>& others, double start)
 {
-    if (coefficient.kind != Kind::film && coefficient.kind != Kind::side && coefficient.kind != Kind::oil)
-        return;
     double least = 1, most = 1;
     const auto widen = [&](const HeatProblem& by) {
         for (std::size_t segment = 0; segment < by.segments.size(); ++segment)
@@ -136,7 +150,7 @@ void add_joints(CoefficientCollector& box, const SplitProblem& split, const Mach
         const double missing = is_free(ranges.oil) ? assumed_oil : 0;
         box.add(by_row ? "oil." + split.problem.sources[static_cast<std::size_t>(source)].name
                        : fmt::format("joints.{}.oil", name),
-                Kind::oil, ranges.oil, i, laws[i].oil > 0 ? laws[i].oil : missing);
+                Kind::oil, ranges.oil, i, oil_at(split.problem, i).value_or(missing));
     }
 }
 
@@ -170,31 +184,38 @@ reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine,
     add_films(box, split, machine, ranges, start);
     add_joints(box, split, machine, ranges);
     for (std::size_t r = 0; r < split.problem.sources.size(); ++r)
-        box.add("friction." + split.problem.sources[r].name, Kind::heat, ranges.heat, r,
-                heat_at(split.problem, r, start));
+        box.add(heat_name(split.problem.sources[r]), Kind::heat, ranges.heat, r, heat_at(split.problem, r, start));
     add_oil_temperatures(box, split.problem, machine, ranges);
     add_ambients(box, split.problem, ranges);
     auto result = box.take();
     for (auto& coefficient : result)
-        widen_by_segments(coefficient, split.problem, others, start);
+        if (coefficient.kind == Kind::film || coefficient.kind == Kind::side || coefficient.kind == Kind::oil)
+            widen_by_segments(coefficient, split.problem, others, start);
     return result;
 }
 
-reduce::Box with_heat_of(reduce::Box box, const std::vector<SplitProblem>& others, double start)
+reduce::Box with_heat_of(reduce::Box box, const SplitProblem& split, const std::vector<SplitProblem>& others,
+                         double start)
 {
-    for (auto& coefficient : box) {
-        if (coefficient.kind != Kind::heat || !(coefficient.base.front() > 0))
-            continue;
-        double least = 1, most = 1;
-        for (const auto& other : others) {
-            const double factor = heat_at(other.problem, coefficient.members.front(), start) / coefficient.base.front();
-            least = std::min(least, factor);
-            most = std::max(most, factor);
-        }
-        coefficient.from *= least;
-        coefficient.to *= most;
-    }
+    for (auto& coefficient : box)
+        if (coefficient.kind == Kind::heat)
+            widen_by_segments(coefficient, split.problem, others, start);
     return box;
+}
+
+std::string heat_name(const HeatSource& source) { return "friction." + source.name; }
+
+reduce::FreeCoefficient in_problem(reduce::FreeCoefficient coefficient, const HeatProblem& problem)
+{
+    if (coefficient.kind != Kind::heat)
+        return coefficient;
+    const double base = coefficient.base.front();
+    coefficient.members.clear();
+    for (std::size_t r = 0; r < problem.sources.size(); ++r)
+        if (heat_name(problem.sources[r]) == coefficient.name)
+            coefficient.members.push_back(r);
+    coefficient.base.assign(coefficient.members.size(), base);
+    return coefficient;
 }
 
 std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::size_t member,
@@ -219,7 +240,10 @@ std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::
         if (const auto temperature = oil_temperature_of(problem, segment, place))
             return *temperature - base;
         break;
-    case Kind::heat:     // by name (outside.cpp)
+    case Kind::heat:
+        if (const auto heat = heat_in(problem, segment, place, start))
+            return factor(*heat);
+        break;
     case Kind::ambient:  // a course (outside.cpp)
         break;
     }

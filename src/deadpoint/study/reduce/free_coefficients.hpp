@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace deadpoint {
 struct HeatProblem;
+struct HeatSource;
 struct Machine;
 struct SurfaceCondition;
 }  // namespace deadpoint
@@ -46,16 +48,24 @@ inline constexpr double assumed_oil = 500;
 reduce::Box free_coefficients(const SplitProblem& split, const Machine& machine, const FreeRanges& ranges, double start,
                               const std::vector<SplitProblem>& others = {});
 
-/// The box, as wide as the friction heat of other points of operation is: for these a model is trained that has seen
-/// them with values from the box.
-reduce::Box with_heat_of(reduce::Box box, const std::vector<SplitProblem>& others, double start);
+/// The box, as wide as the friction heat of all running segments and of other points of operation is: for these a model
+/// is trained that has seen them with values from the box.
+reduce::Box with_heat_of(reduce::Box box, const SplitProblem& split, const std::vector<SplitProblem>& others,
+                         double start);
 
-/// A coefficient's value in a segment: a factor on its base, or a difference to it.
-/// @param member  of the coefficient
-/// @param start   temperature at the start [K]
-/// @return nothing for heat and ambient, which are no single numbers, where the base is zero, and for the temperature
-/// of
-///         oil that carries no heat away
+/// Name of the coefficient of a source's heat.
+std::string heat_name(const HeatSource& source);
+
+/// A coefficient with its members in another problem of the same press. A case may have other friction laws than the
+/// one that was reduced, so sources are known by their names; there may be none.
+reduce::FreeCoefficient in_problem(reduce::FreeCoefficient coefficient, const HeatProblem& problem);
+
+/// A coefficient's value in a segment: a factor on its base, or a difference to it. A press at rest has no friction.
+/// @param coefficient  in_problem()
+/// @param member       of the coefficient
+/// @param start        temperature at the start [K]
+/// @return infinity where there is something that the reduced case had not; nothing for the ambient, which is no single
+///         number, where both are zero, for a source at rest, and for the temperature of oil that carries no heat away
 std::optional<double> value_of(const reduce::FreeCoefficient& coefficient, std::size_t member,
                                const HeatProblem& problem, std::size_t segment, double start);
 

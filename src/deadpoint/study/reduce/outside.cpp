@@ -4,6 +4,7 @@
 #include "deadpoint/study/reduce/split.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
@@ -47,31 +48,15 @@ Found ambients_in(const FreeCoefficient& coefficient, const HeatProblem& problem
     return found;
 }
 
-// A case may have other friction laws than the one that was reduced. They are known by their names.
-Found heat_in(const FreeCoefficient& coefficient, const HeatProblem& problem, double start)
-{
-    Found found;
-    const auto source = std::ranges::find_if(
-        problem.sources, [&](const HeatSource& one) { return "friction." + one.name == coefficient.name; });
-    if (source == problem.sources.end() || !(coefficient.base.front() > 0))
-        return found;
-    const auto index = static_cast<std::size_t>(source - problem.sources.begin());
-    for (const auto& segment : problem.segments)
-        if (const auto& law = segment.heat[index])
-            found.add(source->share * law(start).value / coefficient.base.front());
-    return found;
-}
-
 Found values_in(const FreeCoefficient& coefficient, const HeatProblem& problem, double start)
 {
     if (coefficient.kind == FreeCoefficient::Kind::ambient)
         return ambients_in(coefficient, problem);
-    if (coefficient.kind == FreeCoefficient::Kind::heat)
-        return heat_in(coefficient, problem, start);
+    const auto here = in_problem(coefficient, problem);
     Found found;
     for (std::size_t segment = 0; segment < problem.segments.size(); ++segment)
-        for (std::size_t k = 0; k < coefficient.members.size(); ++k)
-            if (const auto value = value_of(coefficient, k, problem, segment, start))
+        for (std::size_t k = 0; k < here.members.size(); ++k)
+            if (const auto value = value_of(here, k, problem, segment, start))
                 found.add(*value);
     return found;
 }
@@ -82,6 +67,27 @@ const char* unit_of(FreeCoefficient::Kind kind)
     return kind == oil_temperature || kind == ambient ? " K" : " times that of the reduced case";
 }
 
+// Where the reduced case had none, no range tells how much there may be.
+std::string text_of(const FreeCoefficient& coefficient, const Found& found)
+{
+    if (!std::isfinite(found.most))
+        return fmt::format("{}: there is none in the reduced case", coefficient.name);
+    return fmt::format("{}: {:.4g} to {:.4g}, trained {:.4g} to {:.4g}{}", coefficient.name, found.least, found.most,
+                       coefficient.from, coefficient.to, unit_of(coefficient.kind));
+}
+
+// Friction laws that the reduced case has not.
+void add_unknown(const reduce::Box& box, const HeatProblem& problem, std::vector<std::string>& result)
+{
+    for (std::size_t r = 0; r < problem.sources.size(); ++r) {
+        const auto name = heat_name(problem.sources[r]);
+        const auto heats = [&](const HeatSegment& segment) { return static_cast<bool>(segment.heat[r]); };
+        if (std::ranges::find(box, name, &FreeCoefficient::name) == box.end() &&
+            std::ranges::any_of(problem.segments, heats))
+            result.push_back(fmt::format("{}: the reduced case has no such friction law", name));
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> outside_of(const reduce::Box& box, const SplitProblem& split, double start)
@@ -89,12 +95,12 @@ std::vector<std::string> outside_of(const reduce::Box& box, const SplitProblem& 
     constexpr double rounding = 1e-9;
     std::vector<std::string> result;
     for (const auto& coefficient : box) {
-        const auto [least, most] = values_in(coefficient, split.problem, start);
+        const auto found = values_in(coefficient, split.problem, start);
         const double slack = rounding * std::max(1.0, coefficient.to);
-        if (least < coefficient.from - slack || most > coefficient.to + slack)
-            result.push_back(fmt::format("{}: {:.4g} to {:.4g}, trained {:.4g} to {:.4g}{}", coefficient.name, least,
-                                         most, coefficient.from, coefficient.to, unit_of(coefficient.kind)));
+        if (found.least < coefficient.from - slack || found.most > coefficient.to + slack)
+            result.push_back(text_of(coefficient, found));
     }
+    add_unknown(box, split.problem, result);
     return result;
 }
 

@@ -297,7 +297,7 @@ std::optional<Reduction> reduce_case(ModelParts& parts, const casefile::Case& in
     result.small = press_without_terms(parts, input, build_options);
     const double start = input.machine.initial_temperature;
     const auto box = free_coefficients(problems.split, parts.machine, options.ranges, start, problems.others);
-    result.small.box = with_heat_of(box, problems.others, start);
+    result.small.box = with_heat_of(box, problems.split, problems.others, start);
     auto models = reduce::build(*full, problems.points, box, build_options, kept, observer);
     if (!models)
         return std::nullopt;

@@ -71,7 +71,8 @@ public:
     Sensitivities get()
     {
         for (const auto& coefficient : press_.box)
-            add(coefficient);
+            if (const auto here = in_problem(coefficient, problem_); !here.members.empty())
+                add(here);
         add_operation("operation.speed", &casefile::Segment::speed, "rpm", 30 / std::numbers::pi);
         add_operation("operation.force", &casefile::Segment::force, "kN", 1e-3);
         const auto run = reduce::record_run(press_.terms, problem_, press_.reference, observer_);
