@@ -3,12 +3,18 @@
 #include "deadpoint/report/folder/point_table.hpp"
 
 #include "../../scratch_folder.hpp"
+#include "../messages.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/charts/sweep_figures.hpp"
 #include "everything.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 using namespace deadpoint;
 using namespace deadpoint::report;
@@ -105,4 +111,50 @@ TEST_CASE("a row that was cut is left out, and a table of another study is refus
     REQUIRE(rows.size() == 1);
     CHECK(rows[0].point == "first");
     CHECK_THROWS_AS(std::ignore = read_points(file, "other"), InputError);
+}
+
+TEST_CASE("a row that was edited, and one that another program wrote, are refused with their line")
+{
+    const ScratchFolder folder;
+    const auto file = folder.path / "points.csv";
+    const auto refused = [&](const std::string& from, const std::string& to, const std::string& more = "") {
+        PointTable table(file, "study");
+        table.add(done("first"));
+        table.add(done("second"));
+        auto text = content(file);
+        const auto at = text.find(from, text.find("second"));
+        REQUIRE(at != std::string::npos);
+        text.replace(at, from.size(), to);
+        folder.file("points.csv", text + more);
+        return messages::error_of<InputError>([&] { std::ignore = read_points(file, "study"); });
+    };
+    CHECK(refused("done", "done").empty());
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"-15", "abc"}, {"-15", "-16"}, {"done", "failed"}, {"mark of", "mark off"}, {"1800", ""}}) {
+        CAPTURE(to);
+        CHECK(messages::has(refused(from, to),
+                            "points.csv:6: the row of point 'second' was changed after it was written"));
+    }
+    // With a checksum that fits, numbers and states are still read as such.
+    const auto text = content(file);
+    const auto lines = [&] {
+        std::vector<std::string> result;
+        std::istringstream in(text);
+        for (std::string line; std::getline(in, line);)
+            result.push_back(line);
+        return result;
+    }();
+    const auto heads = lines[3].substr(0, lines[3].rfind(','));
+    const auto with = [&](const std::string& from, const std::string& to) {
+        auto row = lines[4].substr(0, lines[4].rfind(','));
+        row.replace(row.find(from), from.size(), to);
+        folder.file("points.csv", lines[0] + '\n' + lines[1] + '\n' + lines[2] + '\n' + lines[3] + '\n' + row + ',' +
+                                      checksum_of_row("study", heads, row) + '\n');
+        return messages::error_of<InputError>([&] { std::ignore = read_points(file, "study"); });
+    };
+    CHECK(with("done", "done").empty());
+    CHECK(messages::has(with("-15", "abc"), "'abc' is no number"));
+    CHECK(messages::has(with("-15", "1e999"), "'1e999' is no number"));
+    CHECK(messages::has(with("-15", "nan"), "'nan' is no number"));
+    CHECK(messages::has(with("done", "gone"), "'gone' is no state"));
 }

@@ -1,5 +1,6 @@
 #include "deadpoint/report/folder/point_table.hpp"
 
+#include "deadpoint/core/hash.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/error.hpp"
@@ -12,10 +13,11 @@
 #include "deadpoint/report/schema/columns.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 namespace deadpoint::report {
@@ -33,9 +35,28 @@ std::string bearing_path(const std::string& bearing)
     return fmt::format("crankshaft.{}.seats.{}.peak_N", bearing.substr(0, space), bearing.substr(space + 1));
 }
 
+std::vector<std::string> lines_of(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+/// The checksums of rows with these columns.
+CsvColumn checksums_of(const std::vector<CsvColumn>& columns, const std::string& study)
+{
+    const auto lines = lines_of(csv_text({}, columns));
+    std::vector<std::string> checksums;
+    for (std::size_t k = 1; k < lines.size(); ++k)
+        checksums.push_back(checksum_of_row(study, lines.front(), lines[k]));
+    return csv_column(points_table::checksum, std::move(checksums));
+}
+
 /// The columns of rows, of which one at least is done.
 std::vector<CsvColumn> columns_of(const std::vector<PointRow>& rows, const std::vector<std::string>& probes,
-                                  const std::vector<std::string>& bearings)
+                                  const std::vector<std::string>& bearings, const std::string& study)
 {
     std::vector<CsvColumn> columns;
     std::vector<std::optional<SweepFigures>> figures;
@@ -73,6 +94,7 @@ std::vector<CsvColumn> columns_of(const std::vector<PointRow>& rows, const std::
             },
             bearing);
     texts(points_table::reason, [](const PointRow& row) { return row.outcome.reason; });
+    columns.push_back(checksums_of(columns, study));
     return columns;
 }
 
@@ -90,7 +112,10 @@ public:
         row.outcome.seconds = number(cells, points_table::wall_time);
         row.outcome.reason = text(cells, points_table::reason);
         const auto state = text(cells, points_table::state);
-        row.outcome.state = state == "done" ? State::done : state == "failed" ? State::failed : State::left;
+        if (state != state_name(State::done) && state != state_name(State::failed))
+            throw InputError(fmt::format("{}:{}: '{}' is no state of a point\n  help: {}", table_.file,
+                                         table_.lines[index], state, help));
+        row.outcome.state = state == state_name(State::done) ? State::done : State::failed;
         if (row.outcome.state == State::done)
             row.record = record(cells);
         return row;
@@ -98,9 +123,15 @@ public:
 
 private:
     using Cells = std::vector<std::string>;
-    static double value(const std::string& cell)
+    [[nodiscard]] double value(const std::string& cell) const
     {
-        return cell.empty() ? no_value : std::strtod(cell.c_str(), nullptr);
+        if (cell.empty())
+            return no_value;
+        double number = 0;
+        const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+        if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(number))
+            throw InputError(fmt::format("{}: '{}' is no number\n  help: {}", table_.file, cell, help));
+        return number;
     }
     [[nodiscard]] std::string text(const Cells& cells, const schema::Column& column) const
     {
@@ -132,14 +163,13 @@ private:
     void add_named(const Cells& cells, study::RunRecord& record) const
     {
         for (std::size_t c = 0; c < cells.size(); ++c) {
-            const double number = value(cells[c]);
             const auto& heading = table_.columns[c].name;
             if (const auto bearing = schema::name_in(points_table::bearing_force.heading, heading); !bearing.empty()) {
-                if (std::isfinite(number))
+                if (const double number = value(cells[c]); std::isfinite(number))
                     record.loads[bearing_path(bearing)] = number;
             } else if (const auto probe = schema::name_in(points_table::rise.heading, heading); !probe.empty()) {
                 record.probes.push_back(probe);
-                if (std::isfinite(number))
+                if (const double number = value(cells[c]); std::isfinite(number))
                     record.rises[probe] = {number, number};
             }
         }
@@ -147,6 +177,25 @@ private:
 
     const CsvTable& table_;
 };
+
+/// A line without its last cell, which has no comma.
+std::string without_checksum(const std::string& line) { return line.substr(0, line.rfind(',')); }
+
+/// Refuses rows that were edited, or that another study wrote.
+void require_checksums(const CsvTable& table, const std::vector<std::string>& lines, const std::string& study)
+{
+    const auto column = table.column(points_table::checksum.heading);
+    const auto heads =
+        std::ranges::find_if(lines, [](const std::string& line) { return !line.empty() && !line.starts_with('#'); });
+    for (std::size_t k = 0; k < table.rows.size(); ++k) {
+        const auto& row = lines[static_cast<std::size_t>(table.lines[k]) - 1];
+        if (table.rows[k][column] != checksum_of_row(study, without_checksum(*heads), without_checksum(row)))
+            throw InputError(
+                fmt::format("{}:{}: the row of point '{}' was changed after it was written: its checksum "
+                            "does not fit\n  help: restore the row, or remove it to compute its point again",
+                            table.file, table.lines[k], table.rows[k].front()));
+    }
+}
 
 }  // namespace
 
@@ -192,7 +241,7 @@ void PointTable::replace(const std::vector<PointRow>& rows)
     }
     const std::vector<std::string> comments{fmt::format("deadpoint {}", version), fmt::format("study {}", study_)};
     out_.close();
-    write_table(file_, comments, columns_of(rows, probes_, bearings_));
+    write_table(file_, comments, columns_of(rows, probes_, bearings_, study_));
     out_.open(file_, std::ios::app | std::ios::binary);
 }
 
@@ -200,7 +249,7 @@ void PointTable::add(const PointRow& row)
 {
     waiting_.push_back(row);
     if (out_.is_open())
-        out_ << csv_rows(columns_of(waiting_, probes_, bearings_)) << std::flush;
+        out_ << csv_rows(columns_of(waiting_, probes_, bearings_, study_)) << std::flush;
     else if (row.record)
         replace(waiting_);
     else
@@ -209,6 +258,11 @@ void PointTable::add(const PointRow& row)
     if (!out_)
         throw IoError(fmt::format("'{}' cannot be written\n  help: make room on the disk; the same command continues",
                                   file_.string()));
+}
+
+std::string checksum_of_row(const std::string& study, const std::string& headings, const std::string& row)
+{
+    return stable_hash(fmt::format("{}\n{}\n{}", study, headings, row));
 }
 
 std::vector<PointRow> read_points(const std::filesystem::path& file, const std::string& study)
@@ -221,6 +275,7 @@ std::vector<PointRow> read_points(const std::filesystem::path& file, const std::
         throw InputError(
             fmt::format("'{}' has points of another reduced model or base case\n  help: {}", file.string(), help));
     const auto table = parse_csv(text, file.string());
+    require_checksums(table, lines_of(text), study);
     const RowReader reader(table);
     std::vector<PointRow> rows;
     for (std::size_t k = 0; k < table.rows.size(); ++k)

@@ -45,9 +45,13 @@ private:
     std::ofstream out_;
 };
 
+/// The last cell of a row: of the study, the line of headings and the row, both without this cell.
+std::string checksum_of_row(const std::string& study, const std::string& headings, const std::string& row);
+
 /// The whole rows of a table, or none if there is no file.
 /// @param study  the mark with which it was written
-/// @throws InputError if it belongs to another study or was changed; IoError if it cannot be read
+/// @throws InputError if it belongs to another study, or with the line of a row that was changed; IoError if it cannot
+///         be read
 std::vector<PointRow> read_points(const std::filesystem::path& file, const std::string& study);
 
 }  // namespace deadpoint::report

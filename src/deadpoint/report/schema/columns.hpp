@@ -245,8 +245,10 @@ inline constexpr auto wall_time = sweep::wall_time, largest = sweep::largest, la
                       end = sweep::end, first_hour = sweep::first_hour, range = sweep::range, steady = sweep::steady,
                       heat = sweep::heat, rise = sweep::rise, bearing_force = sweep::bearing_force,
                       reason = sweep::reason;
+inline constexpr Column checksum{"checksum", "checksum", "",
+                                 "of the row, its headings and what all points have in common"};
 inline constexpr std::array all{point,      state, mark,   hash, wall_time, largest,       largest_time, end,
-                                first_hour, range, steady, heat, rise,      bearing_force, reason};
+                                first_hour, range, steady, heat, rise,      bearing_force, reason,       checksum};
 }  // namespace points
 
 /// One row for each figure and parameter; those of a screening are the last ones.
