@@ -210,7 +210,7 @@ void compare_with_full(const study::ReducedPress& reduced, study::Press& press, 
         console.warn("the full run was stopped, so the error of this run to it is not known");
         return;
     }
-    result.reduced->full_run = study::difference_to_full(result, reduced, full);
+    result.reduced->full_run = study::difference_to_full(result, full);
 }
 
 /// What a reduced run asks of the mesh. `ranks.agree` is false after meshing.

@@ -186,7 +186,7 @@ private:
         if (!residual_)
             return "-";
         const auto found = reduce::certify(large_.terms, *residual_, problem, large.time,
-                                           {large_.terms->terms.geometry.layout.count() + drift::gap});
+                                           {{{large_.terms->terms.geometry.layout.count() + drift::gap, 1}}});
         return found.refused.empty() ? std::to_string(1e6 * found.bounds[0]) : found.refused;
     }
 

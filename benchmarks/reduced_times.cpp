@@ -155,7 +155,7 @@ public:
         });
         const auto& layout = large.terms->terms.geometry.layout;
         measure("certificate of E_SW", 3, [&](int) {
-            reduce::certify(large.terms, *residual, problem_, history.time, {layout.count() + drift::gap});
+            reduce::certify(large.terms, *residual, problem_, history.time, {{{layout.count() + drift::gap, 1}}});
         });
     }
 

@@ -83,7 +83,7 @@ std::pair<double, double> check_by_full_run(const CalibrateOptions& options, con
     ranks.agree = false;
     const auto full = press.run({}, console);
     const auto quick = study::run_reduced(input, reduced, {}, study::ReducedDetail::figures, console);
-    const auto error = study::difference_to_full(quick, reduced, full);
+    const auto error = study::difference_to_full(quick, full);
     return {error.temperature, error.gap};
 }
 

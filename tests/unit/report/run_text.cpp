@@ -49,6 +49,7 @@ TEST_CASE("the short text of a run: gap, causes, warm-up and temperatures, and n
                          "  0.020 K, 0.002 um: this run, to a full run\n"
                          "  0.010 K, 0.001 um: this run\n"
                          "  no certified bound: reason\n"
+                         "measured when it was built, the gap without the play of the crank's bearings:\n"
                          "  0.100 K, 0.050 um: anywhere in the box\n"
                          "  outside its range: ambient: 25 to 25\n"));
     result.accuracy = accuracy();

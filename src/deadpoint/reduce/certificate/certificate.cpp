@@ -151,8 +151,14 @@ public:
     /// Not positive: the sources may feed an error.
     [[nodiscard]] double kappa() const { return kappa_; }
 
+    /// Of an output after the last step.
+    [[nodiscard]] double value(const heat::Loads& output) const
+    {
+        return weights_of(output).dot(run_.levels().back().state);
+    }
+
     /// @param outputs  as of certify()
-    [[nodiscard]] std::vector<double> bounds(const std::vector<std::size_t>& outputs)
+    [[nodiscard]] std::vector<double> bounds(const std::vector<heat::Loads>& outputs)
     {
         Eigen::MatrixXd weights(terms_.uniform.size(), static_cast<Eigen::Index>(outputs.size()));
         for (std::size_t k = 0; k < outputs.size(); ++k)
@@ -172,7 +178,7 @@ public:
 private:
     // Of outputs with these duals, in one pass over the factors and one over the root.
     [[nodiscard]] std::vector<double> bounds_of(std::span<const Eigen::MatrixXd> duals,
-                                                std::span<const std::size_t> outputs) const
+                                                std::span<const heat::Loads> outputs) const
     {
         const Eigen::Index steps = count(), all = steps * static_cast<Eigen::Index>(duals.size());
         Eigen::MatrixXd states(terms_.uniform.size(), all), residuals(residual_.count(), all);
@@ -204,13 +210,17 @@ private:
     [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(run_.levels().size()); }
 
     // Of an output, on the states.
-    [[nodiscard]] Eigen::VectorXd weights_of(std::size_t output) const
+    [[nodiscard]] Eigen::VectorXd weights_of(const heat::Loads& output) const
     {
         const auto functionals = static_cast<std::size_t>(terms_.functionals.rows());
-        const bool is_observed = output >= functionals;
-        return (is_observed ? terms_.observed : terms_.functionals)
-            .row(static_cast<Eigen::Index>(is_observed ? output - functionals : output))
-            .transpose();
+        Eigen::VectorXd weights = Eigen::VectorXd::Zero(terms_.uniform.size());
+        for (const auto& [of, factor] : output) {
+            const bool is_observed = of >= functionals;
+            weights += factor * (is_observed ? terms_.observed : terms_.functionals)
+                                    .row(static_cast<Eigen::Index>(is_observed ? of - functionals : of))
+                                    .transpose();
+        }
+        return weights;
     }
 
     [[nodiscard]] Eigen::MatrixXd states() const
@@ -282,7 +292,7 @@ private:
     }
 
     [[nodiscard]] Eigen::MatrixXd dual_residual(const Eigen::MatrixXd& duals, const SeenByTerms& seen,
-                                                std::size_t output) const
+                                                const heat::Loads& output) const
     {
         Eigen::MatrixXd result = not_conducted(seen);
         for (Eigen::Index k = 0; k < count(); ++k) {
@@ -290,8 +300,8 @@ private:
             result.col(k).head(residual_.states) =
                 ((is_last ? Eigen::VectorXd::Zero(duals.rows()).eval() : duals.col(k + 1).eval()) - duals.col(k)) /
                 duration(k);
-            if (is_last)
-                result(residual_.first_functional() + static_cast<Eigen::Index>(output), k) += 1 / duration(k);
+            for (const auto& [of, factor] : is_last ? output : heat::Loads{})
+                result(residual_.first_functional() + static_cast<Eigen::Index>(of), k) += factor / duration(k);
         }
         for (const auto& [coefficients, loads, first, steps] : stretches_) {
             Eigen::MatrixXd heat = seen_by_sources(loads, duals.middleCols(first, steps));
@@ -525,7 +535,7 @@ private:
 
 Certificate certify(const std::shared_ptr<const PreparedTerms>& terms, const ResidualTerms& residual,
                     const HeatProblem& problem, const std::vector<double>& times,
-                    const std::vector<std::size_t>& outputs)
+                    const std::vector<heat::Loads>& outputs)
 {
     Certificate result;
     result.refused = refusal(terms->terms, problem);
@@ -539,10 +549,17 @@ Certificate certify(const std::shared_ptr<const PreparedTerms>& terms, const Res
     Certifier certifier(terms, residual, problem);
     certifier.march(times);
     if (!(certifier.kappa() > 0)) {
-        result.refused = "friction heat rises with the temperature faster than heat may flow off";
+        result.refused = std::isnan(certifier.kappa())
+                             ? "the sizes of its residual are no finite numbers"
+                             : "friction heat rises with the temperature faster than heat may flow off";
         return result;
     }
     result.bounds = certifier.bounds(outputs);
+    for (const auto& output : outputs)
+        result.values.push_back(certifier.value(output));
+    const auto finite = [](double number) { return std::isfinite(number); };
+    if (!std::ranges::all_of(result.bounds, finite) || !std::ranges::all_of(result.values, finite))
+        return {"the bound is no finite number", {}, {}};
     return result;
 }
 

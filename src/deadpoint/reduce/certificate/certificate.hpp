@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstddef>
+#include "deadpoint/heat/functionals.hpp"
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct ResidualTerms;
 struct Certificate {
     std::string refused;         ///< why there is none, or empty
     std::vector<double> bounds;  ///< per output, in its unit
+    std::vector<double> values;  ///< of each output of the reduced steps, of absolute temperatures
 };
 
 /// Bounds |output of the full system - output of the reduced one| after the last time, both by implicit Euler steps
@@ -32,12 +34,13 @@ struct Certificate {
 ///
 /// It is refused, with the reason, for films that follow the temperature, heat by ring temperatures, oil circuits,
 /// enclosed air, a start that is no field of the basis, coefficients below their range, and where kappa is not
-/// positive.
+/// positive or a number is not finite.
 /// @param times      ends of steps, as ThermalHistory::time: a time that stands twice begins a segment [s]
-/// @param outputs    numbers of functionals of the layout, or, behind these, of rows of DenseTerms::observed
+/// @param outputs    sums of functionals of the layout, by their numbers, and, behind these, of rows of
+///                   DenseTerms::observed
 /// @throws InputError if terms and problem do not fit
 Certificate certify(const std::shared_ptr<const PreparedTerms>& terms, const ResidualTerms& residual,
                     const HeatProblem& problem, const std::vector<double>& times,
-                    const std::vector<std::size_t>& outputs);
+                    const std::vector<heat::Loads>& outputs);
 
 }  // namespace deadpoint::reduce

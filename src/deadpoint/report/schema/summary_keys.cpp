@@ -174,19 +174,20 @@ Keys accuracy_keys()
 
 Keys reduced_keys()
 {
-    const auto error = [](const std::string& path, const std::string& meaning) -> Keys {
+    const auto error = [](const std::string& path, const std::string& meaning, const std::string& play = "") -> Keys {
         return {{path + "/of", "", meaning},
                 {path + "/temperature_K", "K", "largest, of probes and sides of joints, after the first minute"},
-                {path + "/E_SW_um", "um", "largest of E_SW, after the first minute"}};
+                {path + "/E_SW_um", "um", "largest of E_SW" + play + ", after the first minute"}};
     };
-    return joined({{{"model", "", "file of the reduced model"}, {"states", "", "number of its states"}},
-                   error("estimate", "what it compares: the large model and this run"),
-                   error("full_run", "what it compares: a full run and this run, by run --full-run"),
-                   {{"certified/E_SW_um", "um", "bound of the difference to the full model at the end of the run"},
-                    {"certified/probes_K/{probe}", "K", "the same of a probe"},
-                    {"certified/refused", "", "why there is no bound"}},
-                   error("errors/[]", "what it compares, when the model was built"),
-                   {{"outside", "", "coefficients outside the range of the model, each with its value and range"}}});
+    return joined(
+        {{{"model", "", "file of the reduced model"}, {"states", "", "number of its states"}},
+         error("estimate", "what it compares: the large model and this run"),
+         error("full_run", "what it compares: a full run and this run, by run --full-run"),
+         {{"certified/E_SW_um", "um", "bound of the difference to the full model at the end of the run"},
+          {"certified/probes_K/{probe}", "K", "the same of a probe"},
+          {"certified/refused", "", "why there is no bound"}},
+         error("errors/[]", "what it compares, when the model was built", " without the play of the bearings"),
+         {{"outside", "", "coefficients outside the range of the model, each with its value and range"}}});
 }
 
 Keys sensitivity_keys()

@@ -14,6 +14,9 @@ std::string error_line(const study::StatedError& error)
     return fmt::format("  {:.3f} K, {:.3f} um: {}\n", error.temperature, micrometre * error.gap, error.of);
 }
 
+// When a press is reduced, no case has stated the play of its bearings yet.
+constexpr const char* without_play = "the gap without the play of the crank's bearings";
+
 std::string certified_text(const study::Certified& certified)
 {
     if (!certified.refused.empty())
@@ -33,7 +36,8 @@ std::string reduce_text(const study::Reduction& reduction)
     const auto free = std::ranges::count_if(small.box, [](const auto& one) { return one.from < one.to; });
     std::string text = fmt::format("\n{}\n\n{} unknowns became {} states; {} coefficients are free\n\n", small.name,
                                    small.unknowns, small.states, free);
-    text += "largest error after the first minute, of probes and sides of joints, and of the gap:\n";
+    text += fmt::format("largest error after the first minute, of probes and sides of joints, and of {}:\n",
+                        small.chain ? without_play : "the gap");
     for (const auto& error : small.errors)
         text += error_line(error);
     text += "by number of states, anywhere in the ranges:\n";
@@ -52,6 +56,8 @@ std::string reduced_run_text(const study::ReducedResult& reduced)
         text += error_line(*reduced.estimate);
     if (reduced.certified)
         text += certified_text(*reduced.certified);
+    if (!reduced.errors.empty())
+        text += fmt::format("measured when it was built, {}:\n", without_play);
     for (const auto& error : reduced.errors)
         text += error_line(error);
     for (const auto& outside : reduced.outside)

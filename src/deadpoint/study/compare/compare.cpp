@@ -246,6 +246,11 @@ ErrorFigures error_figures(const std::vector<double>& computed, const std::vecto
     if (nothing && computed.size() > 1) {
         figures.rms_mean = rms_of([&](std::size_t) { return mean; });
     }
+    if (!std::isfinite(figures.rms) || !std::isfinite(figures.bias) ||
+        !std::isfinite(figures.rms_nothing.value_or(0)) || !std::isfinite(figures.rms_mean.value_or(0))) {
+        throw DomainError("the error of a value is no finite number\n  help: a value of the reference file or of the "
+                          "result is too large to be meant; correct it");
+    }
     return figures;
 }
 

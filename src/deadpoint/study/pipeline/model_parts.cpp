@@ -1,13 +1,10 @@
 #include "deadpoint/study/pipeline/model_parts.hpp"
 
-#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/check/question.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
@@ -15,6 +12,7 @@
 #include "deadpoint/study/laws/run_laws.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
+#include "deadpoint/study/pipeline/run_warnings.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 #include "deadpoint/study/translate/heat.hpp"
@@ -36,8 +34,7 @@ HeatProblem ModelParts::translate(const casefile::Case& input, Stopwatch& watch,
     mistakes.attempt("operation",
                      [&] { problem = run_laws(input, machine, Vibration::computed, watch, result, observer); });
     watch.stop();
-    for (const auto& warning : casefile::placed_warnings(input, question_loads(input, machine, result)))
-        observer.warn(warning);
+    warn_of_loads(input, machine, result, observer);
     if (input.chain && !chain)
         mistakes.attempt("chain", [&] { chain = std::make_unique<ChainModel>(input, deformed()); });
     mistakes.attempt("preload", [&] { frame_gauges(input, deformed()); });

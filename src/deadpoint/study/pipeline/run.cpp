@@ -167,10 +167,6 @@ private:
             return;
         result_.gaps = gap_series(input_, *parts_.gaps, result_.thermal,
                                   static_cast<int>(parts_.chain->dimensions.size()), *result_.drift);
-        if (const auto warning = play_warning(input_, parts_.chain->figures(), result_.thermal))
-            observer_.warn(*warning);
-        for (const auto& warning : gap_warnings(result_.gaps))
-            observer_.warn(warning);
     }
 
     void finish()
@@ -183,10 +179,8 @@ private:
             name_histories(input_, parts_.machine, problem_, result_.thermal, result_.symmetry_factor);
         parts_.note_work(result_);
         result_.timings = watch_.times();
-        warn_about(result_.thermal, problem_, observer_);
-        warn_of_extremes(input_, parts_.machine, result_, observer_);
-        for (const auto& warning : material_warnings(input_, parts_.machine, result_.thermal))
-            observer_.warn(warning);
+        const auto chain = parts_.chain ? std::optional(parts_.chain->figures()) : std::nullopt;
+        finish_run(input_, parts_.machine, problem_, chain ? &*chain : nullptr, result_, observer_);
     }
 
     ModelParts& parts_;

@@ -6,6 +6,8 @@
 #include "deadpoint/drift/play.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
+#include "deadpoint/heat/films.hpp"
+#include "deadpoint/heat/functionals.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/certificate/certificate.hpp"
@@ -29,8 +31,10 @@
 #include "deadpoint/study/translate/linkage.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -55,17 +59,62 @@ void require_same(const ReducedPress& press, const ReducedPress& large)
 {
     if (press.case_hash != large.case_hash || press.fixed_part != large.fixed_part ||
         press.unknowns != large.unknowns || press.adjoints != large.adjoints)
-        throw InputError(fmt::format("the large model '{}' belongs to another reduced press (case hash {} instead of "
-                                     "{})\n  help: make both again with 'deadpoint reduce', or remove that file",
+        throw InputError(fmt::format("the large model '{}' belongs to another reduced press (case hash {}, that of the "
+                                     "small one {})\n  help: make both again with 'deadpoint reduce', or remove that "
+                                     "file",
                                      press.large_file, large.case_hash, press.case_hash));
 }
 
-StatedError stated(const std::string& of, const ThermalHistory& run, const ThermalHistory& other,
-                   const ReducedPress& press)
+// With E_SW, the play of the crank's bearings included, in place of the functional without it.
+ThermalHistory with_gap(ThermalHistory history, const std::optional<DriftSeries>& drift)
 {
-    const auto found = reduce::difference(run, other, press.chain ? static_cast<std::size_t>(drift::gap) : SIZE_MAX);
+    if (drift)
+        history.functionals[drift::gap] = drift->gap;
+    return history;
+}
+
+StatedError stated(const std::string& of, const ThermalHistory& run, const std::optional<DriftSeries>& drift,
+                   const ThermalHistory& other, const std::optional<DriftSeries>& other_drift)
+{
+    const auto found = reduce::difference(with_gap(run, drift), with_gap(other, other_drift),
+                                          drift ? static_cast<std::size_t>(drift::gap) : SIZE_MAX);
     return {of, found.temperature, found.gap};
 }
+
+/// E_SW after the last step of a run as a sum of functionals, and the growth of each bearing's play, whose limit makes
+/// E_SW no such sum.
+struct GapOutputs {
+    GapOutputs(const ChainFigures& figures, const drift::BearingPlay& play_, const ThermalHistory& history,
+               std::size_t first_observed)
+        : play(play_)
+    {
+        for (const double growth : play_growths(figures, history, history.time.size() - 1))
+            slopes.push_back(play.slope(growth));
+        gap.push_back({first_observed + drift::gap, 1});
+        const auto factors = play_factors(figures, slopes);
+        for (std::size_t b = 0; b < slopes.size(); ++b) {
+            growths.push_back({{first_observed + drift::dimension_count + b, 1}});
+            gap.push_back({growths[b].front().functional, factors[b]});
+        }
+        per_growth = std::abs(play_factors(figures, {1.0}).front());
+    }
+
+    /// What the limit of a bearing's play may add to the bound of `gap`. The play that counts has a slope of 0 to 1,
+    /// and the same one on both sides of an error unless the limit lies between.
+    [[nodiscard]] double by_limit(std::size_t bearing, double growth, double bound) const
+    {
+        const bool sure =
+            play.kind != drift::BearingPlay::Kind::limited ||
+            (play.slope(growth - bound) == slopes[bearing] && play.slope(growth + bound) == slopes[bearing]);
+        return sure ? 0 : per_growth * bound;
+    }
+
+    drift::BearingPlay play;
+    std::vector<double> slopes;  ///< of the play that counts, by the growth, per bearing
+    heat::Loads gap;
+    std::vector<heat::Loads> growths;
+    double per_growth = 0;  ///< |change of E_SW| by the growth of one bearing, where all of it counts
+};
 
 /// One run on a reduced model.
 class ReducedCaseRun {
@@ -79,6 +128,7 @@ public:
           split_(split_by_part(problem_, press.machine))
     {
         split_.problem.field_times.clear();
+        warn_of_loads(input, press.machine, result_, observer);
     }
 
     RunResult run(const LargeModel& large, ReducedStates* states)
@@ -130,10 +180,6 @@ private:
                                           [&](std::size_t row) { return causes_at(run, play, row); });
         result_.gaps =
             gap_series(input_, chain.gaps, result_.thermal, static_cast<int>(chain.first_gap), *result_.drift);
-        if (const auto warning = play_warning(input_, chain.figures, result_.thermal))
-            observer_.warn(*warning);
-        for (const auto& warning : gap_warnings(result_.gaps))
-            observer_.warn(warning);
     }
 
     // Of E_SW with the share of the play that counts at a row, surface by surface of the case.
@@ -163,21 +209,38 @@ private:
         watch_.start("estimate");
         reduce::ReducedRun run(large.press->terms, split_.problem, large.press->adjoints, reference());
         const auto& history = run.go({}, observer_);
-        reduced.estimate = stated("this run, to the large model", result_.thermal, history, press_);
+        const auto drift = press_.chain
+                               ? std::optional(drift_series(press_.chain->figures, crank_play(input_), history))
+                               : std::nullopt;
+        reduced.estimate = stated(estimate_text(), result_.thermal, result_.drift, history, drift);
         if (large.residual)
-            reduced.certified = certified(large, history);
+            reduced.certified = certified(large, history, drift);
+    }
+
+    // The large model too takes laws of convection at mean temperatures, so it does not see what that changes.
+    [[nodiscard]] std::string estimate_text() const
+    {
+        const std::string text = "this run, to the large model";
+        return std::ranges::any_of(problem_.surfaces, heat::follows_temperature)
+                   ? text + ", which like this one takes laws of convection at mean temperatures"
+                   : text;
     }
 
     // Bounds of the large model, and the difference to it at the end.
-    Certified certified(const LargeModel& large, const ThermalHistory& history)
+    Certified certified(const LargeModel& large, const ThermalHistory& history, const std::optional<DriftSeries>& drift)
     {
         watch_.start("certificate");
-        const auto& layout = large.press->terms->terms.geometry.layout;
-        std::vector<std::size_t> outputs;
+        const auto& terms = large.press->terms->terms;
+        const auto& layout = terms.geometry.layout;
+        std::vector<heat::Loads> outputs;
         for (std::size_t k = 0; k < layout.probes; ++k)
-            outputs.push_back(layout.probe(k));
-        if (press_.chain)
-            outputs.push_back(layout.count() + static_cast<std::size_t>(drift::gap));
+            outputs.push_back({{layout.probe(k), 1}});
+        std::optional<GapOutputs> gap;
+        if (drift) {
+            gap.emplace(press_.chain->figures, crank_play(input_), history, layout.count());
+            outputs.insert(outputs.end(), gap->growths.begin(), gap->growths.end());
+            outputs.push_back(gap->gap);
+        }
         const auto found = reduce::certify(large.press->terms, *large.residual, split_.problem, history.time, outputs);
         Certified result{found.refused, 0, {}};
         if (!found.refused.empty())
@@ -188,9 +251,14 @@ private:
         for (std::size_t k = 0; k < layout.probes; ++k)
             result.probes.emplace_back(problem_.probes[k].name,
                                        found.bounds[k] + off(result_.thermal.probes[k], history.probes[k]));
-        if (press_.chain)
-            result.gap =
-                found.bounds.back() + off(result_.thermal.functionals[drift::gap], history.functionals[drift::gap]);
+        if (!drift)
+            return result;
+        result.gap = found.bounds.back() + off(result_.drift->gap, drift->gap);
+        for (std::size_t b = 0; b < gap->growths.size(); ++b) {
+            const auto row = terms.observed.row(static_cast<Eigen::Index>(drift::dimension_count + b));
+            const double growth = found.values[layout.probes + b] - reference() * row.dot(terms.uniform);
+            result.gap += gap->by_limit(b, growth, found.bounds[layout.probes + b]);
+        }
         return result;
     }
 
@@ -207,7 +275,8 @@ private:
         result_.cells = static_cast<long long>(press_.cells);
         result_.heat_unknowns = static_cast<long long>(press_.unknowns);
         result_.timings = watch_.times();
-        warn_about(result_.thermal, problem_, observer_);
+        finish_run(input_, press_.machine, problem_, press_.chain ? &press_.chain->figures : nullptr, result_,
+                   observer_);
     }
 
     const casefile::Case& input_;
@@ -279,9 +348,9 @@ RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, co
     return ReducedCaseRun(input, press, detail, observer, shared ? &shared->loads : nullptr).run(large, states);
 }
 
-StatedError difference_to_full(const RunResult& reduced, const ReducedPress& press, const RunResult& full)
+StatedError difference_to_full(const RunResult& reduced, const RunResult& full)
 {
-    return stated("this run, to a full run", reduced.thermal, full.thermal, press);
+    return stated("this run, to a full run", reduced.thermal, reduced.drift, full.thermal, full.drift);
 }
 
 }  // namespace deadpoint::study

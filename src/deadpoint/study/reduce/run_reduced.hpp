@@ -44,13 +44,14 @@ struct SharedParts {
 /// @param states  given those at the times of the fields, for lift_fields(), which then also warns of the frame; null:
 ///                no fields follow
 /// @param shared  what runs on this press share; null: all is computed for this run
-/// @throws CaseError as a full run; InputError if the model was built for another press
+/// @throws CaseError as a full run; InputError if the model was built for another press; DomainError if a result is not
+///         finite
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,
                       ReducedDetail detail, Observer& observer, ReducedStates* states = nullptr,
                       SharedParts* shared = nullptr);
 
 /// Difference of a finished reduced run to a full run of the same case, after the first minute.
-StatedError difference_to_full(const RunResult& reduced, const ReducedPress& press, const RunResult& full);
+StatedError difference_to_full(const RunResult& reduced, const RunResult& full);
 
 /// How a case differs from the one a model was built for, in what the model cannot change; a line for each difference.
 std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress& press);
