@@ -4,6 +4,7 @@
 #include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/reference.hpp"
+#include "deadpoint/casefile/files/reference_file.hpp"
 #include "deadpoint/error.hpp"
 #include "near.hpp"
 
@@ -158,6 +159,35 @@ TEST_CASE("mistakes in data are told with their place")
               "'slide' of the run 'r' is a temperature"));
     CHECK(
         has(error_of(head + film + run + "[[sensors]]\ncolumns = [\"*\"]\nnoise = \"0 K\"\n"), "the fit is singular"));
+}
+
+TEST_CASE("a logger's decimal commas are read as compare reads them, and a heading that stands twice is refused")
+{
+    const auto logger = [](const std::string& name) {
+        return content(fs::path(DEADPOINT_SOURCE_DIR) / "tests/data/loggers" / name);
+    };
+    const std::string sensors = "[[sensors]]\ncolumns = [\"bearing_front\"]\nnoise = \"0.1 K\"\n"
+                                "[[sensors]]\ncolumns = [\"E_SW\"]\nnoise = \"1 um\"\n";
+    const auto file = read(head + film + run + sensors, logger("decimal-commas.csv"));
+    const auto& curves = file.runs.front().curves;
+    REQUIRE(curves.size() == 2);
+    CHECK(curves[0].time.at(1) == near(60, 1e-14));
+    CHECK(curves[0].value.at(1) == near(273.15 + 20.6684, 1e-14));  // "20,6684"
+    CHECK(curves[1].value.at(3) == near(-5.7906e-6, 1e-14));        // "-5,7906"
+
+    const ScratchFolder scratch;
+    const std::string reference = "format = 1\nname = \"n\"\nsource = \"s\"\n[[curves]]\nfile = \"log.csv\"\ncolumn = "
+                                  "\"bearing_front\"\nmeasures = \"temperature\"\nprobe = \"bearing_front\"\n";
+    (void)scratch.file("log.csv", logger("decimal-commas.csv"));
+    const auto compared = read_reference(scratch.file("r.toml", reference));
+    CHECK(compared.curves.front().value == curves[0].value);
+
+    const auto twice = error_of(head + film + run + sensors, logger("column-twice.csv"));
+    CHECK(has(twice, "the heading 'bearing_front' stands twice, in columns 2 and 4"));
+    (void)scratch.file("log.csv", logger("column-twice.csv"));
+    CHECK_THROWS_WITH_AS((void)read_reference(scratch.file("r.toml", reference)),
+                         doctest::Contains("the heading 'bearing_front' stands twice, in columns 2 and 4"), InputError);
+    CHECK_NOTHROW((void)read(head + film + run + "ignore = [\"bearing_front\"]\n" + sensors, logger("column-twice.csv")));
 }
 
 TEST_CASE("mistakes in parameters, runs and candidates are told with their place")

@@ -188,10 +188,7 @@ private:
         const auto table = read_csv(run_.data);
         const auto time_column = table.column(run_.time_column);
         const auto times = in_si(table, time_column, table.numbers(time_column), Dimension::time);
-        const auto wrong = std::ranges::adjacent_find(times, [](double a, double b) { return !(a < b); });
-        if (wrong != times.end())
-            throw InputError(fmt::format("{}:{}: the times do not increase\n  help: sort the rows, each time only once",
-                                         table.file, table.lines[static_cast<std::size_t>(wrong - times.begin()) + 1]));
+        table.require_increasing(times);
         if (times.empty())
             throw InputError(fmt::format("{}: there are no rows\n  help: add the values", table.file));
         if (times.front() < 0)
@@ -199,7 +196,7 @@ private:
                                          table.file, table.lines.front()));
         for (std::size_t c = 0; c < table.columns.size(); ++c)
             if (c != time_column && !ignored(table.columns[c].name))
-                add_column(table, c, times);
+                add_column(table, table.column(table.columns[c].name), times);
     }
 
     void add_column(const CsvTable& table, std::size_t column, const std::vector<double>& times)
@@ -211,47 +208,35 @@ private:
         const auto dimension = curve->of_gap ? Dimension::length
                                : curve->rise ? Dimension::temperature_difference
                                              : Dimension::temperature;
-        auto kept = table;
-        auto kept_times = times;
-        leave_out(kept, kept_times, column);
-        const auto values = in_si(kept, column, kept.numbers(column), dimension);
+        const auto values = in_si(table, column, table.numbers(column, CsvTable::Gaps::as_nan), dimension);
+        note_gaps(table, column, values);
         for (std::size_t row = 0; row < values.size(); ++row)
-            if (!run_.until || kept_times[row] <= *run_.until * (1 + same_time)) {
-                if (kept_times[row] > end_ * (1 + same_time))
+            if (!std::isnan(values[row]) && (!run_.until || times[row] <= *run_.until * (1 + same_time))) {
+                if (times[row] > end_ * (1 + same_time))
                     throw InputError(fmt::format("{}:{}: this time lies beyond the run, which ends after {}\n  help: "
                                                  "make operation.*.duration longer, or give `until`",
-                                                 table.file, kept.lines[row], format_quantity(end_, Dimension::time)));
-                curve->time.push_back(std::min(kept_times[row], end_));
+                                                 table.file, table.lines[row], format_quantity(end_, Dimension::time)));
+                curve->time.push_back(std::min(times[row], end_));
                 curve->value.push_back(values[row]);
             }
         keep(std::move(*curve), "data");
     }
 
-    /// Takes rows without a value out of a table; says where they are if they are not allowed.
-    void leave_out(CsvTable& table, std::vector<double>& times, std::size_t column)
+    /// Says how many values are missing, or where the first one is if none may be.
+    void note_gaps(const CsvTable& table, std::size_t column, const std::vector<double>& values)
     {
-        CsvTable kept{table.file, table.columns, {}, {}};
-        std::vector<double> kept_times;
-        for (std::size_t row = 0; row < table.rows.size(); ++row) {
-            auto cell = table.rows[row][column];
-            std::ranges::transform(cell, cell.begin(), [](unsigned char c) { return std::tolower(c); });
-            const bool gap = cell.empty() || cell == "nan" || cell == "-nan" || cell == "na";
-            if (gap && run_.gaps == CalibrationRun::Gaps::refuse)
-                throw InputError(fmt::format("{}:{}: there is no value in column '{}'\n  help: fill the cell, or give "
-                                             "the run gaps = \"leave_out\"",
-                                             table.file, table.lines[row], table.columns[column].name));
-            if (!gap) {
-                kept.rows.push_back(table.rows[row]);
-                kept.lines.push_back(table.lines[row]);
-                kept_times.push_back(times[row]);
-            }
-        }
-        if (kept.rows.size() < table.rows.size())
-            notes_.push_back(fmt::format("run '{}': {} of {} values of '{}' are missing", run_.name,
-                                         table.rows.size() - kept.rows.size(), table.rows.size(),
-                                         table.columns[column].name));
-        table = std::move(kept);
-        times = std::move(kept_times);
+        const auto first = std::ranges::find_if(values, [](double v) { return std::isnan(v); });
+        if (first == values.end())
+            return;
+        if (run_.gaps == CalibrationRun::Gaps::refuse)
+            throw InputError(
+                fmt::format("{}:{}: there is no value in column '{}'\n  help: fill the cell, or give the run gaps = "
+                            "\"leave_out\"",
+                            table.file, table.lines[static_cast<std::size_t>(first - values.begin())],
+                            table.columns[column].name));
+        notes_.push_back(fmt::format("run '{}': {} of {} values of '{}' are missing", run_.name,
+                                     std::ranges::count_if(values, [](double v) { return std::isnan(v); }),
+                                     values.size(), table.columns[column].name));
     }
 
     /// @throws InputError if the heading has no unit of this dimension

@@ -224,12 +224,7 @@ private:
         if (c.opposite_sign) {
             std::ranges::transform(c.value, c.value.begin(), std::negate<>());
         }
-        const auto wrong = std::ranges::adjacent_find(c.time, [](double a, double b) { return !(a < b); });
-        if (wrong != c.time.end()) {
-            const auto row = static_cast<std::size_t>(wrong - c.time.begin()) + 1;
-            throw InputError(fmt::format("{}:{}: the times do not increase\n  help: sort the rows, each time only once",
-                                         c.file, table.lines[row]));
-        }
+        table.require_increasing(c.time);
         if (c.until) {
             const auto end = std::ranges::upper_bound(c.time, *c.until * (1 + same_time));
             c.value.resize(static_cast<std::size_t>(end - c.time.begin()));
