@@ -20,22 +20,24 @@ function intervalOf(parameter) {
 function parametersSection() {
     const rows = calibration.parameters.map((parameter) => [parameter.name, figureOf(parameter, "estimate"), unitName(parameter.unit),
         intervalOf(parameter), `${figureOf(parameter, "prior_lower")} to ${figureOf(parameter, "prior_upper")}`,
-        percent(parameter.shrinkage)]);
+        percent(parameter.shrinkage), parameter.known]);
     const keys = calibration.parameters.flatMap((parameter) => parameter.keys.map((value) => [value.key, value.before, value.after]));
     return make("section", { id: "unknowns" }, make("h2", {}, "Unknowns"),
         make("p", {}, `Intervals hold the true value with a probability of ${percent(calibration.level)}, if the model is right. The last `
-            + "column says which share of the uncertainty before (variance) the data removed: 0 % is prior only."),
-        make("div", { class: "wide" }, table(["unknown", "value", "unit", "interval", "before", "by the data"], rows)),
+            + "columns say which share of the uncertainty before (variance) the data removed, and what that tells."
+            + (calibration.model.differs ? " The model does not explain these data, so that no unknown is known by them." : "")),
+        make("div", { class: "wide" }, table(["unknown", "value", "unit", "interval", "before", "removed", "known"], rows)),
         make("details", {}, make("summary", {}, "Values of the case"), make("div", { class: "wide" },
             table(["key", "before", "calibrated"], keys))));
 }
 
 function combinationsSection() {
-    return make("section", { id: "combinations" }, make("h2", {}, "Combinations that the data determine"),
+    return make("section", { id: "combinations" }, make("h2", {},
+        calibration.model.differs ? "Combinations that the data would determine if the model were right" : "Combinations that the data determine"),
         make("p", {}, "× multiplies factors, / divides them. Where the singular value is above 1, the data say more than was known before; "
             + "below 1 the values are those that were assumed."),
         table(["combination", "singular value", ""], calibration.combinations.map((entry) => [entry.words.replaceAll(" x ", " × "),
-            shown(entry.singular_value, 3), entry.by_data ? "data" : "prior only"])));
+            shown(entry.singular_value, 3), entry.known])));
 }
 
 function skillSection() {

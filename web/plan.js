@@ -38,7 +38,7 @@ function combinationsSection() {
         make("p", {}, "× multiplies factors, / divides them. Where the singular value is above 1, the data will say more than was known before; "
             + "below 1 the values will stay those that were assumed."),
         table(["combination", "singular value", ""], plan.combinations.map((entry) => [entry.words.replaceAll(" x ", " × "),
-            shown(entry.singular_value, 3), entry.by_data ? "data" : "prior only"])));
+            shown(entry.singular_value, 3), entry.known])));
 }
 
 function trustSection() {

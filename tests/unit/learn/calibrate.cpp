@@ -5,6 +5,8 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/observer.hpp"
+#include "deadpoint/study/learn/calibration_figures.hpp"
 #include "deadpoint/study/learn/forward.hpp"
 #include "near.hpp"
 #include "starter_press.hpp"
@@ -131,7 +133,7 @@ TEST_CASE("the values that made the data lie within the intervals, and held-out 
         CHECK(std::log(p.upper) - p.theta == near(1.645 * p.deviation, 0.1));
     }
     CHECK(found.parameters[0].shrinkage > 0.9);
-    CHECK(found.after.front().by_data);
+    CHECK(found.after.front().known == Knowledge::data);
     for (const auto& curve : found.curves) {
         CHECK(curve.rms < 1.5 * (curve.of_gap ? 2e-7 : noise));
         CHECK(curve.inside > 0.6);
@@ -176,8 +178,28 @@ TEST_CASE("a wrong law is reported, and intervals grow with it")
     CHECK_FALSE(good.model_differs);
     CHECK(bad.model_differs);
     CHECK(bad.parameters[0].deviation > 2 * good.parameters[0].deviation);
+    // Nothing is called known by data that contradict the model.
+    const auto by_data = [](const auto& one) { return one.known == Knowledge::data; };
+    const auto if_right = [](const auto& one) { return one.known == Knowledge::if_model_right; };
+    CHECK(std::ranges::any_of(good.parameters, by_data));
+    CHECK(std::ranges::any_of(good.after, by_data));
+    CHECK(std::ranges::none_of(good.parameters, if_right));
+    CHECK(std::ranges::none_of(bad.parameters, by_data));
+    CHECK(std::ranges::none_of(bad.after, by_data));
+    CHECK(std::ranges::none_of(bad.before, by_data));
+    CHECK(std::ranges::any_of(bad.after, if_right));
     CHECK(std::ranges::any_of(bad.warnings, [](const auto& text) { return text.find("do not explain") != text.npos; }));
     CHECK(std::ranges::any_of(bad.curves, [](const auto& curve) { return curve.model_error > noise; }));
+}
+
+TEST_CASE("a shrinkage is knowledge only where the model explains the data")
+{
+    CHECK(knowledge_of(0.9, false) == Knowledge::data);
+    CHECK(knowledge_of(0.89, false) == Knowledge::partly);
+    CHECK(knowledge_of(0.19, false) == Knowledge::prior);
+    CHECK(knowledge_of(0.99, true) == Knowledge::if_model_right);
+    CHECK(knowledge_of(0.2, true) == Knowledge::if_model_right);
+    CHECK(knowledge_of(0.19, true) == Knowledge::prior);
 }
 
 TEST_CASE("a model error that is stated beforehand widens intervals although the residuals look right")

@@ -56,12 +56,15 @@ TEST_CASE("the calibrated values are a file that a case includes")
     CHECK(set.operation.front().speed == near(90 * 2 * 3.14159265358979 / 60, 1e-5));
 }
 
-TEST_CASE("the text says what the data determine, what is prior only, and that the model is wrong")
+TEST_CASE(
+    "the text says what is prior only, that the model is wrong, and that the data determine nothing for this reason")
 {
     const auto text = report::calibration_text(calibration_of_all());
-    CHECK(has(text, "Known by the data: pins."));
+    CHECK(text.find("Known by the data") == std::string::npos);
+    CHECK(has(text, "Fixed by these data only if the model were right, which they contradict: pins, bias of E_SW."));
     CHECK(has(text, "Prior only, that is as uncertain as before: gibs."));
-    CHECK(has(text, "The data determine 1 of 2 combinations of the unknowns: pins."));
+    CHECK(has(text, "If the model were right, the data would determine 1 of 2 combinations of the unknowns: pins."));
+    CHECK(has(text, "The data would leave one as it was assumed: gibs"));
     CHECK(has(text, "The model does not explain the data within the stated errors (probability 0.001)."));
     CHECK(has(text, "top in slow (0.50 K)"));
     CHECK(has(
@@ -70,7 +73,23 @@ TEST_CASE("the text says what the data determine, what is prior only, and that t
     CHECK(has(text, "A full run of the calibrated case differs by at most 0.020 K and 0.10 um"));
     auto right = calibration_of_all();
     right.model_differs = false;
-    CHECK(has(report::calibration_text(right), "the data do not contradict the model"));
+    right.parameters.front().known = right.after.front().known = study::Knowledge::data;
+    const auto of_right = report::calibration_text(right);
+    CHECK(has(of_right, "the data do not contradict the model"));
+    CHECK(has(of_right, "Known by the data: pins."));
+    CHECK(has(of_right, "The data determine 1 of 2 combinations of the unknowns: pins."));
+}
+
+TEST_CASE("files say of each unknown and combination what is known of it, in the words of the text")
+{
+    const ScratchFolder folder;
+    report::write_calibration_files(folder.path, calibration_of_all());
+    const auto json = nlohmann::json::parse(content(folder.path / "calibration.json"));
+    CHECK(json["parameters"][0]["known"] == "only if the model were right");
+    CHECK(json["parameters"][1]["known"] == "prior only");
+    CHECK(json["combinations"][0]["known"] == "only if the model were right");
+    CHECK(has(content(folder.path / "parameters.csv"), ",0.95,only if the model were right,"));
+    CHECK(has(content(folder.path / "combinations.csv"), "\npins,12,only if the model were right,1,0,0\n"));
 }
 
 TEST_CASE("shares of alternatives are told apart from unknowns: those that the data need, and those that they do not")

@@ -16,6 +16,7 @@ inline deadpoint::study::FittedParameter factor_of(const std::string& name, doub
     p.prior_lower = 0.5;
     p.prior_upper = 2;
     p.shrinkage = shrinkage;
+    p.known = shrinkage < 0.2 ? deadpoint::study::Knowledge::prior : deadpoint::study::Knowledge::data;
     p.profile = {{0.9 * estimate, 2.7}, {estimate, 0}};
     return p;
 }
@@ -30,6 +31,7 @@ inline deadpoint::study::FittedParameter bias_of_gap()
     p.lower = 1e-6;
     p.upper = 3e-6;
     p.shrinkage = 0.5;
+    p.known = deadpoint::study::Knowledge::if_model_right;
     return p;
 }
 
@@ -64,7 +66,9 @@ inline deadpoint::study::Calibration calibration_of_all()
     c.case_name = "press";
     c.case_hash = "0123456789abcdef";
     c.parameters = {factor_of("pins", 1.1, 0.95), factor_of("gibs", 1, 0.05), bias_of_gap()};
-    c.before = c.after = {{12, true, "pins", {1, 0, 0}}, {0.3, false, "gibs", {0, 1, 0}}};
+    using enum deadpoint::study::Knowledge;
+    c.parameters.front().known = if_model_right;
+    c.before = c.after = {{12, if_model_right, "pins", {1, 0, 0}}, {0.3, prior, "gibs", {0, 1, 0}}};
     c.correlation = {{1, 0.2, 0}, {0.2, 1, 0}, {0, 0, 1}};
     c.curves = {curve_of("slow", "top", false, false), curve_of("fast", "E_SW", true, true)};
     c.predictions = {{"slow", false, {0, 3600}, {{"top", false, {293.15, 297}, {293.15, 302}, {293, 301}, {294, 303}}}},
@@ -87,7 +91,8 @@ inline deadpoint::study::CalibrationPlan plan_of_all()
     p.name = "plan";
     p.case_name = "press";
     p.parameters = {factor_of("pins", 1, 0.95), factor_of("gibs", 1, 0.05)};
-    p.combinations = {{12, true, "pins", {1, 0}}, {0.3, false, "gibs", {0, 1}}};
+    using enum deadpoint::study::Knowledge;
+    p.combinations = {{12, data, "pins", {1, 0}}, {0.3, prior, "gibs", {0, 1}}};
     p.candidates = {{"sensor at gib", 1.5, "gibs", 0.7, 0.21}};
     return p;
 }

@@ -86,6 +86,7 @@ std::vector<CsvColumn> parameter_table(const std::vector<FittedParameter>& all)
             number(columns::prior_lower, &FittedParameter::prior_lower),
             number(columns::prior_upper, &FittedParameter::prior_upper),
             plain(columns::shrinkage, &FittedParameter::shrinkage),
+            csv_column(columns::known, listed(all, [](const auto& p) { return std::string(words_of(p.known)); })),
             plain(columns::expected, &FittedParameter::expected),
             plain(columns::influence, &FittedParameter::influence)};
 }
@@ -96,7 +97,7 @@ std::vector<CsvColumn> combination_table(const std::vector<KnownCombination>& al
     std::vector<CsvColumn> table{
         csv_column(columns::combination, listed(all, [](const auto& c) { return c.words; })),
         csv_column(columns::singular_value, listed(all, [](const auto& c) { return c.singular_value; })),
-        csv_column(columns::by_data, listed(all, [](const auto& c) { return std::string(c.by_data ? "yes" : "no"); }))};
+        csv_column(columns::known, listed(all, [](const auto& c) { return std::string(words_of(c.known)); }))};
     for (std::size_t k = 0; k < parameters.size(); ++k)
         table.push_back(csv_column(columns::weight, listed(all, [&](const auto& c) { return c.direction[k]; }),
                                    parameters[k].name));
@@ -189,6 +190,7 @@ Json parameter_json(const FittedParameter& p)
               {"prior_upper", scale * p.prior_upper},
               {"at_limit", p.at_limit},
               {"shrinkage", p.shrinkage},
+              {"known", words_of(p.known)},
               {"expected_shrinkage", p.expected},
               {"influence", p.influence}};
     json["keys"] = Json::array();
@@ -209,7 +211,7 @@ Json combination_json(const std::vector<KnownCombination>& combinations)
     for (const auto& c : combinations)
         json.push_back({{"words", c.words},
                         {"singular_value", c.singular_value},
-                        {"by_data", c.by_data},
+                        {"known", words_of(c.known)},
                         {"weights", c.direction}});
     return json;
 }

@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace deadpoint::study {
 struct Calibration;
 struct CalibrationPlan;
+enum class Knowledge;
 }  // namespace deadpoint::study
 
 /// Files and texts of a calibration.
@@ -27,6 +29,10 @@ void write_plan_files(const std::filesystem::path& folder, const study::Calibrat
 /// Writes the page of a plan into its finished folder: what it will determine, and what would help most. @throws
 /// IoError
 void write_plan_page(const std::filesystem::path& file, const study::CalibrationPlan& plan);
+
+/// What data tell of an unknown or a combination, as all files, the page and the texts say it: "only if the model were
+/// right".
+std::string_view words_of(study::Knowledge known);
 
 /// What the data say, one sentence each: what they determine, what is prior only, whether the model explains them.
 std::vector<std::string> conclusions(const study::Calibration& result);

@@ -15,9 +15,8 @@ using study::Calibration;
 using study::CalibrationPlan;
 using study::FittedCurve;
 using study::FittedParameter;
+using study::Knowledge;
 using study::KnownCombination;
-
-constexpr double well_known = 0.9, hardly_known = 0.2;  // shares of the variance that data remove
 
 bool is_length(const FittedParameter& p) { return p.unit == "m"; }
 
@@ -37,46 +36,42 @@ std::string interval(const FittedParameter& p)
 
 bool is_alternative(const FittedParameter& p) { return p.kind == FittedParameter::Kind::alternative; }
 
-std::vector<std::string> words_of(const std::vector<KnownCombination>& combinations, bool by_data)
-{
-    std::vector<std::string> result;
-    for (const auto& combination : combinations)
-        if (combination.by_data == by_data)
-            result.push_back(combination.words);
-    return result;
-}
+/// How the verbs of a sentence about combinations go.
+struct Verbs {
+    const char *subject, *determine, *leave;
+};
 
 /// What combinations are determined, and which are not.
-void add_combinations(const std::vector<KnownCombination>& combinations, const char* determine, const char* leave,
+void add_combinations(const std::vector<KnownCombination>& combinations, const Verbs& verbs,
                       std::vector<std::string>& lines)
 {
-    const auto known = words_of(combinations, true), unknown = words_of(combinations, false);
+    std::vector<std::string> known, unknown;
+    for (const auto& combination : combinations)
+        (combination.known == Knowledge::prior ? unknown : known).push_back(combination.words);
     if (known.empty())
-        lines.push_back(fmt::format("The data {} no combination of the unknowns.", determine));
+        lines.push_back(fmt::format("{} {} no combination of the unknowns.", verbs.subject, verbs.determine));
     else
-        lines.push_back(fmt::format("The data {} {} of {} combinations of the unknowns: {}.", determine, known.size(),
-                                    combinations.size(), fmt::join(known, "; ")));
+        lines.push_back(fmt::format("{} {} {} of {} combinations of the unknowns: {}.", verbs.subject, verbs.determine,
+                                    known.size(), combinations.size(), fmt::join(known, "; ")));
     if (!unknown.empty())
-        lines.push_back(fmt::format("The data {} {}: {} (x: the product, /: the ratio of factors).", leave,
+        lines.push_back(fmt::format("The data {} {}: {} (x: the product, /: the ratio of factors).", verbs.leave,
                                     unknown.size() == 1 ? "one as it was assumed" : "these as they were assumed",
                                     fmt::join(unknown, "; ")));
 }
 
 void add_parameters(const std::vector<FittedParameter>& parameters, std::vector<std::string>& lines)
 {
-    std::vector<std::string> well, poor;
-    for (const auto& p : parameters) {
-        if (is_alternative(p))
-            continue;
-        if (p.shrinkage >= well_known)
-            well.push_back(p.name);
-        else if (p.shrinkage < hardly_known)
-            poor.push_back(p.name);
-    }
-    if (!well.empty())
-        lines.push_back(fmt::format("Known by the data: {}.", fmt::join(well, ", ")));
-    if (!poor.empty())
-        lines.push_back(fmt::format("Prior only, that is as uncertain as before: {}.", fmt::join(poor, ", ")));
+    const auto add = [&](Knowledge known, const char* words) {
+        std::vector<std::string> names;
+        for (const auto& p : parameters)
+            if (!is_alternative(p) && p.known == known)
+                names.push_back(p.name);
+        if (!names.empty())
+            lines.push_back(fmt::format("{}: {}.", words, fmt::join(names, ", ")));
+    };
+    add(Knowledge::data, "Known by the data");
+    add(Knowledge::if_model_right, "Fixed by these data only if the model were right, which they contradict");
+    add(Knowledge::prior, "Prior only, that is as uncertain as before");
 }
 
 /// Which shares of the alternatives' differences the data ask for.
@@ -151,8 +146,8 @@ void add_held_out(const Calibration& result, std::vector<std::string>& lines)
 
 std::string parameter_table(const Calibration& result)
 {
-    TextTable table(
-        {"unknown", "value", "unit", fmt::format("{:.0f} % interval", 100 * result.level), "before", "by the data"});
+    TextTable table({"unknown", "value", "unit", fmt::format("{:.0f} % interval", 100 * result.level), "before",
+                     result.model_differs ? "if the model were right" : "by the data"});
     for (const auto& p : result.parameters)
         table.add_row({p.name, number(p, p.estimate), shown_unit_of(p), interval(p),
                        fmt::format("{} to {}", number(p, p.prior_lower), number(p, p.prior_upper)),
@@ -175,12 +170,29 @@ std::string curve_table(const Calibration& result)
 
 }  // namespace
 
+std::string_view words_of(Knowledge known)
+{
+    switch (known) {
+    case Knowledge::prior:
+        return "prior only";
+    case Knowledge::partly:
+        return "in part";
+    case Knowledge::data:
+        return "by the data";
+    default:
+        return "only if the model were right";
+    }
+}
+
 std::vector<std::string> conclusions(const Calibration& result)
 {
     std::vector<std::string> lines;
     add_parameters(result.parameters, lines);
     add_alternatives(result.parameters, lines);
-    add_combinations(result.after, "determine", "leave", lines);
+    add_combinations(result.after,
+                     result.model_differs ? Verbs{"If the model were right, the data", "would determine", "would leave"}
+                                          : Verbs{"The data", "determine", "leave"},
+                     lines);
     add_model(result, lines);
     add_held_out(result, lines);
     return lines;
@@ -190,7 +202,7 @@ std::vector<std::string> conclusions(const CalibrationPlan& plan)
 {
     std::vector<std::string> lines;
     add_parameters(plan.parameters, lines);
-    add_combinations(plan.combinations, "will determine", "will leave", lines);
+    add_combinations(plan.combinations, {"The data", "will determine", "will leave"}, lines);
     if (!plan.candidates.empty()) {
         const auto& best = plan.candidates.front();
         lines.push_back(fmt::format("Most would be gained by '{}' ({:.2f} nat), which tells most about '{}': its "

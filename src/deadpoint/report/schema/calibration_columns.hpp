@@ -20,21 +20,23 @@ inline constexpr Column prior_lower{"prior_lower", "lower before", "", "the same
 inline constexpr Column prior_upper{"prior_upper", "upper before", "", "the same before any measurement"};
 inline constexpr Column shrinkage{"shrinkage", "shrinkage", "",
                                   "1 - variance after / variance before: 0 prior only, 1 data only"};
+inline constexpr Column known{"known", "known", "",
+                              "by the data; in part; prior only; or only if the model were right, which does not "
+                              "explain these data"};
 inline constexpr Column expected{"expected_shrinkage", "shrinkage expected", "",
                                  "before the fit, at the case's values"};
 inline constexpr Column influence{
     "influence", "influence", "",
     "change of all measured values by one standard deviation of the prior, in standard deviations of their errors"};
 inline constexpr std::array parameters{parameter,   kind,        unit,      estimate, lower,    upper,
-                                       prior_lower, prior_upper, shrinkage, expected, influence};
+                                       prior_lower, prior_upper, shrinkage, known,    expected, influence};
 
 inline constexpr Column combination{"combination", "combination", "", "product or ratio of unknowns, in words"};
 inline constexpr Column singular_value{"singular_value", "singular value", "",
                                        "above 1 the data say more than the prior"};
-inline constexpr Column by_data{"by_data", "by data", "", "yes: determined by data; no: prior only"};
 inline constexpr Column weight{"weight", "weight {parameter}", "",
                                "of the unknown's logarithm, in standard deviations of the prior"};
-inline constexpr std::array combinations{combination, singular_value, by_data, weight};
+inline constexpr std::array combinations{combination, singular_value, known, weight};
 
 inline constexpr Column correlation{"correlation", "{parameter}", "", "correlation of both unknowns after the fit"};
 inline constexpr std::array correlations{parameter, correlation};

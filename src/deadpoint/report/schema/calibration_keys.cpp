@@ -5,38 +5,40 @@ namespace {
 
 Keys parameter_keys()
 {
-    return below("parameters/[]",
-                 {{"name", "", "of the calibration file, or bias or lag of a sensor, or an alternative"},
-                  {"kind", "", "factor, shift, bias, lag or alternative"},
-                  {"unit", "",
-                   "of these figures; empty: a factor; share: a multiple of the error that an "
-                   "alternative allows for"},
-                  {"estimate", "{unit}", "likeliest value"},
-                  {"lower", "{unit}", "lower end of the interval with probability level"},
-                  {"upper", "{unit}", "upper end of it"},
-                  {"open_below", "", "true: the data give no lower end within the allowed values"},
-                  {"open_above", "", "true: they give no upper end"},
-                  {"by_profile", "", "true: interval by the profile of the likelihood"},
-                  {"prior_lower", "{unit}", "lower end of the interval before any measurement"},
-                  {"prior_upper", "{unit}", "upper end of it"},
-                  {"at_limit", "", "true: it ends at a limit of the calibration file"},
-                  {"shrinkage", "", "1 - variance after / variance before"},
-                  {"expected_shrinkage", "", "the same at the case's values, before the fit"},
-                  {"influence", "",
-                   "change of all measured values by one standard deviation of the "
-                   "prior, in standard deviations of their errors"},
-                  {"keys/[]/key", "", "of the case"},
-                  {"keys/[]/before", "", "value of the case"},
-                  {"keys/[]/after", "", "calibrated value"},
-                  {"profile/values", "{unit}", "values at which the others were fitted"},
-                  {"profile/rise", "", "twice the cost above the least"}});
+    return below(
+        "parameters/[]",
+        {{"name", "", "of the calibration file, or bias or lag of a sensor, or an alternative"},
+         {"kind", "", "factor, shift, bias, lag or alternative"},
+         {"unit", "",
+          "of these figures; empty: a factor; share: a multiple of the error that an "
+          "alternative allows for"},
+         {"estimate", "{unit}", "likeliest value"},
+         {"lower", "{unit}", "lower end of the interval with probability level"},
+         {"upper", "{unit}", "upper end of it"},
+         {"open_below", "", "true: the data give no lower end within the allowed values"},
+         {"open_above", "", "true: they give no upper end"},
+         {"by_profile", "", "true: interval by the profile of the likelihood"},
+         {"prior_lower", "{unit}", "lower end of the interval before any measurement"},
+         {"prior_upper", "{unit}", "upper end of it"},
+         {"at_limit", "", "true: it ends at a limit of the calibration file"},
+         {"shrinkage", "", "1 - variance after / variance before"},
+         {"known", "", "by the data, in part, prior only, or only if the model were right (model/differs is true)"},
+         {"expected_shrinkage", "", "the same at the case's values, before the fit"},
+         {"influence", "",
+          "change of all measured values by one standard deviation of the "
+          "prior, in standard deviations of their errors"},
+         {"keys/[]/key", "", "of the case"},
+         {"keys/[]/before", "", "value of the case"},
+         {"keys/[]/after", "", "calibrated value"},
+         {"profile/values", "{unit}", "values at which the others were fitted"},
+         {"profile/rise", "", "twice the cost above the least"}});
 }
 
 Keys combination_keys(const std::string& at)
 {
     return below(at, {{"words", "", "product or ratio of unknowns"},
                       {"singular_value", "", "above 1 the data say more than the prior"},
-                      {"by_data", "", "true if so"},
+                      {"known", "", "by the data, prior only, or only if the model were right"},
                       {"weights", "", "by unknown, in standard deviations of the prior"}});
 }
 

@@ -80,7 +80,7 @@ private:
         result_.cost_before = calibration::cost(problem_, white, VectorXd::Zero(size()));
         const auto known = calibration::identify(problem_.parameters, white.jacobian);
         require_influence(known);
-        result_.before = as_data(known.combinations);
+        before_ = known.combinations;
         for (Index k = 0; k < size(); ++k)
             of(k).expected = known.shrinkage[k];
     }
@@ -260,7 +260,8 @@ private:
     void take_parameters()
     {
         const auto known = calibration::identify(problem_.parameters, fit_.white.jacobian);
-        result_.after = as_data(known.combinations);
+        result_.before = as_data(before_, result_.model_differs);
+        result_.after = as_data(known.combinations, result_.model_differs);
         result_.cost = fit_.cost;
         result_.converged = fit_.converged;
         const double wide = quantile_of(file_.options.level);
@@ -275,6 +276,7 @@ private:
             p.prior_upper = value_of(p, wide * p.prior);
             p.at_limit = fit_.at_limit[static_cast<std::size_t>(k)];
             p.shrinkage = known.shrinkage[k];
+            p.known = knowledge_of(p.shrinkage, result_.model_differs);
             p.influence = known.influence[k];
             if (file_.options.profiles && static_cast<std::size_t>(k) < runs_.case_parameters())
                 take_profile(k);
@@ -409,7 +411,7 @@ private:
             warn(fmt::format("the reduced model was not built for the calibrated case: {} coefficient{} outside of its "
                              "range, such as {}; build it with wider ranges, or check the result with --full-run",
                              result_.outside.size(), result_.outside.size() == 1 ? "" : "s", result_.outside.front()));
-        if (std::ranges::none_of(result_.after, [](const auto& c) { return c.by_data; }))
+        if (std::ranges::none_of(result_.after, [](const auto& c) { return c.known != Knowledge::prior; }))
             warn("the data determine no unknown: all values are those of the prior");
     }
 
@@ -436,6 +438,7 @@ private:
     std::vector<std::string> outputs_;  ///< with curves of enough values for a course
     std::vector<std::size_t> groups_;   ///< of each curve: place of its output there
     std::vector<calibration::CurveResidual> tests_;
+    std::vector<calibration::Combination> before_;  ///< at the prior's centre
     Calibration result_;
 };
 

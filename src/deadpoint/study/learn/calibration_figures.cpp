@@ -58,11 +58,23 @@ double quantile_of(double level) { return quantile(boost::math::normal(), 0.5 + 
 
 double value_of(const FittedParameter& unknown, double theta) { return unknown.unit.empty() ? std::exp(theta) : theta; }
 
-std::vector<KnownCombination> as_data(const std::vector<calibration::Combination>& combinations)
+Knowledge knowledge_of(double shrinkage, bool model_differs)
 {
+    constexpr double well = 0.9, hardly = 0.2;
+    if (shrinkage < hardly)
+        return Knowledge::prior;
+    if (model_differs)
+        return Knowledge::if_model_right;
+    return shrinkage < well ? Knowledge::partly : Knowledge::data;
+}
+
+std::vector<KnownCombination> as_data(const std::vector<calibration::Combination>& combinations, bool model_differs)
+{
+    const auto determined = model_differs ? Knowledge::if_model_right : Knowledge::data;
     std::vector<KnownCombination> result;
     for (const auto& from : combinations)
-        result.push_back({from.singular_value, from.by_data, from.words, as_list(from.direction)});
+        result.push_back(
+            {from.singular_value, from.by_data ? determined : Knowledge::prior, from.words, as_list(from.direction)});
     return result;
 }
 

@@ -21,7 +21,12 @@ double quantile_of(double level);
 /// Value of an unknown as engineers read it: a factor, or a shift.
 double value_of(const FittedParameter& unknown, double theta);
 
-std::vector<KnownCombination> as_data(const std::vector<calibration::Combination>& combinations);
+/// What data tell of an unknown, by the share of its variance that they remove: of 0.9 on they determine it, below 0.2
+/// it is as uncertain as before. The one place that decides.
+/// @param model_differs  the model does not explain these data, so that a small variance is no knowledge
+Knowledge knowledge_of(double shrinkage, bool model_differs);
+
+std::vector<KnownCombination> as_data(const std::vector<calibration::Combination>& combinations, bool model_differs);
 
 /// Curves of fitted or held-out runs beside the model.
 /// @param noises  of the problem's curves

@@ -14,6 +14,14 @@ struct ChangedKey {
     std::string key, before, after;
 };
 
+/// What data tell of an unknown or of a combination.
+enum class Knowledge {
+    prior,           ///< little or nothing: it is as uncertain as before
+    partly,          ///< something
+    data,            ///< nearly all that is known of it
+    if_model_right,  ///< something or all if the model were right, but the model does not explain these data
+};
+
 /// An unknown. Its estimate and limits are factors, or shifts in SI units.
 struct FittedParameter {
     enum class Kind { factor, shift, bias, lag, alternative };  ///< bias and lag belong to sensors
@@ -33,6 +41,7 @@ struct FittedParameter {
     bool at_limit = false;
     double expected = 0;   ///< shrinkage that the data would give at the prior's centre
     double shrinkage = 0;  ///< 1 - variance after / variance before: 0 prior only, 1 data only
+    Knowledge known = Knowledge::prior;
     double influence = 0;  ///< change of all values by one prior standard deviation, in standard deviations of noise
     std::vector<std::pair<double, double>> profile;  ///< value, twice the cost above the least
 };
@@ -40,7 +49,7 @@ struct FittedParameter {
 /// A combination of unknowns that data determine, or not.
 struct KnownCombination {
     double singular_value = 0;  ///< above 1 the data say more than the prior
-    bool by_data = false;
+    Knowledge known = Knowledge::prior;
     std::string words;
     std::vector<double> direction;  ///< by parameter, in standard deviations of the prior
 };

@@ -49,7 +49,7 @@ public:
         plan_.values = static_cast<std::size_t>(problem.starts().back());
         const auto known = calibration::identify(problem.parameters, jacobian_of(problem));
         covariance_ = known.covariance;
-        plan_.combinations = as_data(known.combinations);
+        plan_.combinations = as_data(known.combinations, false);
         take_parameters(known);
         observer_.stage("candidates");
         for (const auto& candidate : candidates())
@@ -78,6 +78,7 @@ private:
             p.prior_lower = value_of(p, -wide * p.prior);
             p.prior_upper = value_of(p, wide * p.prior);
             p.expected = p.shrinkage = known.shrinkage[k];
+            p.known = knowledge_of(p.shrinkage, false);
             p.influence = known.influence[k];
             if (p.shrinkage < poor && static_cast<std::size_t>(k) < runs_.case_parameters())
                 warn(fmt::format("{}: the planned runs hardly determine '{}' ({:.0f} % of its variance)", p.place,
