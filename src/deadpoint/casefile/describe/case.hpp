@@ -103,8 +103,8 @@ struct Interface {
     std::string heat_into;      ///< part whose volume receives that heat; empty: the contact layer between the sides
     bool load_zone = false;     ///< the load part of that heat is distributed over the pressed zone
     bool stands_still = false;  ///< does not turn, although the joint turns fully (outer rings)
-    bool seat = false;          ///< its fitted centre on the ground body is the joint's centre there (bearing seats)
-    bool journal = false;       ///< its fitted centre on the moving body is the joint's centre there
+    bool seat = false;          ///< it carries the joint in the ground body (study/translate/linkage)
+    bool journal = false;       ///< it carries the joint in the body that moves in the ground
     bool partial = false;       ///< side a may reach beyond side b
     std::optional<double> drawn_gap;  ///< largest distance of the sides as drawn [m]
 };

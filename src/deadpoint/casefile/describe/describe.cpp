@@ -416,8 +416,13 @@ void describe(Visitor& v, Interface& i)
                i.drawn_gap, D::length, positive);
     v.flag({"stands_still", "this interface does not rotate, although the joint makes full turns (outer rings)"},
            i.stands_still);
-    v.flag({"seat", "its fitted centre on the ground body is the joint's centre there"}, i.seat);
-    v.flag({"journal", "its fitted centre on the moving body is the joint's centre there"}, i.journal);
+    v.flag({"seat",
+            "it carries the joint in the ground body, whose centre there is the mean of the centres fitted to the "
+            "interfaces so marked; to all of them if none is. A bearing of the crank has play if it has a seat "
+            "and a journal"},
+           i.seat);
+    v.flag({"journal", "as `seat`, in the body that moves in the ground; between two moving bodies either mark counts"},
+           i.journal);
 }
 
 void describe(Visitor& v, Bond& b)

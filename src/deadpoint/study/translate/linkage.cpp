@@ -35,19 +35,53 @@ std::map<std::string, int> first_contacts(const casefile::Case& input)
     return first;
 }
 
-// The sides of a joint's contacts that belong to a body; in a bearing with rings only those with the given mark.
-std::vector<drift::ContactSide> sides_on(const Machine& machine, const casefile::Joint& joint, int first,
-                                         const std::string& body)
+bool is_ground(const casefile::Case& input, const std::string& body) { return input.bodies.at(body).ground; }
+
+// The interface is marked as one that carries the joint in this body: `seat` in the ground, `journal` in the body that
+// moves in it. Between two moving bodies either mark counts.
+bool is_marked(const casefile::Case& input, const casefile::Joint& joint, const casefile::Interface& interface,
+               const std::string& body)
 {
-    std::vector<drift::ContactSide> sides;
-    for (int i = 0; i < static_cast<int>(joint.interfaces.size()); ++i) {
-        const auto& contact = machine.interfaces[first + i];
-        if (machine.parts[contact.part_a].body == body)
-            sides.push_back({first + i, false});
-        if (machine.parts[contact.part_b].body == body)
-            sides.push_back({first + i, true});
-    }
-    return sides;
+    if (is_ground(input, body))
+        return interface.seat;
+    const bool in_ground =
+        std::ranges::any_of(joint.bodies, [&](const std::string& other) { return is_ground(input, other); });
+    return interface.journal || (!in_ground && interface.seat);
+}
+
+// The sides of a joint's contacts that carry it in a body: the marked ones; all where none is marked.
+std::vector<drift::ContactSide> carrying_sides(const casefile::Case& input, const Machine& machine,
+                                               const casefile::Joint& joint, int first, const std::string& body)
+{
+    std::vector<drift::ContactSide> all, marked;
+    for (int i = 0; i < static_cast<int>(joint.interfaces.size()); ++i)
+        for (const bool side_b : {false, true}) {
+            const auto& contact = machine.interfaces[first + i];
+            if (machine.parts[side_b ? contact.part_b : contact.part_a].body != body)
+                continue;
+            all.push_back({first + i, side_b});
+            if (is_marked(input, joint, joint.interfaces[i], body))
+                marked.push_back(all.back());
+        }
+    return marked.empty() ? all : marked;
+}
+
+// The contacts of each bearing of the crank that carries: it has a seat and a journal.
+std::vector<std::vector<int>> carrying_bearings(const casefile::Case& input, const Machine& machine,
+                                                const casefile::Joint& joint, int first)
+{
+    std::vector<int> contacts;
+    for (int i = 0; i < static_cast<int>(joint.interfaces.size()); ++i)
+        if (joint.interfaces[i].seat || joint.interfaces[i].journal)
+            contacts.push_back(first + i);
+    auto bearings = bearings_of(input, machine, contacts);
+    const auto has = [&](const std::vector<int>& bearing, bool casefile::Interface::*mark) {
+        return std::ranges::any_of(bearing, [&](int contact) { return joint.interfaces[contact - first].*mark; });
+    };
+    std::erase_if(bearings, [&](const auto& bearing) {
+        return !has(bearing, &casefile::Interface::seat) || !has(bearing, &casefile::Interface::journal);
+    });
+    return bearings;
 }
 
 void require_sides(const std::vector<drift::ContactSide>& sides, const std::string& joint, const std::string& body,
@@ -120,8 +154,8 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
     int index = 0;
     Mistakes mistakes;
     for (const auto& [name, joint] : input.joints) {
-        drift::JointSurfaces surfaces{sides_on(machine, joint, first.at(name), joint.bodies.at(0)),
-                                      sides_on(machine, joint, first.at(name), joint.bodies.at(1)),
+        drift::JointSurfaces surfaces{carrying_sides(input, machine, joint, first.at(name), joint.bodies.at(0)),
+                                      carrying_sides(input, machine, joint, first.at(name), joint.bodies.at(1)),
                                       joint.kind != casefile::Joint::Kind::ball};
         if (joint.kind != casefile::Joint::Kind::slide) {
             require_sides(surfaces.in_a, name, joint.bodies[0], mistakes);
@@ -131,11 +165,7 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
             result.crank_joint = index;
             const bool ground_is_b = linkage.joints[index].body_b == linkage.ground;
             result.seats = ground_is_b ? surfaces.in_b : surfaces.in_a;
-            std::vector<int> contacts;
-            for (int i = 0; i < static_cast<int>(joint.interfaces.size()); ++i)
-                if (joint.interfaces[i].seat || joint.interfaces[i].journal)
-                    contacts.push_back(first.at(name) + i);
-            result.bearings = bearings_of(input, machine, contacts);
+            result.bearings = carrying_bearings(input, machine, joint, first.at(name));
         }
         result.joints.push_back(std::move(surfaces));
         ++index;
@@ -143,8 +173,8 @@ drift::ChainDescription describe_chain(const casefile::Case& input, const Machin
     if (result.seats.empty() || result.bearings.empty())
         mistakes.add(
             "joints." + chain.crank_joint,
-            "the crank's bearings need interfaces on the frame, marked 'seat' (ring or bush in the frame) and "
-            "'journal' (ring or bush on the shaft)",
+            "no bearing of the crank carries it: one that does has an interface on the frame marked 'seat' (ring or "
+            "bush in the frame) and one marked 'journal' (ring or bush on the shaft), or one interface with both",
             "if this is not the joint of crankshaft and frame, name that in chain.crank_joint; else add seat = "
             "true and journal = true to its interfaces");
     mistakes.raise();

@@ -21,9 +21,12 @@ Linkage describe_linkage(const casefile::Case& input);
 
 /// The dimension chain of a case on its meshed machine.
 ///
-/// A joint's centre in a body is fitted on that body's sides of the joint's interfaces; in a bearing with rings, on
-/// those marked `seat` (ground) and `journal` (shaft).
-/// @throws InputError if a joint of the chain touches a body nowhere, or bearings lack their seats
+/// A joint's centre in a body is fitted on that body's sides of the interfaces that carry the joint: in the ground
+/// those marked `seat`, in the other body those marked `journal`, between two moving bodies those with either mark;
+/// where no side in the body is marked, all of them. Everything that takes positions of joints (E_BG, slide height,
+/// corners, tilt, static opening) reads these sides. A bearing of the crank counts in its play if it has a seat and a
+/// journal.
+/// @throws InputError if a joint of the chain touches a body nowhere, or no bearing of the crank has both marks
 drift::ChainDescription describe_chain(const casefile::Case& input, const Machine& machine, const Linkage& linkage);
 
 }  // namespace deadpoint::study
