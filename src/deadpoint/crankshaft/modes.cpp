@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace deadpoint::crankshaft {
@@ -64,17 +65,49 @@ struct ModalMode {
     Eigen::VectorXcd p;
 };
 
+struct Eigenpairs {
+    Eigen::VectorXcd values;
+    Eigen::MatrixXcd vectors;
+};
+
+template <class Solver>
+std::optional<Eigenpairs> if_found(const Solver& solver)
+{
+    if (solver.info() != Eigen::Success)
+        return std::nullopt;
+    return Eigenpairs{solver.eigenvalues().template cast<Complex>(), solver.eigenvectors().template cast<Complex>()};
+}
+
+/// A skew matrix (no damping, no skew stiffness) is i times a Hermitian one, whose method always ends. That of real
+/// matrices sometimes goes round in circles; the complex one takes other shifts.
+/// @throws ConvergenceError
+Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix)
+{
+    using Eigen::MatrixXcd;
+    std::optional<Eigenpairs> found;
+    if (matrix == -matrix.transpose()) {
+        found = if_found(Eigen::SelfAdjointEigenSolver<MatrixXcd>(Complex(0, -1) * matrix));
+        if (found)
+            found->values *= Complex(0, 1);
+    } else {
+        found = if_found(Eigen::EigenSolver<Eigen::MatrixXd>(matrix));
+    }
+    if (!found)
+        found = if_found(Eigen::ComplexEigenSolver<MatrixXcd>(matrix.cast<Complex>()));
+    if (!found)
+        throw ConvergenceError(
+            "crankshaft: its modes were not found\n  help: look for extreme values among the bearings");
+    return *std::move(found);
+}
+
 /// Oscillating modes, ascending, of the shaft reduced to the lowest `kept` modes of the resting shaft.
 std::vector<ModalMode> modal_modes(const RestingModes& basis, const ModalMatrices& matrices, double speed, int count,
                                    Eigen::Index kept)
 {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(first_order_inverse(basis, matrices, speed, 0, {0, kept}));
-    if (solver.info() != Eigen::Success)
-        throw ConvergenceError(
-            "crankshaft: its modes were not found\n  help: look for extreme values among the bearings");
+    const auto pairs = eigenpairs(first_order_inverse(basis, matrices, speed, 0, {0, kept}));
     std::vector<std::pair<double, Eigen::Index>> found;
-    for (Eigen::Index i = 0; i < solver.eigenvalues().size(); ++i) {
-        const Complex lambda = 1.0 / solver.eigenvalues()[i];
+    for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
+        const Complex lambda = 1.0 / pairs.values[i];
         if (lambda.imag() > oscillates * std::abs(lambda))
             found.emplace_back(lambda.imag(), i);
     }
@@ -82,7 +115,7 @@ std::vector<ModalMode> modal_modes(const RestingModes& basis, const ModalMatrice
     found.resize(std::min(found.size(), static_cast<std::size_t>(std::max(count, 0))));
     std::vector<ModalMode> result;
     for (const auto& [omega, i] : found)
-        result.push_back({1.0 / solver.eigenvalues()[i], solver.eigenvectors().col(i).head(kept)});
+        result.push_back({1.0 / pairs.values[i], pairs.vectors.col(i).head(kept)});
     return result;
 }
 

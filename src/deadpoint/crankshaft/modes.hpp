@@ -25,8 +25,8 @@ struct Mode {
 /// Modes at a spin `speed` [rad/s], ascending, from lambda^2 M + lambda (C - omega G) + K = 0 without modal damping.
 ///
 /// Solved for 1/lambda in the modes of the resting shaft, which keeps the low frequencies to 1e-11 relative. Modes that
-/// do not oscillate are left out, and so are those above 1e6 times the lowest of the resting shaft. `planar`: less than
-/// 1e-6 of the motion is circular, or the speed is 0.
+/// do not oscillate are left out, and so are those above 1e6 times the fifth lowest of the resting shaft. `planar`:
+/// less than 1e-6 of the motion is circular, or the speed is 0.
 /// @param count  at most as many modes
 /// @throws InputError if the bearings do not hold the shaft or it buckles under its axial load
 std::vector<Mode> modes(const ShaftSystem& system, double speed, int count = 10);

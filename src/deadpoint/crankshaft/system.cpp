@@ -3,6 +3,7 @@
 #include "deadpoint/crankshaft/check.hpp"
 #include "deadpoint/crankshaft/eigen_views.hpp"
 #include "deadpoint/crankshaft/element.hpp"
+#include "deadpoint/crankshaft/held_shaft.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>
@@ -63,7 +64,8 @@ void add_beam(ShaftSystem& system, int node, const BeamElement& beam)
             const int to_col = first_unknown(node) + j;
             system.mass(to_row, to_col) += element.mass_translation(row, col) + element.mass_rotation(row, col);
             system.gyroscopic(to_row, to_col) += element.gyroscopic(row, col);
-            system.stiffness(to_row, to_col) += element.stiffness(row, col) + element.axial_stiffness(row, col);
+            system.bending(to_row, to_col) += element.stiffness(row, col);
+            system.restoring(to_row, to_col) += element.axial_stiffness(row, col);
         }
 }
 
@@ -118,10 +120,10 @@ void add_bearing(ShaftSystem& system, const Bearing& bearing, int& next_housing)
         next_housing += 2;
         for (int i = 0; i < 2; ++i)
             system.mass(seat.housing + i, seat.housing + i) += bearing.housing_mass;
-        add_link(system.stiffness, seat.housing, -1, *bearing.support_stiffness);
+        add_link(system.restoring, seat.housing, -1, *bearing.support_stiffness);
         add_link(system.damping, seat.housing, -1, bearing.support_damping);
     }
-    add_link(system.stiffness, first_unknown(seat.node), seat.housing, seat.stiffness);
+    add_link(system.restoring, first_unknown(seat.node), seat.housing, seat.stiffness);
     add_link(system.damping, first_unknown(seat.node), seat.housing, seat.damping);
     system.bearings.push_back(seat);
 }
@@ -149,12 +151,14 @@ ShaftSystem assemble(const Shaft& shaft, std::span<const double> more_positions)
                                         [](const Bearing& bearing) { return bearing.support_stiffness.has_value(); });
     const int size = shaft_unknowns + 2 * static_cast<int>(housings);
     system.mass = system.gyroscopic = system.stiffness = system.damping = Matrix(size, size);
+    system.bending = system.restoring = Matrix(size, size);
     add_beams(system, shaft);
     for (const Disk& disk : shaft.disks)
         add_disk(system, disk);
     int next_housing = shaft_unknowns;
     for (const Bearing& bearing : shaft.bearings)
         add_bearing(system, bearing, next_housing);
+    view(system.stiffness) = view(system.bending) + view(system.restoring);
     return system;
 }
 
@@ -206,11 +210,9 @@ std::vector<double> static_displacement(const ShaftSystem& system, std::span<con
         throw InputError(
             fmt::format("crankshaft: the load has {} entries for {} unknowns", load.size(), system.size()));
     const Eigen::Map<const Eigen::VectorXd> f(load.data(), static_cast<Eigen::Index>(load.size()));
-    const Eigen::MatrixXd symmetric = 0.5 * (view(system.stiffness) + view(system.stiffness).transpose());
-    if (Eigen::LLT<Eigen::MatrixXd>(symmetric).info() != Eigen::Success)
-        throw InputError("crankshaft: its bearings do not hold it, or it buckles under its axial load\n"
-                         "  help: give every bearing stiffness in both directions, or less compression");
-    const Eigen::VectorXd q = view(system.stiffness).partialPivLu().solve(f);
+    const HeldShaft held = held_shaft(system);
+    factor_of(held);
+    const Eigen::VectorXd q = held.motions * held.stiffness.partialPivLu().solve(held.motions.transpose() * f);
     if (!q.allFinite())
         throw DomainError("crankshaft: the static displacement is not finite");
     return {q.begin(), q.end()};

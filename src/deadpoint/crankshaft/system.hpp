@@ -29,7 +29,9 @@ struct ShaftSystem {
     std::vector<double> nodes;  ///< s, ascending [m]
     Matrix mass;
     Matrix gyroscopic;
-    Matrix stiffness;
+    Matrix stiffness;          ///< bending and restoring
+    Matrix bending;            ///< stiffness of the beams, which no rigid motion of the shaft strains
+    Matrix restoring;          ///< stiffness of bearings, supports and axial load
     Matrix damping;            ///< of bearings and supports, without modal damping
     double modal_damping = 0;  ///< ratio, of every mode of the resting shaft, used by the forced responses
     std::vector<BearingSeat> bearings;

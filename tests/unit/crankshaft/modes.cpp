@@ -1,9 +1,12 @@
 #include "deadpoint/crankshaft/modes.hpp"
 
+#include "deadpoint/crankshaft/eigen_views.hpp"
 #include "deadpoint/error.hpp"
 #include "near.hpp"
 #include "shafts.hpp"
 
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -267,4 +270,104 @@ TEST_CASE("campbell: a few modes of the resting shaft give what all of them give
         bearing.stiffness[1][0] = -5e6;
     }
     compare(shaft);
+}
+
+namespace {
+
+/// A hollow steel shaft of 300 mm, 30.08 / 7 mm, in ten sections on two bearings at its ends.
+Shaft on_springs(double stiffness, double damping = 0)
+{
+    Shaft shaft;
+    shaft.youngs_modulus = 210e9;
+    shaft.poissons_ratio = 0.3;
+    for (int i = 0; i < 10; ++i)
+        shaft.sections.push_back({0.03, 0.03008, 0.007, 7850});
+    shaft.bearings = {shafts::bearing("left", 0, stiffness, damping),
+                      shafts::bearing("right", 0.3, stiffness, damping)};
+    return shaft;
+}
+constexpr double spring_mass = 7850 * std::numbers::pi / 4 * (0.03008 * 0.03008 - 0.007 * 0.007) * 0.3;
+
+/// Of a rigid body on two springs k at its ends: 2 k over its mass, and k L^2 / 2 over its inertia about its middle.
+double bounce(double stiffness) { return std::sqrt(2 * stiffness / spring_mass) / (2 * std::numbers::pi); }
+double tilt(double stiffness)
+{
+    const double own = (0.03008 * 0.03008 + 0.007 * 0.007) / 16;  // squared radius of gyration of a section
+    return std::sqrt(stiffness * 0.09 / 2 / (spring_mass * (0.09 / 12 + own))) / (2 * std::numbers::pi);
+}
+
+/// By Eigen's generalised method on the assembled matrices, which knows nothing of rigid motions [Hz].
+std::vector<double> dense_frequencies(const ShaftSystem& system)
+{
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(view(system.stiffness), view(system.mass),
+                                                                           Eigen::EigenvaluesOnly);
+    std::vector<double> result;
+    for (const double square : solver.eigenvalues())
+        result.push_back(std::sqrt(square) / (2 * std::numbers::pi));
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("modes: a shaft on soft springs moves as a rigid body and bends as a free one, however soft they are")
+{
+    // Ten steps a decade: the method of real matrices does not end at a tenth of such stiffnesses.
+    for (double decade = -3; decade < 3.05; decade += 0.1) {
+        const double stiffness = std::pow(10, decade);
+        CAPTURE(stiffness);
+        const auto found = modes_of(on_springs(stiffness), 1e-7, 10);
+        REQUIRE(found.size() == 10);
+        // The spin splits the tilts by 2e-8, and bending lowers them by a share of k / (12 EI / L^3).
+        const double rigid[]{bounce(stiffness), bounce(stiffness), tilt(stiffness), tilt(stiffness)};
+        for (std::size_t i = 0; i < 4; ++i)
+            CHECK(found[i].frequency == near(rigid[i], 3e-8 * (1 + stiffness)));
+        for (const std::size_t i : {4, 5})
+            CHECK(found[i].frequency == near(1537.9, 5e-4));  // of ten elements: 3e-4 above, order h^2
+    }
+}
+
+TEST_CASE("modes: on any stiffness the frequencies are those of the dense matrices, and rise with it")
+{
+    double before[10]{};
+    for (double decade = 2; decade < 15.05; decade += 0.1) {
+        const double stiffness = std::pow(10, decade);
+        CAPTURE(stiffness);
+        const auto system = assemble(on_springs(stiffness));
+        const auto found = modes(system, 1e-7, 10);
+        const auto expected = dense_frequencies(system);
+        REQUIRE(found.size() == 10);
+        for (std::size_t i = 0; i < 10; ++i) {
+            // The reference's eigenvalues round to 1e-15 of its largest one, (1e8 Hz)^2 and more by the springs.
+            if (stiffness < 1e9)
+                CHECK(found[i].frequency == near(expected[i], 1e-6, 1e-2 / stiffness * 1e2));
+            CHECK(found[i].frequency >= before[i] * (1 - 1e-9));
+            before[i] = found[i].frequency;
+        }
+    }
+    CHECK(before[0] == near(modes_of(on_springs(1e14), 0)[0].frequency, 1e-5));  // both are pinned
+}
+
+TEST_CASE("modes: they are found with any damping, cross coupling, difference of directions and speed")
+{
+    for (double decade = -3; decade < 15.05; decade += 0.5)
+        for (const double speed : {0.0, 1e-7, 2000.0}) {
+            const double stiffness = std::pow(10, decade);
+            CAPTURE(stiffness);
+            CAPTURE(speed);
+            Shaft shaft = on_springs(stiffness, 0.02 * std::sqrt(stiffness * spring_mass));
+            CHECK(modes_of(shaft, speed, 6).size() == 6);
+            shaft.bearings[0].stiffness = {{{stiffness, 0.3 * stiffness}, {-0.2 * stiffness, 4 * stiffness}}};
+            CHECK(modes_of(shaft, speed, 6).size() == 6);
+            shaft.bearings[1].stiffness[1][1] *= 1e-3;
+            shaft.bearings[0].damping = shaft.bearings[1].damping = {};
+            CHECK(modes_of(shaft, speed, 6).size() == 6);
+        }
+}
+
+TEST_CASE("soft bearings carry the weight to the last digits")
+{
+    const auto system = assemble(on_springs(1e-3));
+    const auto weight = weight_pattern(system, {0, -9.81});
+    for (const auto& force : bearing_forces(system, static_displacement(system, weight)))
+        CHECK(force[1] == near(-9.81 * spring_mass / 2, 1e-9));
 }

@@ -1,41 +1,78 @@
 #include "deadpoint/crankshaft/response/modal_basis.hpp"
 
 #include "deadpoint/crankshaft/eigen_views.hpp"
+#include "deadpoint/crankshaft/held_shaft.hpp"
 #include "deadpoint/crankshaft/system.hpp"
 #include "deadpoint/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace deadpoint::crankshaft {
 namespace {
 
-/// Of mu below which a shape follows the load: frequencies over 1e6 times the lowest. Rounding reaches 1e-14.
+/// Of the fifth largest mu, below which a shape follows the load: frequencies over 1e6 times the fifth lowest. The
+/// four lowest may be those of a rigid shaft on soft bearings, any factor below. Rounding reaches 1e-14.
 constexpr double no_inertia = 1e-12;
+constexpr Eigen::Index rigid_modes = 4;
+/// Of the largest mu, above which a mode is exact to 1e-10. The others are solved for without these.
+constexpr double exact = 1e-6;
+/// Of the largest entry of the mass, below which what is left of it is rounding.
+constexpr double no_mass = 1e-12;
 /// Largest force of dampers (at the lowest frequency) or skew stiffness between a shape without inertia and the rest,
 /// relative to its stiffness: the error of leaving it out.
 constexpr double no_coupling = 1e-4;
 
-}  // namespace
+/// All modes of a mass on a stiffness, as RestingModes.
+struct AllModes {
+    Eigen::MatrixXd shapes;
+    Eigen::VectorXd mu;
+};
 
-RestingModes resting_modes(const ShaftSystem& system)
+AllModes modes_of(const Eigen::LLT<Eigen::MatrixXd>& factor, const Eigen::MatrixXd& mass)
 {
-    const Eigen::MatrixXd k = 0.5 * (view(system.stiffness) + view(system.stiffness).transpose());
-    const Eigen::LLT<Eigen::MatrixXd> factor(k);
-    if (factor.info() != Eigen::Success)
-        throw InputError("crankshaft: its bearings do not hold it, or it buckles under its axial load\n"
-                         "  help: give every bearing stiffness in both directions, or less compression");
-    const Eigen::MatrixXd half = factor.matrixL().solve(Eigen::MatrixXd(view(system.mass)));
+    const Eigen::MatrixXd half = factor.matrixL().solve(mass);
     const Eigen::MatrixXd scaled = factor.matrixL().solve(Eigen::MatrixXd(half.transpose()));
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (scaled + scaled.transpose()));
     if (solver.info() != Eigen::Success)
         throw ConvergenceError("crankshaft: the modes of the resting shaft were not found\n"
                                "  help: look for sections of extreme size or density");
-    const Eigen::VectorXd mu = solver.eigenvalues().reverse();
-    if (!(mu[0] > 0))
+    return {factor.matrixU().solve(solver.eigenvectors()).rowwise().reverse(), solver.eigenvalues().reverse()};
+}
+
+/// Solves again for all modes that are not exact, in the shapes without any momentum in the exact ones. Returns the
+/// number of modes with inertia.
+Eigen::Index solve_again(const HeldShaft& held, const Eigen::MatrixXd& mass, AllModes& modes)
+{
+    const Eigen::Index known = (modes.mu.array() > exact * modes.mu[0]).count(), rest = modes.mu.size() - known;
+    if (rest == 0)
+        return known;
+    const Eigen::HouseholderQR<Eigen::MatrixXd> momenta(mass * modes.shapes.leftCols(known));
+    const Eigen::MatrixXd others =
+        momenta.householderQ() * Eigen::MatrixXd::Identity(modes.mu.size(), modes.mu.size()).rightCols(rest);
+    const Eigen::MatrixXd left = others.transpose() * mass * others;
+    const auto again =
+        modes_of(factor_of({others, others.transpose() * held.stiffness * others}), 0.5 * (left + left.transpose()));
+    modes.shapes.rightCols(rest) = others * again.shapes;
+    modes.mu.tail(rest) = again.mu;
+    if (left.cwiseAbs().maxCoeff() < no_mass * mass.cwiseAbs().maxCoeff())
+        return known;
+    return known + (again.mu.array() > no_inertia * modes.mu[std::min(rigid_modes, modes.mu.size() - 1)]).count();
+}
+
+}  // namespace
+
+RestingModes resting_modes(const ShaftSystem& system)
+{
+    const HeldShaft held = held_shaft(system);
+    const auto factor = factor_of(held);
+    const Eigen::MatrixXd mass = held.motions.transpose() * view(system.mass) * held.motions;
+    auto modes = modes_of(factor, mass);
+    if (!(modes.mu[0] > 0))
         throw InputError("crankshaft: it has no mass\n  help: give its sections a density, or add a disk");
-    const Eigen::MatrixXd shapes = factor.matrixU().solve(solver.eigenvectors()).rowwise().reverse();
-    const Eigen::Index moving = (mu.array() > no_inertia * mu[0]).count();
-    return {shapes.leftCols(moving), mu.head(moving), shapes.rightCols(mu.size() - moving)};
+    const Eigen::Index moving = solve_again(held, mass, modes);
+    const Eigen::MatrixXd shapes = held.motions * modes.shapes;
+    return {shapes.leftCols(moving), modes.mu.head(moving), shapes.rightCols(shapes.cols() - moving)};
 }
 
 Eigen::MatrixXd modal_damping_matrix(const ShaftSystem& system, const RestingModes& basis)
@@ -62,7 +99,9 @@ ModalMatrices modal_matrices(const ShaftSystem& system, const RestingModes& basi
                 "  help: give the section there a density, or the housing a mass");
     }
     const Eigen::MatrixXd gyroscopic_x = view(system.gyroscopic) * x;
-    return {x.transpose() * dampers_x, x.transpose() * gyroscopic_x, x.transpose() * skew_x};
+    const Eigen::MatrixXd gyroscopic = x.transpose() * gyroscopic_x;
+    // skew to the last bit, as modes() looks for
+    return {x.transpose() * dampers_x, 0.5 * (gyroscopic - gyroscopic.transpose()), x.transpose() * skew_x};
 }
 
 Eigen::MatrixXd first_order_inverse(const RestingModes& basis, const ModalMatrices& matrices, double speed,

@@ -21,7 +21,7 @@ struct ShaftSystem;
 /// - harmonic_balance: exact Fourier coefficients of the load, one complex solve per harmonic.
 /// - newmark: average acceleration from the static position under the first load, until it repeats.
 ///
-/// Shapes above 1e6 times the lowest frequency (massless sections) follow the load without inertia in `modal`.
+/// Shapes above 1e6 times the fifth lowest frequency (massless sections) follow the load without inertia in `modal`.
 ///
 /// @param speed  spin, positive from x to y [rad/s]
 /// @return readings over time, times x readings
