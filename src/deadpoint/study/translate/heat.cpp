@@ -410,8 +410,9 @@ void warn_about(const casefile::Case& input, Observer& observer)
         if (!used.contains(name))
             observer.warn(fmt::format("friction.{} heats nothing: no joint with interfaces names it", name));
     const auto& operation = input.operation;
+    const int running = first_running_segment(input);
     const bool forces_differ = std::any_of(operation.begin(), operation.end(), [&](const casefile::Segment& s) {
-        return s.force != operation.front().force;
+        return s.speed > 0 && s.force != operation[static_cast<std::size_t>(running)].force;
     });
     const bool some_ignore_it = std::any_of(input.friction.begin(), input.friction.end(), [](const auto& row) {
         const auto* law = std::get_if<casefile::CalibratedFriction>(&row.second.law);
