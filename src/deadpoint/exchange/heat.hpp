@@ -3,6 +3,7 @@
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/laws/law_table.hpp"
 #include "deadpoint/exchange/laws/laws.hpp"
+#include "deadpoint/exchange/time_course.hpp"
 
 #include <functional>
 #include <string>
@@ -10,8 +11,6 @@
 
 /// Input of the heat stage besides the machine, and its results. SI units, temperatures in kelvin.
 namespace deadpoint {
-
-using TimeCourse = std::function<double(double time)>;
 
 /// Contact conductance of an interface. A contact layer without thickness, at T_f, receives
 /// friction heat q and conducts to both sides and to the oil:  q + film_a (T_a - T_f) + film_b
@@ -89,7 +88,8 @@ struct SurfaceCondition {
     TimeCourse ambient;  ///< film: if empty, the segment's
     int enclosure = -1;  ///< film: index into HeatProblem::enclosures, whose air it faces instead
     std::function<double(const Vec3&, double time)> temperature;
-    TimeCourse flux;  ///< [W/m2] into the part
+    std::vector<TimeCourse> temperature_courses;  ///< the same at some of its places, at which steps look
+    TimeCourse flux;                              ///< [W/m2] into the part
 };
 
 /// Surfaces that radiate to each other only. Surface i emits the net power sum over j of

@@ -3,6 +3,7 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/courses/step_times.hpp"
 #include "deadpoint/heat/system.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
 
@@ -116,6 +117,7 @@ public:
     {
         entered_ = nullptr;
         enter(step.segment);
+        run_.sources.set_step(times_of(step));
         use_films(step.end);
     }
     [[nodiscard]] int iterations() const { return iterations_; }
@@ -136,6 +138,7 @@ private:
     void step_back(const StepRecord& step)
     {
         const double factor = diagonal * step.duration;
+        run_.sources.set_step(times_of(step));
         solve_stage(factor, step.end, weights_, solution_);
         add_prescribed(weights_, step.end.time);
         add_loads(solution_, factor, {&step.end});
@@ -288,7 +291,7 @@ private:
             const auto& condition = surfaces[i];
             double density = 0;
             if (condition.kind == SurfaceCondition::Kind::flux)
-                density = condition.flux(stage.time);
+                density = run_.sources.films.flux(i, stage.time);
             else if (condition.kind == SurfaceCondition::Kind::film && area(i) > 0)
                 density = (follows_temperature(condition) ? mean_coefficient(i, stage) : condition.coefficient) *
                           (surroundings(i, stage) - reference_);

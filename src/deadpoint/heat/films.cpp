@@ -34,7 +34,12 @@ double FilmBalance::surroundings(std::size_t surface, double time, const std::ve
     const auto& condition = problem_->surfaces[surface];
     if (condition.enclosure >= 0)
         return air[static_cast<std::size_t>(condition.enclosure)];
-    return condition.ambient ? condition.ambient(time) : segment_->ambient(time);
+    return step_.value(condition.ambient ? condition.ambient : segment_->ambient, time);
+}
+
+double FilmBalance::flux(std::size_t surface, double time) const
+{
+    return step_.value(problem_->surfaces[surface].flux, time);
 }
 
 FilmLaw FilmBalance::law(std::size_t surface, double surroundings) const
@@ -77,9 +82,9 @@ void FilmBalance::evaluate(const std::vector<double>& values, double time, const
         const std::size_t at = geometry_->layout.surface(i);
         balance.film_mean[i] = values[at] / area;
         if (condition.kind == SurfaceCondition::Kind::flux) {
-            const double flux = condition.flux(time);
-            watts[at] += flux;
-            balance.flux += flux * area;
+            const double into_part = flux(i, time);
+            watts[at] += into_part;
+            balance.flux += into_part * area;
         } else if (!follows_temperature(condition)) {
             const double faced = surroundings(i, time, air);
             watts[at] += condition.coefficient * faced;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/heat/courses/step_times.hpp"
 
 #include <vector>
 
@@ -45,11 +46,15 @@ public:
     FilmBalance(const HeatProblem& problem, const HeatGeometry& geometry);
 
     void enter(const HeatSegment& segment) { segment_ = &segment; }
+    /// Of the courses.
+    void set_step(const StepTimes& step) { step_ = step; }
     /// Functionals that evaluate() reads.
     [[nodiscard]] const std::vector<std::size_t>& needed() const { return needed_; }
     /// True if some coefficient depends on the temperature of its surface.
     [[nodiscard]] bool some_follow() const { return some_follow_; }
 
+    /// Heat of a surface of prescribed flux, into the part [W/m2].
+    [[nodiscard]] double flux(std::size_t surface, double time) const;
     /// Temperature that a surface faces [K]. @param air  of the enclosures [K]
     [[nodiscard]] double surroundings(std::size_t surface, double time, const std::vector<double>& air) const;
     /// Convection of a surface in the present segment.
@@ -69,6 +74,7 @@ private:
     const HeatProblem* problem_;
     const HeatGeometry* geometry_;
     const HeatSegment* segment_ = nullptr;
+    StepTimes step_;
     std::vector<std::size_t> needed_;
     bool some_follow_ = false;
 };

@@ -38,7 +38,8 @@ void OilMarch::march_circuit(std::size_t k, const JointBalance& joints, HeatBala
     const auto& circuit = problem_->oil[k];
     const double flow = segment_->oil_flow[k], loss = circuit.sump_loss, capacity = circuit.sump_capacity;
     const double step = capacity > 0 ? factor : 1;
-    const double gains = capacity * known + step * loss * segment_->ambient(time);
+    const double ambient = step_.value(segment_->ambient, time);
+    const double gains = capacity * known + step * loss * ambient;
     const auto out = [&](double inlet) { return outlet(k, inlet, joints, balance, reaches); };
     double leaving = loss + flow;  // heat leaving the sump per kelvin
     OilFlow state;
@@ -59,7 +60,7 @@ void OilMarch::march_circuit(std::size_t k, const JointBalance& joints, HeatBala
     }
     state.heat = flow * (state.outlet - state.inlet);
     state.cooler = circuit.cooled ? flow * (state.sump - state.inlet) : 0;
-    const double kept = flow * (state.outlet - state.sump) - loss * (state.sump - segment_->ambient(time));
+    const double kept = flow * (state.outlet - state.sump) - loss * (state.sump - ambient);
     state.sump_rate = capacity > 0 ? kept / capacity : 0;
     state.sump_relaxation = capacity > 0 ? leaving / capacity : 0;
     balance.oil[k] = state;

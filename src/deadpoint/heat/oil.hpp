@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/heat/courses/step_times.hpp"
 
 #include <vector>
 
@@ -25,6 +26,8 @@ public:
     explicit OilMarch(const HeatProblem& problem) : problem_(&problem) {}
 
     void enter(const HeatSegment& segment) { segment_ = &segment; }
+    /// Of the courses.
+    void set_step(const StepTimes& step) { step_ = step; }
     [[nodiscard]] bool empty() const { return problem_->oil.empty(); }
     /// At the start of the step, per circuit [K].
     [[nodiscard]] const std::vector<double>& sumps() const { return sump_; }
@@ -56,6 +59,7 @@ private:
 
     const HeatProblem* problem_;
     const HeatSegment* segment_ = nullptr;
+    StepTimes step_;
     std::vector<double> sump_;
 };
 

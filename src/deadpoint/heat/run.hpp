@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/error.hpp"
+#include "deadpoint/heat/courses/step_ends.hpp"
 #include "deadpoint/heat/history.hpp"
 #include "deadpoint/heat/run_state.hpp"
 #include "deadpoint/heat/stepper.hpp"
@@ -53,7 +54,7 @@ public:
     HeatRun(System& system, const HeatProblem& problem, std::size_t functionals = 0, std::size_t contributions = 0)
         : system_(system), problem_(problem), sources_(system, problem), stages_(system, sources_),
           recorder_(problem, system.geometry().layout, functionals, contributions),
-          stepper_(system, sources_, stages_, recorder_.watched()), start_(system.make_vector()),
+          stepper_(system, sources_, stages_, recorder_.watched()), ends_(problem), start_(system.make_vector()),
           work_(system.make_vector())
     {
         const std::size_t parts = system.geometry().layout.parts;
@@ -142,6 +143,7 @@ public:
     {
         place_ = state.place;
         sources_.enter(problem_.segments[place_.segment]);
+        ends_.enter(problem_.segments[place_.segment]);
         if (!problem_.oil.empty())
             sources_.joints.set_oil(state.oil_temperature);
         sources_.oil.set_sumps(state.sumps);
@@ -156,20 +158,43 @@ public:
     }
 
 private:
+    // A step passes over points of tables only if there are more.
+    static constexpr std::ptrdiff_t fewest_passed = 2;
+
     // The slope of the fields is not known where a segment starts.
     void start_segment()
     {
         stepper_.begin_segment(problem_.segments[place_.segment], place_.time);
+        ends_.enter(problem_.segments[place_.segment]);
         place_.segment_start = place_.time;
-        place_.segment_row = recorder_.history().time.size();
         place_.wanted = first_step(problem_);
+        start_row();
+    }
+    // A further row of the same time, from which slopes are not known.
+    void start_row()
+    {
+        place_.segment_row = recorder_.history().time.size();
         record(0);
     }
+    // Where prescribed temperatures bend or have jumped, the slopes of temperatures jump within a segment.
+    void start_where_bent()
+    {
+        if (!controlled() || recorder_.history().time.size() == place_.segment_row + 1)
+            return;
+        if (ends_.bends_prescribed(place_.time))
+            stepper_.forget_slope();
+        if (!stepper_.slope_known())
+            start_row();
+    }
+    [[nodiscard]] bool controlled() const { return problem_.fixed_step <= 0; }
 
     void look_for_end(double end, const RunHooks<Vector>& hooks)
     {
         const bool last = place_.segment + 1 == problem_.segments.size();
-        if (last && place_.time > place_.segment_start && fit_step(place_.wanted, end - place_.time) != place_.wanted)
+        const double left = end - place_.time, looked_at = 2 * place_.wanted;
+        const bool shortened = fit_step(place_.wanted, left) != place_.wanted;
+        if (last && place_.time > place_.segment_start &&
+            (shortened || (left < looked_at && !ends_.points(place_.time, place_.time + looked_at).empty())))
             see_end(hooks);
     }
     void see_end(const RunHooks<Vector>& hooks)
@@ -179,15 +204,49 @@ private:
         end_seen_ = true;
     }
 
+    // Where the next step ends at the latest: at the end of the segment, or where its courses bend. A step may pass
+    // over points of dense tables, and places where functions are looked at, as long as what it does not see would
+    // change no watched temperature by more than half the tolerance.
+    double next_stop(double end)
+    {
+        if (!controlled())
+            return end;
+        const double time = place_.time;
+        auto points = ends_.points(time, std::min(end, time + 2 * place_.wanted));
+        const auto inside = std::ranges::upper_bound(points, time + place_.wanted) - points.begin();
+        if (!points.empty() && inside <= fewest_passed)
+            end = points.front();
+        const double to = time + fit_step(place_.wanted, end - time);
+        points = ends_.looked_at(time, to);
+        if (points.empty())
+            return end;
+        const auto whole = ends_.unseen(time, to);
+        const double change = stepper_.change_by(whole, time, to - time), allowed = problem_.time_tolerance / 2;
+        if (std::max(change, whole.prescribed) <= allowed)
+            return end;
+        const auto is_seen = [&](double point) {
+            const auto unseen = ends_.unseen(time, point);
+            return unseen.prescribed <= allowed && (change <= allowed || change * unseen.share_of(whole) <= allowed);
+        };
+        const auto unseen = std::ranges::partition_point(points, is_seen);
+        const double stop = unseen == points.begin() ? points.front() : unseen[-1];
+        while (place_.wanted / step_ratio >= stop - time)
+            place_.wanted /= step_ratio;
+        return stop;
+    }
+
     // One step towards the end of the segment; false if it was too long and must be repeated with a
     // shorter one.
     bool try_step(double end, const RunHooks<Vector>& hooks)
     {
+        start_where_bent();
+        end = next_stop(end);
         const double dt = fit_step(place_.wanted, end - place_.time);
         const auto outcome = stepper_.step(place_.time, dt);
         const double tolerance = step_tolerance(problem_.time_tolerance);
-        const bool controlled = problem_.fixed_step <= 0;
-        if (controlled && outcome.error > tolerance) {
+        const bool too_long = controlled() && outcome.error > tolerance;
+        const bool jumped = too_long && dt <= TimeCourse::jump && stepper_.prescribed_change() > tolerance;
+        if (too_long && !jumped) {
             shorten(dt, outcome.error, tolerance);
             return false;
         }
@@ -198,10 +257,22 @@ private:
         record(dt);
         if (recorder_.history().time.size() == place_.segment_row + 2)
             recorder_.fill_first_slopes(place_.segment_row);
-        if (controlled && dt >= 0.99 * place_.wanted)
-            place_.wanted =
-                std::min(place_.wanted * step_size_factor(outcome.error, tolerance, 0, 1), problem_.max_step);
+        if (jumped) {
+            stepper_.forget_slope();
+            place_.wanted = first_step(problem_);
+        } else if (controlled()) {
+            lengthen(dt, outcome.error, tolerance);
+        }
         return true;
+    }
+
+    // Steps that an event made shorter tell as well whether twice the wanted length would do.
+    void lengthen(double dt, double error, double tolerance)
+    {
+        constexpr int most = 60;
+        if (dt * step_size_factor(error, tolerance, 0, most) >= place_.wanted * step_ratio * (1 - 1e-9))
+            place_.wanted *= step_ratio;
+        place_.wanted = std::min(place_.wanted, problem_.max_step);
     }
 
     void shorten(double dt, double error, double tolerance)
@@ -229,7 +300,8 @@ private:
     {
         if (hooks.on_step)
             hooks.on_step(place_.time);
-        const bool stop = report_step(problem_, steps_.size(), place_.time, steps_.back().duration, observer);
+        const double length = std::max(steps_.back().duration, place_.wanted);
+        const bool stop = report_step(problem_, steps_.size(), place_.time, length, observer);
         auto& interrupted = recorder_.history().interrupted;
         interrupted = system_.any(stop);
         if (hooks.on_between_steps)
@@ -271,6 +343,7 @@ private:
     StageSolver<System> stages_;
     HistoryRecorder recorder_;
     Stepper<System> stepper_;
+    StepEnds ends_;
     RunPlace place_;
     bool end_seen_ = false;
     std::vector<StepRecord> steps_;  ///< accepted

@@ -2,6 +2,8 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/courses/step_ends.hpp"
+#include "deadpoint/heat/courses/step_times.hpp"
 #include "deadpoint/heat/enclosed_air.hpp"
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/heat/joints.hpp"
@@ -59,6 +61,14 @@ public:
         for (std::size_t r = 0; r < problem_.sources.size(); ++r)
             loads.push_back(joints.source_load(r));
         system_.set_laws(joints.laws(), loads);
+    }
+
+    /// Sets the times of a step, for the values of courses within it.
+    void set_step(const StepTimes& step)
+    {
+        step_ = step;
+        films.set_step(step);
+        oil.set_step(step);
     }
 
     /// The sources at a time and a temperature, with the oil and air that were set last.
@@ -164,6 +174,24 @@ public:
         }
     }
 
+    /// Adds heat that a step does not see to a load; returns that of the enclosed air [J].
+    /// @param balance  at the step's start
+    std::vector<double> add_unseen(const UnseenCourses& unseen, const HeatBalance& balance, Vector& load) const
+    {
+        const auto& layout = system_.geometry().layout;
+        std::vector<double> watts(layout.count(), 0.0), in_air(air.count(), 0.0);
+        for (std::size_t k = 0; k < unseen.bodies.size(); ++k)
+            watts[layout.body(k)] += unseen.bodies[k];
+        for (std::size_t i = 0; i < problem_.surfaces.size(); ++i)
+            if (system_.geometry().surface_area[i] > 0)
+                watts[layout.surface(i)] += unseen_flux(i, unseen, balance);
+        for (std::size_t k = 0; k < in_air.size(); ++k)
+            in_air[k] =
+                problem_.enclosures[k].exchange * unseen.ambient + (k < unseen.powers.size() ? unseen.powers[k] : 0);
+        system_.add_loads(watts, load);
+        return in_air;
+    }
+
 private:
     static constexpr double oil_settled = 1e-9;  // [K]
     static constexpr int most_oil_steps = 100;
@@ -176,24 +204,38 @@ private:
             values[needed_[k]] = found[k];
         return values;
     }
+    // [J/m2]
+    [[nodiscard]] double unseen_flux(std::size_t surface, const UnseenCourses& unseen, const HeatBalance& balance) const
+    {
+        const auto& condition = problem_.surfaces[surface];
+        if (condition.kind == SurfaceCondition::Kind::flux)
+            return unseen.surfaces[surface];
+        if (condition.kind != SurfaceCondition::Kind::film || condition.enclosure >= 0)
+            return 0;
+        const double mean = balance.film_mean[surface];
+        const double faced = films.surroundings(surface, balance.time, {});
+        return film_slope(films.law(surface, faced)(mean), condition.emissivity, mean, faced) *
+               (condition.ambient ? unseen.surfaces[surface] : unseen.ambient);
+    }
     void add_bodies(double time, HeatBalance& balance, std::vector<double>& watts) const
     {
         balance.body_heat.assign(problem_.body_heat.size(), 0.0);
         for (std::size_t k = 0; k < balance.body_heat.size(); ++k)
             if (const auto& power = segment_->body_heat[k]) {
-                balance.body_heat[k] = power(time);
+                balance.body_heat[k] = step_.value(power, time);
                 watts[system_.geometry().layout.body(k)] += balance.body_heat[k];
                 balance.generated += balance.body_heat[k];
             }
     }
     void add_enclosures(double time, const std::vector<double>& inside, HeatBalance& balance) const
     {
+        const double ambient = step_.value(segment_->ambient, time);
         for (std::size_t k = 0; k < inside.size(); ++k) {
             auto& flow = balance.air[k];
             flow.temperature = inside[k];
-            flow.to_room = problem_.enclosures[k].exchange * (inside[k] - segment_->ambient(time));
+            flow.to_room = problem_.enclosures[k].exchange * (inside[k] - ambient);
             if (!segment_->enclosure_power.empty() && segment_->enclosure_power[k])
-                flow.power = segment_->enclosure_power[k](time);
+                flow.power = step_.value(segment_->enclosure_power[k], time);
             balance.generated += flow.power;
             balance.to_air += flow.to_room;
         }
@@ -202,6 +244,7 @@ private:
     System& system_;
     const HeatProblem& problem_;
     const HeatSegment* segment_ = nullptr;
+    StepTimes step_;
     std::vector<std::size_t> needed_;
 };
 

@@ -68,11 +68,43 @@ public:
         previous_step_ = 0;
     }
 
+    /// For a start where slopes of temperatures jump: they are not known.
+    void forget_slope()
+    {
+        slope_known_ = false;
+        previous_step_ = 0;
+    }
+    /// Largest change of a watched temperature or of enclosed air by heat that a step of length dt does not see [K].
+    double change_by(const UnseenCourses& unseen, double time, double dt)
+    {
+        if (!unseen.some_heat())
+            return 0;
+        stages_.begin_step(now_.rate.balance);
+        stages_.set_source_slopes(now_.rate.balance.source_slope);
+        stages_.build(time, diagonal * dt, now_.temperature);
+        system_.combine({}, work_);
+        const auto in_air = sources_.add_unseen(unseen, now_.rate.balance, work_);
+        system_.clear_prescribed(work_);
+        return filtered(in_air);
+    }
+    /// Largest change of a prescribed temperature in the last step [K].
+    double prescribed_change()
+    {
+        if (!system_.some_prescribed())
+            return 0;
+        system_.combine({{1, &next_.temperature}, {-1, &now_.temperature}}, work_);
+        system_.copy(work_, error_);
+        system_.clear_prescribed(error_);
+        system_.add(-1, error_, work_);
+        return system_.largest(work_);
+    }
+
     /// Computes next() from now(), a step of length dt later.
     Outcome step(double time, double dt)
     {
         const double factor = diagonal * dt;
         stages_.begin_step(now_.rate.balance);
+        sources_.set_step({time, time + gamma_stage * dt, time + dt});
         first_stage(time, dt, factor);
         second_stage(time, dt, factor);
         Outcome result;
@@ -81,8 +113,7 @@ public:
             return result;
         result.error = std::max(estimate_error(dt), sources_.oil.step_error(dt, slope_known_, now_.rate.balance,
                                                                             middle_.rate.balance, next_.rate.balance));
-        for (const double e : system_.evaluate(watched_, error_))
-            result.error = std::max(result.error, std::abs(e));
+        result.error = std::max(result.error, largest_watched());
         return result;
     }
 
@@ -185,14 +216,27 @@ private:
         }
         by_weights(now_.rate.watts, middle_.rate.watts, next_.rate.watts, work_);
         system_.clear_prescribed(work_);
-        const auto of_air =
-            sources_.air.first_error(dt, {&now_.rate.balance, &middle_.rate.balance, &next_.rate.balance});
-        sources_.air.eliminate(of_air, work_);
+        return filtered(sources_.air.first_error(dt, {&now_.rate.balance, &middle_.rate.balance, &next_.rate.balance}));
+    }
+
+    // Solves for the change by heat in work_ and in enclosed air with the matrix that was built last: error_, and the
+    // largest change of anything watched [K].
+    double filtered(const std::vector<double>& in_air)
+    {
+        sources_.air.eliminate(in_air, work_);
         // tight enough that any number of ranks takes the same steps
         const double sharp = 1e-4 * step_tolerance(sources_.problem().time_tolerance);
         stages_.solve_linear(work_, error_, {1e-4, sharp}, "the error of a time step");
+        double largest = largest_watched();
+        for (const double e : sources_.air.solution(in_air, error_))
+            largest = std::max(largest, std::abs(e));
+        return largest;
+    }
+    // Of the watched functionals of error_ [K].
+    [[nodiscard]] double largest_watched() const
+    {
         double largest = 0;
-        for (const double e : sources_.air.solution(of_air, error_))
+        for (const double e : system_.evaluate(watched_, error_))
             largest = std::max(largest, std::abs(e));
         return largest;
     }

@@ -94,10 +94,7 @@ const deadpoint::ThermalHistory& Run::go()
 
 Eigen::VectorXd Run::temperatures() { return temperatures_of(machine, run.temperature()); }
 
-deadpoint::TimeCourse steady(double value)
-{
-    return [value](double) { return value; };
-}
+deadpoint::TimeCourse steady(double value) { return deadpoint::TimeCourse::constant(value); }
 
 deadpoint::HeatSegment segment(const HeatProblem& problem, double duration, double ambient)
 {

@@ -265,6 +265,37 @@ TEST_CASE("derivatives by films that follow the temperature, and by what belongs
     });
 }
 
+TEST_CASE("derivatives along tables over time, whose dense points a step passes over")
+{
+    const auto wavy = [](double mean, double swing) {
+        std::vector<double> times, values;
+        for (int k = 0; k <= 200; ++k) {
+            times.push_back(7.0 * k);
+            values.push_back(mean + swing * std::sin(0.02 * k) + 0.1 * swing * std::cos(2.3 * k));
+        }
+        return TimeCourse(times, values);
+    };
+    auto oiled = oiled_bearings(4000);
+    for (auto& segment : oiled.problem.segments) {
+        segment.ambient = wavy(293, 3);
+        segment.body_heat[0] = wavy(25, 10);
+    }
+    oiled.problem.surfaces[2].flux = wavy(50, 20);
+    const auto steps = run_of(oiled).steps;
+    CHECK(std::ranges::any_of(steps, [](const RecordedStep& step) { return step.record.duration > 22; }));
+    check_change(oiled, [&](HeatProblem& p, double by) { p.segments[0].body_heat[0] = wavy(25 + by, 10 - 3 * by); });
+    check_change(oiled, [&](HeatProblem& p, double by) { p.segments[0].ambient = wavy(293 + by, 3 + by); });
+    check_change(oiled, [&](HeatProblem& p, double by) { p.surfaces[2].flux = wavy(50, 20 + 30 * by); });
+    check_change(oiled, [](HeatProblem& p, double by) { p.oil[1].sump_loss += by; });
+    auto enclosed = enclosed_bearings();
+    enclosed.problem.segments[0].enclosure_power[1] = wavy(20, 10);
+    for (auto& segment : enclosed.problem.segments)
+        segment.ambient = wavy(293, 3);
+    check_change(enclosed, [](HeatProblem& p, double by) { p.enclosures[0].exchange += by; });
+    check_change(enclosed,
+                 [&](HeatProblem& p, double by) { p.segments[0].enclosure_power[1] = wavy(20 + by, 10 + by); });
+}
+
 TEST_CASE("a factor on a film that follows the temperature acts on its convection and its radiation to the ambient")
 {
     const auto warm = warm_bearings();

@@ -465,7 +465,7 @@ void describe(Visitor& v, Surface& s)
     v.course({"temperature", "prescribed temperature"}, s.temperature, D::temperature, absolute_temperature);
     v.text({"temperature_formula",
             "prescribed temperature [K] in x, y, z [m] and t [s], like \"293.15 + 10*sin(pi*t/40)\"; above 0 K, and "
-            "below 150 K with a warning"},
+            "below 150 K with a warning; what lasts shorter than 1 s may be missed"},
            s.temperature_formula);
     v.course({"heat_flux", "heat into the part"}, s.heat_flux, D::heat_flux, any_value);
     v.flag({"insulated", "no heat passes; an `exposed` surface does not contain these faces"}, s.insulated);

@@ -47,6 +47,7 @@ struct CurveKeys {
     Dimension x = Dimension::time;
     Dimension y = Dimension::none;
     Range range = any_value;
+    bool may_jump = false;  ///< two points may have the same place
 };
 
 class Visitor;

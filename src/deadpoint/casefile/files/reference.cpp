@@ -163,7 +163,7 @@ public:
     {
         row(key,
             example_of(dimension) + range_suffix(range, dimension) +
-                ", or a table over time `{ time = [...], value = [...] }`" +
+                ", or a table over time `{ time = [...], value = [...] }`, with the same time twice where it jumps" +
                 (dimension == Dimension::temperature ? ", or a daily course `{ mean = \"20 degC\", amplitude = \"3 "
                                                        "K\", time_of_maximum = \"6 h\" }` on "
                                                        "the clock of the run"

@@ -227,6 +227,19 @@ void Reader::loops(const Key& key, std::vector<std::vector<Vec2>>& value)
 
 // ---------------------------------------------------------------- curves
 
+namespace {
+
+// Of the points of a curve. @param may_jump  two of them may be the same, with two values
+std::optional<std::size_t> first_in_wrong_order(const std::vector<double>& x, bool may_jump)
+{
+    for (std::size_t i = 1; i < x.size(); ++i)
+        if (!(x[i - 1] < x[i]) && !(may_jump && x[i - 1] == x[i] && (i < 2 || x[i - 2] < x[i])))
+            return i;
+    return std::nullopt;
+}
+
+}  // namespace
+
 void Reader::read_curve(const Node& node, const std::string& path, const CurveKeys& keys, Table& value)
 {
     push(node, path);
@@ -247,11 +260,10 @@ void Reader::read_curve(const Node& node, const std::string& path, const CurveKe
             report(*y, "wrong-length", path + ".value",
                    fmt::format("{} values for {} points", value.y.size(), value.x.size()), "give one value per point");
         }
-        const auto wrong = std::ranges::adjacent_find(value.x, [](double a, double b) { return !(a < b); });
-        if (wrong != value.x.end()) {
-            const auto index = static_cast<std::size_t>(wrong - value.x.begin()) + 1;
-            report(x->children[index], "wrong-order", x_path, "the points do not increase",
-                   "sort them, each only once");
+        if (const auto index = first_in_wrong_order(value.x, keys.may_jump)) {
+            report(x->children[*index], "wrong-order", x_path, "the points do not increase",
+                   keys.may_jump ? "sort them, each once, or twice where the value jumps"
+                                 : "sort them, each only once");
         }
     }
     pop();
@@ -310,7 +322,7 @@ void Reader::course(const Key& key, std::optional<Course>& value, Dimension dime
         value->constant = value->daily->mean;
     } else if (node->kind == Node::Kind::table) {
         value->table.emplace();
-        read_curve(*node, path_of(key.name), {"time", Dimension::time, dimension, range}, *value->table);
+        read_curve(*node, path_of(key.name), {"time", Dimension::time, dimension, range, true}, *value->table);
         if (!value->table->y.empty()) {
             value->constant = value->table->y.front();
         }

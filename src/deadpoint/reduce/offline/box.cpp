@@ -23,8 +23,8 @@ void for_each_laws(HeatProblem& problem, const std::function<void(std::vector<In
 
 TimeCourse shifted(const TimeCourse& course, double difference)
 {
-    return
-        [course, difference](double time) { return course(time) + difference * (1 - std::exp(-time / climate_time)); };
+    return course.plus([difference](double time) { return difference * (1 - std::exp(-time / climate_time)); },
+                       climate_time / 8);
 }
 
 void shift_ambient(HeatProblem& problem, double difference)

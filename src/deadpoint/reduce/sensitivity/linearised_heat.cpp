@@ -116,10 +116,14 @@ Eigen::MatrixXd LinearisedHeat::from_basis(const Eigen::MatrixXd& states) const
     return result;
 }
 
-LinearisedState LinearisedHeat::at(const heat::StageRecord& record, const Eigen::VectorXd& states)
+LinearisedState LinearisedHeat::at(const heat::StageRecord& record, const Eigen::VectorXd& states,
+                                   const heat::StepTimes& step)
 {
     LinearisedState result;
     result.time = record.time;
+    result.step = step;
+    result.ambient = step.value(laws_->ambient, record.time);
+    films_.set_step(step);
     result.states = states;
     const Eigen::VectorXd values = *functionals_ * states;
     result.values.assign(values.begin(), values.end());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/heat/balance.hpp"
+#include "deadpoint/heat/courses/step_times.hpp"
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/heat/joints.hpp"
 #include "deadpoint/reduce/dense/tridiagonal.hpp"
@@ -24,6 +25,8 @@ namespace deadpoint::reduce {
 /// One time of a run, as far as the derivatives of its rate need it. States are in the basis of LinearisedHeat.
 struct LinearisedState {
     double time = 0;
+    heat::StepTimes step;  ///< to which it belongs
+    double ambient = 0;    ///< of the segment [K]
     Eigen::VectorXd states;
     std::vector<double> values;    ///< by functional [K]
     heat::HeatBalance balance;     ///< of joints, oil and air
@@ -88,7 +91,9 @@ public:
 
     /// @param record  time, oil and air
     /// @param states  in the basis
-    [[nodiscard]] LinearisedState at(const heat::StageRecord& record, const Eigen::VectorXd& states);
+    /// @param step    the times of its step
+    [[nodiscard]] LinearisedState at(const heat::StageRecord& record, const Eigen::VectorXd& states,
+                                     const heat::StepTimes& step = {});
     /// L
     [[nodiscard]] const Eigen::MatrixXd& loads(const LinearisedState& at) const;
     /// K x, of columns in the basis.

@@ -12,18 +12,18 @@ public:
     Passing(const HeatProblem& problem, const LinearisedHeat& heat, const LinearisedState& at)
         : problem_(problem), segment_(problem.segments[heat.segment()]), heat_(heat), at_(at)
     {}
-    [[nodiscard]] double ambient() const { return segment_.ambient(at_.time); }
+    [[nodiscard]] double ambient() const { return now(segment_.ambient); }
     [[nodiscard]] double faced(std::size_t s) const
     {
         const auto& condition = problem_.surfaces[s];
         if (condition.kind != SurfaceCondition::Kind::film || condition.enclosure >= 0)
             return 0;
-        return condition.ambient ? condition.ambient(at_.time) : ambient();
+        return condition.ambient ? now(condition.ambient) : ambient();
     }
     [[nodiscard]] double flux(std::size_t s) const
     {
         const auto& condition = problem_.surfaces[s];
-        return condition.kind == SurfaceCondition::Kind::flux ? condition.flux(at_.time) : 0;
+        return condition.kind == SurfaceCondition::Kind::flux ? now(condition.flux) : 0;
     }
     [[nodiscard]] FilmLaw film_law(std::size_t s) const
     {
@@ -41,18 +41,17 @@ public:
         return law(at_.balance.source_temperature[r]).value +
                (by_rings ? segment_.ring_heat[r](heat_.ring_difference(r, at_.values)) : 0);
     }
-    [[nodiscard]] double body(std::size_t k) const
-    {
-        return segment_.body_heat[k] ? segment_.body_heat[k](at_.time) : 0;
-    }
+    [[nodiscard]] double body(std::size_t k) const { return segment_.body_heat[k] ? now(segment_.body_heat[k]) : 0; }
     [[nodiscard]] double power(std::size_t e) const
     {
         const auto& powers = segment_.enclosure_power;
-        return !powers.empty() && powers[e] ? powers[e](at_.time) : 0;
+        return !powers.empty() && powers[e] ? now(powers[e]) : 0;
     }
     [[nodiscard]] double emissivity(std::size_t s) const { return problem_.surfaces[s].emissivity; }
 
 private:
+    [[nodiscard]] double now(const TimeCourse& course) const { return at_.step.value(course, at_.time); }
+
     const HeatProblem& problem_;
     const HeatSegment& segment_;
     const LinearisedHeat& heat_;

@@ -295,7 +295,7 @@ RateEffect effect_of_sump_loss(std::size_t circuit, const LinearisedHeat& heat, 
     const auto& path = heat.inner().oil[circuit];
     if (path.stops.empty() || path.feed != OilPath::Feed::sump)
         return {};
-    return {{}, {{path.stops.front().place, heat.laws().ambient(at.time) - sump_of(path, at)}}};
+    return {{}, {{path.stops.front().place, at.ambient - sump_of(path, at)}}};
 }
 
 RateEffect effect_of_ambient(const LinearisedHeat& heat)
@@ -343,7 +343,7 @@ RateEffect effect_of(std::size_t scalar, const LinearisedHeat& heat, const Linea
         return effect_of_sump_loss(scalar - layout.sump_loss(0), heat, at);
     if (scalar < layout.power(0)) {
         const auto e = scalar - layout.exchange(0);
-        return {{}, {{heat.inner().air(e), heat.laws().ambient(at.time) - at.balance.air[e].temperature}}};
+        return {{}, {{heat.inner().air(e), at.ambient - at.balance.air[e].temperature}}};
     }
     if (scalar < layout.ambient())
         return {{}, {{heat.inner().air(scalar - layout.power(0)), 1}}};

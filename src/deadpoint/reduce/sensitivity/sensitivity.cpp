@@ -126,15 +126,23 @@ public:
                     first = k;
             }
     }
-    [[nodiscard]] LinearisedState at(const heat::StageRecord& record, const VectorXd& states)
+    [[nodiscard]] LinearisedState at_start(const RecordedStep& step) { return at(step, step.record.start, step.start); }
+    [[nodiscard]] LinearisedState at_middle(const RecordedStep& step)
     {
-        return heat.at(record, heat.into_basis(states));
+        return at(step, step.record.middle, step.middle);
     }
+    [[nodiscard]] LinearisedState at_end(const RecordedStep& step) { return at(step, step.record.end, step.end); }
 
     LinearisedHeat heat;
     StageEquations stages;
     ChangedRates rates;
     std::size_t first = 0, count = 0;  ///< of its steps
+
+private:
+    [[nodiscard]] LinearisedState at(const RecordedStep& step, const heat::StageRecord& record, const VectorXd& states)
+    {
+        return heat.at(record, heat.into_basis(states), heat::times_of(step.record));
+    }
 };
 
 // Rates of states and inner values along derivatives, but for what coefficients change.
@@ -191,13 +199,13 @@ private:
     {
         const auto& first = run_.steps[segment.first];
         const MatrixXd weights = segment.heat.into_basis(weights_);
-        auto start = segment.at(first.record.start, first.start);
+        auto start = segment.at_start(first);
         auto changes = segment.rates.at(start);
         auto now = enter(segment.heat, now_);
         segment.stages.start(start, changes.inner, now);
         for (std::size_t k = segment.first; k < segment.first + segment.count; ++k) {
             const auto& step = run_.steps[k];
-            auto end = segment.at(step.record.end, step.end);
+            auto end = segment.at_end(step);
             auto end_changes = segment.rates.at(end);
             now = stepped(segment, step, start, changes, end, end_changes, now);
             const bool is_last = k + 1 == run_.steps.size();
@@ -217,7 +225,7 @@ private:
         auto& stages = segment.stages;
         const VectorXd scales = stages.scales(d), of_rates = stages.scales_of_rates(d);
         const auto& capacity = stages.capacity();
-        const auto at_middle = segment.at(step.record.middle, step.middle);
+        const auto at_middle = segment.at_middle(step);
         const auto middle_changes = segment.rates.at(at_middle);
         const auto rates = rates_along(segment.heat, start, now);
         Derivatives middle{now.states + d * (rates.states + start_changes.states + middle_changes.states),
@@ -280,14 +288,14 @@ private:
     {
         auto now = enter(segment.heat, now_);
         const auto last = segment.first + segment.count - 1;
-        auto end = segment.at(run_.steps[last].record.end, run_.steps[last].end);
+        auto end = segment.at_end(run_.steps[last]);
         Derivatives at_end{MatrixXd::Zero(now.states.rows(), 1), MatrixXd::Zero(now.inner.rows(), 1)};
         for (std::size_t k = last + 1; k-- > segment.first;) {
             const auto& step = run_.steps[k];
             const bool is_last = k + 1 == run_.steps.size();
             now.states += segment.heat.into_basis(
                 rows(step.record.row, is_last ? run_.history.time.size() : run_.steps[k + 1].record.row));
-            auto start = segment.at(step.record.start, step.start);
+            auto start = segment.at_start(step);
             step_back(segment, step, start, end, at_end, now);
             end = std::move(start);
         }
@@ -312,7 +320,7 @@ private:
         at_end.inner += scales.asDiagonal() * second.inner;
         segment.rates.add_weighted(end, at_end, sums_);
 
-        const auto at_middle = segment.at(step.record.middle, step.middle);
+        const auto at_middle = segment.at_middle(step);
         Derivatives first{bdf_middle * second.states, bdf_middle * (capacity.asDiagonal() * second.inner)};
         stages.set(d, at_middle);
         stages.solve_transposed(first);

@@ -36,13 +36,16 @@ Found ambients_in(const FreeCoefficient& coefficient, const HeatProblem& problem
     Found found;
     double begin = 0;
     for (const auto& segment : problem.segments) {
-        for (int k = 0; k <= places; ++k) {
-            const double time = begin + segment.duration * k / places;
-            found.add(segment.ambient(time) - coefficient.base.front());
-            for (std::size_t s = 0; s < problem.surfaces.size(); ++s)
-                if (const auto& own = problem.surfaces[s].ambient)
-                    found.add(own(time) - base_of(1 + s));
-        }
+        const auto add = [&](const TimeCourse& course, double base) {
+            for (int k = 0; k <= places; ++k)
+                found.add(course(begin + segment.duration * k / places) - base);
+            for (const double time : course.points(begin, begin + segment.duration))
+                found.add(course(time) - base);
+        };
+        add(segment.ambient, coefficient.base.front());
+        for (std::size_t s = 0; s < problem.surfaces.size(); ++s)
+            if (const auto& own = problem.surfaces[s].ambient)
+                add(own, base_of(1 + s));
         begin += segment.duration;
     }
     return found;

@@ -329,6 +329,22 @@ std::function<double(const Vec3&, double)> formula_course(const std::string& sur
     };
 }
 
+/// Corners of some faces of a surface, spread over it, or one of them; none of a machine without its mesh.
+std::vector<Vec3> some_places(const Machine& machine, const std::string& surface, bool everywhere)
+{
+    const std::size_t most = everywhere ? 12 : 1;
+    std::vector<Vec3> result;
+    const int index = surface_index(machine, surface);
+    if (index < 0)
+        return result;
+    const auto& faces = machine.surfaces[static_cast<std::size_t>(index)].faces;
+    for (std::size_t k = 0; k < std::min(most, faces.size()); ++k) {
+        const auto& face = machine.faces[faces[k * faces.size() / std::min(most, faces.size())].face];
+        result.push_back(machine.nodes[face.nodes[k % 3]]);
+    }
+    return result;
+}
+
 /// @return nothing if the surface has no condition
 std::optional<SurfaceCondition> surface_condition(const casefile::Case& input, const Machine& machine,
                                                   const std::string& name, const LoadsResult* loads)
@@ -339,12 +355,15 @@ std::optional<SurfaceCondition> surface_condition(const casefile::Case& input, c
         condition = film_condition(input, machine, name, loads);
     } else if (surface.temperature) {
         condition.kind = SurfaceCondition::Kind::temperature;
-        condition.temperature = [course = time_course(*surface.temperature, 0)](const Vec3&, double time) {
-            return course(time);
-        };
+        const auto course = time_course(*surface.temperature, 0);
+        condition.temperature = [course](const Vec3&, double time) { return course(time); };
+        condition.temperature_courses = {course};
     } else if (!surface.temperature_formula.empty()) {
         condition.kind = SurfaceCondition::Kind::temperature;
         condition.temperature = formula_course(name, surface.temperature_formula);
+        for (const auto& place : some_places(machine, name, Formula(surface.temperature_formula).depends_on_place()))
+            condition.temperature_courses.push_back(
+                [formula = condition.temperature, place](double time) { return formula(place, time); });
     } else if (surface.heat_flux) {
         condition.kind = SurfaceCondition::Kind::flux;
         condition.flux = time_course(*surface.heat_flux, 0);
