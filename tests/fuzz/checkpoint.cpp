@@ -6,6 +6,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/binary_file.hpp"
 #include "input_file.hpp"
+#include "signed_file.hpp"
 
 #include <cstdlib>
 #include <sstream>
@@ -40,15 +41,6 @@ constexpr auto members(const Values*)
                       &Values::field, &Values::row,     &Values::solves};
 }
 
-/// The bytes behind the first line, with what belongs around them.
-std::string whole_file(std::string_view bytes)
-{
-    std::ostringstream out;
-    deadpoint::BinaryWriter writer(out, std::string(kind).append(bytes));
-    writer.finish();
-    return out.str();
-}
-
 std::string written(const Values& values)
 {
     std::ostringstream out;
@@ -75,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view input(reinterpret_cast<const char*>(data), size);
     Values values;
     try {
-        values = input.starts_with('+') ? read(file, whole_file(input.substr(1))) : read(file, input);
+        values = input.starts_with('+') ? read(file, signed_file(kind, input.substr(1))) : read(file, input);
     } catch (const deadpoint::IoError&) {
         return 0;
     }

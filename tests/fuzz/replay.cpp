@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr time_t longest = 20;  // [s] of the processor for one input, however busy the machine
-constexpr std::size_t largest = 16384;
+constexpr std::size_t least_room = 16384;
 
 std::string kept_as;
 std::string input;
@@ -67,7 +67,7 @@ std::string piece(const std::string& text, Draw& draw)
 }
 
 /// One change: a bit, a byte, a part left out, repeated, or taken from another input.
-void change(std::string& text, const std::vector<std::string>& inputs, Draw& draw)
+void change(std::string& text, const std::vector<std::string>& inputs, std::size_t largest, Draw& draw)
 {
     const auto at = draw.below(text.size() + 1);
     const bool inside = at < text.size();
@@ -131,11 +131,13 @@ int main(int argc, char** argv)
     for (const auto& text : inputs)
         give(text);
     Draw draw;
+    const auto longest_input = std::ranges::max(inputs, {}, &std::string::size).size();
+    const auto room = std::max(least_room, longest_input + longest_input / 8);
     const auto changes = std::strtoul(argv[1], nullptr, 10);
     for (std::size_t i = 0; i < changes; ++i) {
         std::string text = inputs[i % inputs.size()];
         for (auto count = 1 + draw.below(4); count > 0; --count)
-            change(text, inputs, draw);
+            change(text, inputs, room, draw);
         give(std::move(text));
     }
     std::printf("%zu inputs and %lu changes of them\n", inputs.size(), changes);

@@ -11,6 +11,7 @@ namespace deadpoint {
 /// fractions. What it holds is what members() lists, and so what a binary file of it holds (io/binary_file).
 Machine without_mesh(const Machine& machine);
 
+constexpr auto last_value(const CellKind*) { return CellKind::tetrahedron; }
 constexpr auto members(const FreeformGeometry*) { return std::tuple{}; }
 constexpr auto members(const PlaneGeometry*) { return std::tuple{&PlaneGeometry::normal, &PlaneGeometry::offset}; }
 constexpr auto members(const CylinderGeometry*)

@@ -72,8 +72,8 @@ bool sound_past(const RunState& read, const RunState& like, const HeatProblem& p
         return step.segment < problem.segments.size() && step.row < rows && step.duration > 0 &&
                fits(step.start, stage, 1) && fits(step.middle, stage, 1) && fits(step.end, stage, 1);
     };
-    return same_history(read.history, like.history, rows) && rows >= read.place.segment_row + 2 &&
-           read.history.time.back() == read.place.time && fits(read.balance, like.balance, 1) &&
+    return same_history(read.history, like.history, rows) && rows >= 2 && read.place.segment_row <= rows - 2 &&
+           std::ranges::is_sorted(read.history.time) && read.history.time.back() == read.place.time && fits(read.balance, like.balance, 1) &&
            std::ranges::all_of(read.steps, sound_step);
 }
 

@@ -82,27 +82,28 @@ BinaryReader::BinaryReader(std::filesystem::path file, std::string_view kind, st
     if (size < kind.size() + ending)
         refuse("it is cut short");
 
-    in_.seekg(static_cast<std::streamoff>(kind.size()));
+    // The length first: it costs nothing, a checksum of a file of many gigabytes does.
+    end_ = size - ending;
+    in_.seekg(static_cast<std::streamoff>(end_));
+    left_ = ending;
+    std::uint64_t length = 0, wanted = 0;
+    (*this)(length, wanted);
+    if (length != size)
+        refuse("it is cut short");
+    in_.seekg(0);
     StableHash checksum;
-    checksum.add(head);
     std::string piece(std::min<std::uint64_t>(size, 1 << 20), '\0');
-    for (std::uint64_t left = size - kind.size() - sizeof(std::uint64_t); left > 0;) {
+    for (std::uint64_t left = size - sizeof(std::uint64_t); left > 0;) {
         const auto here = std::min<std::uint64_t>(left, piece.size());
         left_ = here;
         get_bytes(piece.data(), here);
         checksum.add({piece.data(), here});
         left -= here;
     }
-    left_ = ending;
-    in_.seekg(static_cast<std::streamoff>(size - ending));
-    std::uint64_t length = 0, wanted = 0;
-    (*this)(length, wanted);
-    if (length != size)
-        refuse("it is cut short");
     if (wanted != checksum.value())
         refuse("its checksum does not fit");
     in_.seekg(static_cast<std::streamoff>(kind.size()));
-    left_ = size - kind.size() - ending;
+    left_ = end_ - kind.size();
 }
 
 void BinaryReader::refuse(const std::string& reason) const
@@ -118,6 +119,11 @@ void BinaryReader::get_bytes(void* data, std::size_t size)
     if (in_.gcount() != static_cast<std::streamsize>(size))
         refuse("it cannot be read to its end");
     left_ -= size;
+}
+
+void BinaryReader::refuse_value(std::size_t bytes_ago, const char* reason) const
+{
+    refuse(fmt::format("its value at byte {} {}", end_ - left_ - bytes_ago, reason));
 }
 
 std::size_t BinaryReader::get_count(std::size_t size_of_one)

@@ -3,6 +3,7 @@
 #include "deadpoint/core/hash.hpp"
 
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
@@ -24,8 +25,14 @@
 ///
 ///     constexpr auto members(const Series*) { return std::tuple{&Series::value, &Series::rate}; }
 ///
+/// An enumeration states its last value, for reading:
+///
+///     constexpr Kind last_value(const Kind*) { return Kind::ambient; }
+///
 /// The file begins with its kind and ends with its length and a checksum of all before, so that a
-/// truncated or changed file is detected before any of its contents is used.
+/// truncated or changed file is detected before any of its contents is used. A right checksum proves nothing of the
+/// contents: the reader refuses numbers that are not finite, bools other than 0 and 1, and values that an enumeration
+/// does not have.
 namespace deadpoint {
 
 template <class Value>
@@ -108,9 +115,10 @@ public:
     /// @param help remedy if the file cannot be used, for the messages
     /// @throws IoError if it cannot be read, is of another kind, was cut short or changed
     BinaryReader(std::filesystem::path file, std::string_view kind, std::string help);
-    /// Reads values in the order in which they were written. A count that exceeds the rest of the
-    /// file is refused.
-    /// @throws IoError if the file is at its end
+    /// Reads values in the order in which they were written.
+    /// @throws IoError with the place in the file if it is at its end, a count exceeds the rest of the file, a number
+    /// is
+    ///         not finite, or a bool or an enumeration has no such value
     template <class... Values>
     void operator()(Values&... values)
     {
@@ -122,19 +130,34 @@ public:
 private:
     void get_bytes(void* data, std::size_t size);
     [[nodiscard]] std::size_t get_count(std::size_t size_of_one);
+    /// Refuses the value of which the last byte was read.
+    [[noreturn]] void refuse_value(std::size_t bytes_ago, const char* reason) const;
 
+    template <class Number>
+    void get_numbers(Number* values, std::size_t count)
+    {
+        get_bytes(values, count * sizeof(Number));
+        if constexpr (std::is_floating_point_v<Number>)
+            for (std::size_t k = 0; k < count; ++k)
+                if (!std::isfinite(values[k]))
+                    refuse_value((count - k) * sizeof(Number), "is not a finite number");
+    }
     template <class Value>
     void get(Value& value)
     {
         if constexpr (is_number<Value>)
-            get_bytes(&value, sizeof(Value));
+            get_numbers(&value, 1);
         else if constexpr (std::is_same_v<Value, bool>) {
             std::uint8_t byte = 0;
             get(byte);
+            if (byte > 1)
+                refuse_value(sizeof byte, "is neither 0 nor 1");
             value = byte != 0;
         } else if constexpr (std::is_enum_v<Value>) {
             std::underlying_type_t<Value> number{};
             get(number);
+            if (std::cmp_less(number, 0) || number > static_cast<decltype(number)>(last_value(&value)))
+                refuse_value(sizeof number, "names a kind that does not exist");
             value = static_cast<Value>(number);
         } else
             std::apply([&](auto... member) { (get(value.*member), ...); }, members(&value));
@@ -177,7 +200,7 @@ private:
     {
         if constexpr (is_number<Value>) {
             values.resize(get_count(sizeof(Value)));
-            get_bytes(values.data(), values.size() * sizeof(Value));
+            get_numbers(values.data(), values.size());
         } else {
             values.clear();
             for (std::size_t left = get_count(1); left > 0; --left) {
@@ -191,7 +214,8 @@ private:
     std::filesystem::path file_;
     std::string help_;
     std::ifstream in_;
-    std::uint64_t left_ = 0;  ///< not read yet [byte]
+    std::uint64_t end_ = 0;   ///< of the contents [byte]
+    std::uint64_t left_ = 0;  ///< of the contents, not read yet [byte]
 };
 
 }  // namespace deadpoint

@@ -108,6 +108,8 @@ TEST_CASE("a history with a row too few, too many, or of another time, is found"
     CHECK(at.said([](RunState& s) { s.history.time.back() += 1; }) == history);
     CHECK(at.said([](RunState& s) { s.history.time.pop_back(); }) == history);
     CHECK(at.said([](RunState& s) { s.place.segment_row = s.history.time.size() - 1; }) == history);
+    CHECK(at.said([](RunState& s) { s.place.segment_row = ~std::size_t{0}; }) == history);  // plus two it is one
+    CHECK(at.said([](RunState& s) { std::swap(s.history.time[0], s.history.time[1]); }) == history);
     const std::vector<std::function<void(ThermalHistory&)>> changes{
         [](auto& h) { h.probes[0].value.pop_back(); },   [](auto& h) { h.probes[1].rate.push_back(0); },
         [](auto& h) { h.interface_a.clear(); },          [](auto& h) { h.interface_b[0].value.clear(); },

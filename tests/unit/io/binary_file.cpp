@@ -39,6 +39,7 @@ constexpr auto members(const Tree*)
 }
 
 enum class Colour : std::uint8_t { green, brown };
+constexpr Colour last_value(const Colour*) { return Colour::brown; }
 struct Nothing {};
 constexpr auto members(const Nothing*) { return std::tuple{}; }
 
@@ -57,7 +58,7 @@ constexpr auto members(const Fruit*)
 Tree example()
 {
     constexpr double smallest = std::numeric_limits<double>::denorm_min();
-    return {"oak\n", {{0.1, true}, {-0.0, false}}, {{}, {1e300, smallest, std::nan("")}}, {true, false, true}, -7};
+    return {"oak\n", {{0.1, true}, {-0.0, false}}, {{}, {1e300, smallest, -1e-3}}, {true, false, true}, -7};
 }
 
 std::string bytes_of(const Tree& tree)
@@ -153,6 +154,50 @@ TEST_CASE("a variant of a form that does not exist is refused")
     std::variant<Nothing, Leaf, double> form;
     BinaryReader reader(folder.file("form", out.str()), kind, "write it again");
     CHECK_THROWS_WITH_AS(reader(form), doctest::Contains("a form that does not exist"), IoError);
+}
+
+/// The message with which a value is refused that was written as one of another type.
+template <class Read, class... Written>
+std::string refusal_of(const ScratchFolder& folder, const Written&... written)
+{
+    std::ostringstream out;
+    BinaryWriter writer(out, kind);
+    writer(written...);
+    writer.finish();
+    Read value{};
+    try {
+        BinaryReader(folder.file("value", out.str()), kind, "write it again")(value);
+    } catch (const IoError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST_CASE("numbers that are not finite, and values that a bool or an enumeration lacks, are refused with their place")
+{
+    const ScratchFolder folder;
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+    for (const double value : {std::nan(""), infinite, -infinite}) {
+        CHECK(has(refusal_of<double>(folder, value), "its value at byte 12 is not a finite number"));
+        // A count of 8 bytes, two numbers, then the one that is refused.
+        CHECK(
+            has(refusal_of<std::vector<double>>(folder, std::vector{1.0, 2.0, value, 4.0}), "value at byte 36 is not"));
+        CHECK(
+            has(refusal_of<std::vector<float>>(folder, std::vector{1.F, static_cast<float>(value)}), "byte 24 is not"));
+    }
+    CHECK(has(refusal_of<bool>(folder, std::uint8_t{2}), "its value at byte 12 is neither 0 nor 1"));
+    CHECK(has(refusal_of<Colour>(folder, std::uint8_t{2}), "its value at byte 12 names a kind that does not exist"));
+    CHECK(refusal_of<Colour>(folder, std::uint8_t{1}).empty());
+    CHECK(refusal_of<std::vector<double>>(folder, std::vector{1e308, -1e308}).empty());
+}
+
+TEST_CASE("a file of many gigabytes that states another length is refused before it is summed")
+{
+    const ScratchFolder folder;
+    const auto file = folder.file("file", bytes_of(example()));
+    std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // sparse; to sum it would take minutes
+    CHECK_THROWS_WITH_AS(BinaryReader(file, kind, ""), doctest::Contains("it is cut short"), IoError);
 }
 
 TEST_CASE("a file that was cut anywhere is refused with its name and what to do")

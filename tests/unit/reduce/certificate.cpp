@@ -49,10 +49,10 @@ ThermalHistory run_on(const Terms& terms, const HeatProblem& problem)
     return ReducedRun(terms, problem, 1, 293).go({}, observer);
 }
 
-std::vector<std::size_t> outputs()
+std::vector<heat::Loads> outputs()
 {
     const auto& layout = certified().models.large->terms.geometry.layout;
-    return {layout.probe(1), layout.count()};
+    return {{{layout.probe(1), 1}}, {{layout.count(), 1}}};
 }
 
 Eigen::MatrixXd conduction(const DenseTerms& terms, const HeatProblem& problem)
@@ -168,11 +168,11 @@ TEST_CASE("the bound of an output is the same beside how many others")
 {
     const auto& models = certified().models;
     const auto large = run_on(models.large, rods::problem());
-    const auto bounds = [&](const std::vector<std::size_t>& asked) {
+    const auto bounds = [&](const std::vector<heat::Loads>& asked) {
         return certify(models.large, *models.residual, rods::problem(), large.time, asked).bounds;
     };
     const std::vector<double> alone{bounds({outputs()[0]})[0], bounds({outputs()[1]})[0]};
-    std::vector<std::size_t> many;  // more steps of outputs than are worked on at once
+    std::vector<heat::Loads> many;  // more steps of outputs than are worked on at once
     while (many.size() * large.time.size() < 3000)
         many.push_back(outputs()[many.size() % 2]);
     const auto found = bounds(many);
@@ -342,16 +342,47 @@ TEST_CASE("the bound vanishes as the basis comes to span the full system")
 TEST_CASE("a certificate that went through its file gives the same bounds")
 {
     const auto& models = certified().models;
-    const auto again = restored(stored(*models.residual));
+    const auto& residual = *models.residual;
+    const auto& terms = models.large->terms;
+    const ResidualSizes sizes{
+        static_cast<std::uint64_t>(residual.states), static_cast<std::uint64_t>(residual.functionals),
+        static_cast<std::uint64_t>(residual.observed), 4 * terms.joints.size() + terms.films.size() + 1};
+    const auto again = restored(stored(residual), sizes);
     const auto large = run_on(models.large, rods::problem());
     const auto before = certify(models.large, *models.residual, rods::problem(), large.time, outputs());
     const auto after = certify(models.large, again, rods::problem(), large.time, outputs());
     for (std::size_t k = 0; k < outputs().size(); ++k)
         CHECK(after.bounds[k] == near(before.bounds[k], 5e-4));  // 32 bits a number, and residuals are differences
-    auto cut = stored(*models.residual);
-    cut.root.pop_back();
-    CHECK_THROWS_AS(restored(cut), InputError);
-    cut = stored(*models.residual);
-    cut.first[2] = 1000;
-    CHECK_THROWS_AS(restored(cut), InputError);
+    const auto refused = [&](auto&& change) {
+        auto changed = stored(residual);
+        change(changed);
+        CHECK_THROWS_AS(restored(changed, sizes), InputError);
+    };
+    refused([](StoredResidual& r) { r.root.pop_back(); });
+    refused([](StoredResidual& r) { r.first[2] = 1000; });
+    refused([](StoredResidual& r) { r.functionals = ~std::uint64_t{0}; });
+    refused([](StoredResidual& r) { r.observed += 1; });
+    refused([](StoredResidual& r) { r.lowest[0] = -1; });
+    refused([](StoredResidual& r) { r.factors.rows = std::uint64_t{1} << 63; });
+    refused([](StoredResidual& r) { r.remainder = {std::uint64_t{1} << 40, 0, {}}; });
+    refused([](StoredResidual& r) { r.products.rows = 0; });
+}
+
+TEST_CASE("the bound of a sum of outputs is at most the sum of their bounds, and its value their values'")
+{
+    const auto& models = certified().models;
+    const auto large = run_on(models.large, rods::problem());
+    auto asked = outputs();
+    const double factor = -2e-6;
+    asked.push_back({{asked[0][0].functional, factor}, {asked[1][0].functional, 1}});
+    asked.push_back({{asked[0][0].functional, factor}});
+    const auto found = certify(models.large, *models.residual, rods::problem(), large.time, asked);
+    REQUIRE(found.refused.empty());
+    // Rounding of the products in single precision of which the bounds are made.
+    CHECK(found.bounds[3] == near(std::abs(factor) * found.bounds[0], 1e-6));
+    CHECK(found.bounds[2] <= (found.bounds[1] + found.bounds[3]) * (1 + 1e-6));
+    CHECK(found.bounds[2] > 0);
+    CHECK(found.values[2] == near(found.values[1] + found.values[3], 1e-12));
+    CHECK(found.values[3] == near(factor * found.values[0], 1e-12));
+    CHECK(found.values[0] == near(large.probes[1].value.back(), 0, 0.1));  // other steps between the same times
 }

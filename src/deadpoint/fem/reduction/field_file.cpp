@@ -3,31 +3,18 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/fem/reduction/field_reader.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/fem/space/file_order.hpp"
 #include "deadpoint/io/binary_file.hpp"
 #include "deadpoint/io/write_file.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <fmt/format.h>
-#include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace deadpoint::fem {
-
-constexpr auto members(const FieldFileHead*)
-{
-    return std::tuple{&FieldFileHead::version, &FieldFileHead::model, &FieldFileHead::mesh};
-}
-
 namespace {
-
-constexpr std::string_view fields_kind = "deadpoint fields of a reduced press 1\n";
-constexpr const char* fields_help = "make it again with 'deadpoint reduce CASE --fields -o FILE', or remove it";
 
 /// Passes fields on to the first rank, one after the other, in the order of a file.
 class OneByOne {
@@ -54,18 +41,6 @@ private:
     const std::function<Eigen::VectorXd(std::size_t field)>& owned_;
     std::vector<std::size_t> order_;
 };
-
-void require_own(const FieldFileHead& found, const std::string& file, const Discretisation& space,
-                 const std::string& model)
-{
-    if (found.model != model)
-        throw InputError(fmt::format("the fields in '{}' belong to another reduced press than this one\n  help: {}",
-                                     file, fields_help));
-    if (const auto wanted = mesh_text(space); found.mesh != wanted)
-        throw InputError(fmt::format("the fields in '{}' belong to another mesh than that of this case\n  it is:  "
-                                     "{}\n  wanted: {}\n  help: {}",
-                                     file, found.mesh, wanted, fields_help));
-}
 
 }  // namespace
 
@@ -105,21 +80,11 @@ void write_fields(const std::string& file, const Discretisation& space, const st
 StateFields read_fields(const std::string& file, const Discretisation& space, const std::string& model,
                         std::size_t states)
 {
-    BinaryReader in(file, fields_kind, fields_help);
-    FieldFileHead head;
-    std::uint64_t count = 0;
-    in(head, count);
-    require_own(head, file, space, model);
-    if (count != states)
-        in.refuse(fmt::format("it has {} fields for {} states", count, states));
     const auto order = order_of_file(space);
+    FieldReader in(file, {{}, model, mesh_text(space)}, states, order.size());
     Eigen::MatrixXf fields(space.last - space.first, static_cast<Eigen::Index>(states));
-    std::vector<float> field;
     for (auto column : fields.colwise()) {
-        in(field);
-        if (field.size() != order.size() || !std::ranges::all_of(field, [](float x) { return std::isfinite(x); }))
-            in.refuse("its numbers do not fit the mesh");
-        const auto owned = share_of_file(space, order, field);
+        const auto owned = share_of_file(space, order, in.next());
         column = Eigen::Map<const Eigen::VectorXd>(owned.data(), static_cast<Eigen::Index>(owned.size())).cast<float>();
     }
     return StateFields(std::move(fields));

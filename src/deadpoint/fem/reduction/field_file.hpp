@@ -12,13 +12,6 @@ namespace deadpoint::fem {
 
 class Discretisation;
 
-/// Head of the file.
-struct FieldFileHead {
-    std::string version;  ///< of the program
-    std::string model;    ///< reduce::mark_of() the terms that were projected on these fields
-    std::string mesh;     ///< file_order's mesh_text()
-};
-
 /// This rank's share of the fields: T = sum over states of x_k field_k.
 class StateFields {
 public:

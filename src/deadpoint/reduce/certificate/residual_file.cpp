@@ -8,15 +8,20 @@
 namespace deadpoint::reduce {
 namespace {
 
-void require_fit(const StoredResidual& stored)
+void require_fit(const StoredResidual& stored, const ResidualSizes& sizes)
 {
-    const auto terms = stored.lowest.size();
-    const bool fits = terms > 0 && stored.highest.size() == terms && stored.first.size() == terms + 1 &&
+    const bool fits = stored.states == sizes.states && stored.functionals == sizes.functionals &&
+                      stored.observed == sizes.observed && stored.lowest.size() == sizes.terms &&
+                      stored.highest.size() == sizes.terms && stored.first.size() == sizes.terms + 1 &&
                       stored.first.front() == 0 && std::ranges::is_sorted(stored.first) &&
-                      stored.first.back() == stored.factors.columns && stored.factors.rows == stored.states &&
-                      (stored.remainder.rows == 0 || stored.remainder.columns == stored.states);
+                      stored.factors.has_size(stored.states, stored.first.back()) &&
+                      (stored.remainder.rows == 0 ? stored.remainder.is_whole()
+                                                  : stored.remainder.has_size(stored.remainder.rows, stored.states));
     if (!fits)
-        throw InputError("a term of a certificate has another size than the others");
+        throw InputError("its numbers do not fit the large model");
+    const auto positive = [](double coefficient) { return coefficient >= 0; };
+    if (!std::ranges::all_of(stored.lowest, positive) || !std::ranges::all_of(stored.highest, positive))
+        throw InputError("a coefficient of a certificate is negative");
 }
 
 // The file has columns, and a row of the matrix is contiguous: a few columns at a time.
@@ -55,9 +60,9 @@ StoredResidual stored(const ResidualTerms& terms)
     return result;
 }
 
-ResidualTerms restored(const StoredResidual& stored)
+ResidualTerms restored(const StoredResidual& stored, const ResidualSizes& sizes)
 {
-    require_fit(stored);
+    require_fit(stored, sizes);
     ResidualTerms result;
     result.states = static_cast<Eigen::Index>(stored.states);
     result.functionals = static_cast<Eigen::Index>(stored.functionals);

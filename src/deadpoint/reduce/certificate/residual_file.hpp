@@ -29,8 +29,13 @@ constexpr auto members(const StoredResidual*)
 }
 
 StoredResidual stored(const ResidualTerms& terms);
+/// Of the large model to which a certificate belongs.
+struct ResidualSizes {
+    std::uint64_t states = 0, functionals = 0, observed = 0, terms = 0;
+};
+
 /// The terms again, as they were rounded.
-/// @throws InputError if numbers of entries do not fit each other
-ResidualTerms restored(const StoredResidual& stored);
+/// @throws InputError if numbers of entries fit neither each other nor the model, before memory is taken by them
+ResidualTerms restored(const StoredResidual& stored, const ResidualSizes& sizes);
 
 }  // namespace deadpoint::reduce

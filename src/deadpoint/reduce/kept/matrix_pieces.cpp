@@ -19,7 +19,7 @@ StoredMatrix<double> in_double(const Eigen::MatrixXd& matrix)
 
 Eigen::MatrixXd as_matrix(const StoredMatrix<double>& stored, const std::string& piece)
 {
-    if (stored.entries.size() != stored.rows * stored.columns)
+    if (!stored.is_whole())
         throw IoError(
             fmt::format("a matrix of the checkpoint's '{}' has another number of entries than it says", piece));
     return Eigen::Map<const Eigen::MatrixXd>(stored.entries.data(), static_cast<Eigen::Index>(stored.rows),

@@ -15,6 +15,14 @@ namespace {
 constexpr double largest_leak = 1e-4;
 // The terms' matrices cost about as much as two sums of factors.
 constexpr std::size_t few_sums = 2;
+constexpr double most_matrices = 2e9;  // memory of all terms' matrices, above which sums are those of factors [byte]
+
+// Of n^2/2 numbers for each term.
+double matrices_of(const DenseTerms& terms)
+{
+    const auto n = static_cast<double>(terms.uniform.size());
+    return 0.5 * n * n * sizeof(double) * static_cast<double>(4 * terms.joints.size() + terms.films.size());
+}
 
 void require_sizes(const DenseTerms& terms)
 {
@@ -165,7 +173,7 @@ std::shared_ptr<const Conduction> PreparedTerms::conduction(const TermWeights& w
 {
     return conductions_.get(weights, [&] {
         const bool few = sums_ == Sums::of_factors && conductions_.count() < few_sums;
-        return few ? sum_of_factors(weights) : sum_of_matrices(weights);
+        return few || matrices_of(terms) > most_matrices ? sum_of_factors(weights) : sum_of_matrices(weights);
     });
 }
 

@@ -14,7 +14,7 @@ StoredMatrix<float> as_stored(const Eigen::MatrixXd& matrix)
 
 Eigen::MatrixXd as_matrix(const StoredMatrix<float>& stored)
 {
-    if (stored.columns != 0 && stored.entries.size() / stored.columns != stored.rows)
+    if (!stored.is_whole())
         throw InputError("a matrix of a reduced model has another number of entries than it says");
     return Eigen::Map<const Eigen::MatrixXf>(stored.entries.data(), static_cast<Eigen::Index>(stored.rows),
                                              static_cast<Eigen::Index>(stored.columns))

@@ -27,7 +27,7 @@ constexpr auto members(const StoredTerms*)
 /// The numbers of terms, for a file. Their geometry is stored beside them.
 StoredTerms stored(const DenseTerms& terms);
 /// The terms again, as they were rounded. @param terms  with their geometry, which is kept
-/// @throws InputError if numbers of entries do not fit each other
+/// @throws InputError if sizes do not fit each other and the geometry, before memory is taken by them
 void restore(const StoredTerms& stored, DenseTerms& terms);
 
 /// A number of 16 hexadecimal digits that tells the states of terms from those of any others: a hash of their

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 namespace deadpoint::reduce {
 struct ResidualTerms;
@@ -10,6 +11,9 @@ struct ResidualTerms;
 namespace deadpoint::study {
 
 struct ReducedPress;
+
+/// First line of the file.
+inline constexpr std::string_view certificate_kind = "deadpoint certificate 2\n";
 
 /// Name of the file of the certificate beside that of a reduced press: press.rom, press.certificate.rom.
 std::filesystem::path certificate_file(const std::filesystem::path& press);

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace deadpoint::casefile {
@@ -23,6 +24,9 @@ struct PreparedTerms;
 
 /// A press as a reduced model: all that runs need, without a mesh.
 namespace deadpoint::study {
+
+/// First line of the file of a reduced press.
+inline constexpr std::string_view reduced_kind = "deadpoint reduced press 3\n";
 
 /// The dimension chain and the gaps, whose functionals the terms have.
 struct ReducedChain {
@@ -65,7 +69,8 @@ std::filesystem::path fields_file(const std::filesystem::path& file);
 
 /// Writes a reduced press (docs/rom-file.md). @throws IoError
 void write_reduced(const std::filesystem::path& file, const ReducedPress& press);
-/// @throws IoError if the file cannot be read, is of another format, was cut short or changed
+/// @throws IoError if the file cannot be read, is of another format, was cut short or changed, or says with a right
+///         checksum what does not fit: sizes, indices, numbers that are not finite, a large model elsewhere
 ReducedPress read_reduced(const std::filesystem::path& file);
 /// The same for a run or two, without what many runs share: that of a large model takes half a gigabyte.
 ReducedPress read_reduced_for_few_runs(const std::filesystem::path& file);

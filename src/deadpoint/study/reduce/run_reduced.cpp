@@ -26,6 +26,7 @@
 #include "deadpoint/study/pipeline/stopwatch.hpp"
 #include "deadpoint/study/reduce/outside.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/study/reduce/content/sound_press.hpp"
 #include "deadpoint/study/reduce/split.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 #include "deadpoint/study/translate/linkage.hpp"
@@ -57,8 +58,7 @@ std::vector<std::string> lines_of(const std::string& text)
 
 void require_same(const ReducedPress& press, const ReducedPress& large)
 {
-    if (press.case_hash != large.case_hash || press.fixed_part != large.fixed_part ||
-        press.unknowns != large.unknowns || press.adjoints != large.adjoints)
+    if (!is_same_press(press, large))
         throw InputError(fmt::format("the large model '{}' belongs to another reduced press (case hash {}, that of the "
                                      "small one {})\n  help: make both again with 'deadpoint reduce', or remove that "
                                      "file",
@@ -331,15 +331,34 @@ void refuse(std::vector<std::string> found, const ReducedPress& press)
                     press.name, fmt::join(found, "\n    "), count > shown ? "\n    ..." : ""));
 }
 
+// The fixed part of the case is that of the model, so whatever else differs is a flaw of the model's file.
+void require_sound(const casefile::Case& input, const ReducedPress& press)
+{
+    if (const auto flaw = flaw_for(input, press); !flaw.empty())
+        throw IoError(fmt::format("the reduced press of the case '{}' is broken: {}\n  help: make it again with "
+                                  "'deadpoint reduce CASE -o FILE'",
+                                  press.name, flaw));
+}
+
 }  // namespace
 
-void require_fit(const casefile::Case& input, const ReducedPress& press) { refuse(misfits(input, press), press); }
+void require_fit(const casefile::Case& input, const ReducedPress& press)
+{
+    refuse(misfits(input, press), press);
+    require_sound(input, press);
+}
 
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,
                       ReducedDetail detail, Observer& observer, ReducedStates* states, SharedParts* shared)
 {
     if (shared)
-        refuse(*shared->misfits.get(casefile::case_bytes(fixed_case(input)), [&] { return misfits(input, press); }),
+        refuse(*shared->misfits.get(casefile::case_bytes(fixed_case(input)),
+                                    [&] {
+                                        auto found = misfits(input, press);
+                                        if (found.empty())
+                                            require_sound(input, press);
+                                        return found;
+                                    }),
                press);
     else
         require_fit(input, press);

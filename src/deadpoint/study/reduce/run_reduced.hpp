@@ -44,8 +44,8 @@ struct SharedParts {
 /// @param states  given those at the times of the fields, for lift_fields(), which then also warns of the frame; null:
 ///                no fields follow
 /// @param shared  what runs on this press share; null: all is computed for this run
-/// @throws CaseError as a full run; InputError if the model was built for another press; DomainError if a result is not
-///         finite
+/// @throws CaseError as a full run; InputError if the model was built for another press; IoError if the model's machine
+///         is not that of the case; DomainError if a result is not finite
 RunResult run_reduced(const casefile::Case& input, const ReducedPress& press, const LargeModel& large,
                       ReducedDetail detail, Observer& observer, ReducedStates* states = nullptr,
                       SharedParts* shared = nullptr);
@@ -56,7 +56,8 @@ StatedError difference_to_full(const RunResult& reduced, const RunResult& full);
 /// How a case differs from the one a model was built for, in what the model cannot change; a line for each difference.
 std::vector<std::string> misfits(const casefile::Case& input, const ReducedPress& press);
 
-/// @throws InputError with the first of misfits(), if there are any
+/// @throws InputError with the first of misfits(), if there are any; IoError if the model's machine is not that of the
+///         case
 void require_fit(const casefile::Case& input, const ReducedPress& press);
 
 }  // namespace deadpoint::study
