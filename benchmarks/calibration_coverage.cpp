@@ -215,7 +215,7 @@ private:
                      with_alternatives(measured("duty cycle", read({duty_cycle}), file, cycle, theta, exact), file,
                                        {duty_cycle})};
         file.runs.back().hold_out = true;
-        const auto result = study::calibrate(file, model_, others, 1, observer_);
+        const auto result = study::calibrate(file, model_, others, 1, observer_).value();
         for (std::size_t k = 0; k < theta.size(); ++k) {
             const auto& p = result.parameters[k];
             const double off = (theta[k] - p.theta) / p.deviation;

@@ -87,7 +87,7 @@ int main(int argc, char** argv)
     file.options.samples = std::atoi(argv[5]);
     Observer silent;
     const auto start = std::chrono::steady_clock::now();
-    const auto found = study::calibrate(file, press, {}, std::atoi(argv[3]), silent);
+    const auto found = study::calibrate(file, press, {}, std::atoi(argv[3]), silent).value();
     const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::printf("%zu states, %zu unknowns, %zu curves: fit %.2f s (%d runs of all cases with derivatives, %zu starts), "
                 "all with "

@@ -108,28 +108,34 @@ int calibrate(const CalibrateOptions& options, Ranks& ranks)
     const auto model = fs::path(file.options.reduced).filename().string();
     if (options.plan) {
         auto plan = study::plan_calibration(file, press, others, threads, console);
-        plan.reduced_file = model;
         console.finish();
-        report::write_plan_files(folder.path(), plan);
+        if (!plan)
+            return interrupted_exit_code;
+        plan->reduced_file = model;
+        report::write_plan_files(folder.path(), *plan);
         commit(folder, options.tables, console);
         const auto page = folder.target() / "report.html";
-        report::write_plan_page(page, plan);
-        print_out("{}\nresults are in {}\nthe page is {}\n", report::calibration_text(plan), folder.target().string(),
+        report::write_plan_page(page, *plan);
+        print_out("{}\nresults are in {}\nthe page is {}\n", report::calibration_text(*plan), folder.target().string(),
                   page.string());
         return 0;
     }
     auto result = study::calibrate(file, press, others, threads, console);
-    result.reduced_file = model;
-    if (options.full_run)
-        result.full_run = check_by_full_run(options, file, press, result, ranks, folder);
+    if (result && options.full_run)
+        result->full_run = check_by_full_run(options, file, press, *result, ranks, folder);
+    if (!result || console.cancelled()) {
+        console.finish();
+        return interrupted_exit_code;
+    }
     if (!ranks.first)
         return 0;
     console.finish();
-    report::write_calibration_files(folder.path(), result);
+    result->reduced_file = model;
+    report::write_calibration_files(folder.path(), *result);
     commit(folder, options.tables, console);
     const auto page = folder.target() / "report.html";
-    report::write_calibration_page(page, result);
-    print_out("{}\nresults are in {}\nthe page is {}\n", report::calibration_text(result), folder.target().string(),
+    report::write_calibration_page(page, *result);
+    print_out("{}\nresults are in {}\nthe page is {}\n", report::calibration_text(*result), folder.target().string(),
               page.string());
     return 0;
 }

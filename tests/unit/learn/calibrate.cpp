@@ -12,6 +12,7 @@
 #include "starter_press.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <random>
 
@@ -104,7 +105,7 @@ const ReducedPress& exact_press()
 Calibration calibrated(const CalibrationFile& file)
 {
     Observer quiet;
-    return calibrate(file, exact_press(), {}, 2, quiet);
+    return calibrate(file, exact_press(), {}, 2, quiet).value();
 }
 
 }  // namespace
@@ -202,6 +203,26 @@ TEST_CASE("a shrinkage is knowledge only where the model explains the data")
     CHECK(knowledge_of(0.19, true) == Knowledge::prior);
 }
 
+TEST_CASE("a calibration that is told to stop ends without a result, also within a run")
+{
+    class Stopping : public Observer {
+    public:
+        explicit Stopping(int asked) : left_(asked) {}
+        [[nodiscard]] bool cancelled() const override { return --left_ < 0; }
+
+    private:
+        mutable std::atomic<int> left_;
+    };
+    auto file = two_unknowns();
+    file.runs.push_back(measured(file, {}, {0.1, 0.1}, {"slide", "bearing_front", "upright"}, 4));
+    for (const int asked : {0, 5, 100}) {
+        Stopping observer(asked);
+        CHECK_FALSE(calibrate(file, exact_press(), {}, 2, observer).has_value());
+    }
+    Stopping observer(0);
+    CHECK_FALSE(plan_calibration(file, exact_press(), {}, 2, observer).has_value());
+}
+
 TEST_CASE("a model error that is stated beforehand widens intervals although the residuals look right")
 {
     auto file = two_unknowns();
@@ -257,7 +278,7 @@ TEST_CASE("the error of a mesh is by the cell sizes of two: of first order")
     auto coarser = std::make_shared<ReducedPress>(exact_press());
     coarser->cells = exact_press().cells * 8 / 27;  // cells of one and a half times the size: h / (1.5 h - h) = 2
     Observer quiet;
-    const auto found = calibrate(file, exact_press(), {coarser}, 2, quiet);
+    const auto found = calibrate(file, exact_press(), {coarser}, 2, quiet).value();
     CHECK(found.parameters[2].theta == near(0.5, 0.1));  // twice the difference, of which the data have one
     coarser->cells = exact_press().cells * 9 / 10;
     CHECK_THROWS_WITH_AS((void)calibrate(file, exact_press(), {coarser}, 2, quiet),
@@ -311,7 +332,7 @@ TEST_CASE("a plan foretells what the fit then determines, and what a further sen
     twice.input = std::make_shared<casefile::Case>(starter_press::input({"operation.0.speed=90 rpm"}));
     file.candidates = {bearing, twice};
     Observer quiet;
-    const auto plan = plan_calibration(file, exact_press(), {}, 2, quiet);
+    const auto plan = plan_calibration(file, exact_press(), {}, 2, quiet).value();
     const auto fit = calibrated(file);
     for (std::size_t k = 0; k < 2; ++k)
         CHECK(plan.parameters[k].shrinkage == near(fit.parameters[k].expected, 1e-9));
@@ -327,7 +348,7 @@ TEST_CASE("a plan foretells what the fit then determines, and what a further sen
         curve.time.push_back(600.0 * k);
     run.curves = {curve};
     more.runs.push_back(run);
-    const auto with = plan_calibration(more, exact_press(), {}, 2, quiet);
+    const auto with = plan_calibration(more, exact_press(), {}, 2, quiet).value();
     const auto log_det = [](const CalibrationPlan& of) {
         double sum = 0;
         for (const auto& c : of.combinations)

@@ -40,7 +40,7 @@ class Calibrating {
 public:
     Calibrating(const casefile::CalibrationFile& file, const ReducedPress& press, const OtherPresses& others,
                 int threads, Observer& observer)
-        : file_(file), press_(press), observer_(observer), runs_(file, press, others, threads),
+        : file_(file), press_(press), observer_(observer), runs_(file, press, others, threads, observer),
           problem_(runs_.problem(false))
     {}
 
@@ -444,10 +444,12 @@ private:
 
 }  // namespace
 
-Calibration calibrate(const casefile::CalibrationFile& file, const ReducedPress& press, const OtherPresses& others,
-                      int threads, Observer& observer)
-{
+std::optional<Calibration> calibrate(const casefile::CalibrationFile& file, const ReducedPress& press,
+                                     const OtherPresses& others, int threads, Observer& observer)
+try {
     return Calibrating(file, press, others, threads, observer).run();
+} catch (const Stopped&) {
+    return std::nullopt;
 }
 
 }  // namespace deadpoint::study

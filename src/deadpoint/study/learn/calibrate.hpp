@@ -3,6 +3,8 @@
 #include "deadpoint/study/learn/calibration_result.hpp"
 #include "deadpoint/study/learn/other_presses.hpp"
 
+#include <optional>
+
 namespace deadpoint {
 class Observer;
 }
@@ -21,12 +23,14 @@ struct ReducedPress;
 /// Sobol' points. If the residuals are unlike the stated errors, a slow model error is added to the noise of the
 /// curves, and the fit is repeated, so that intervals and bands are as wide as the model is wrong.
 ///
+/// @return nothing after Observer::cancelled()
 /// @throws InputError if a parameter has no influence on any measured value, with its place
-Calibration calibrate(const casefile::CalibrationFile& file, const ReducedPress& press, const OtherPresses& others,
-                      int threads, Observer& observer);
+std::optional<Calibration> calibrate(const casefile::CalibrationFile& file, const ReducedPress& press,
+                                     const OtherPresses& others, int threads, Observer& observer);
 
 /// What planned runs can determine, and what candidates would add, by derivatives at the prior's centre.
-CalibrationPlan plan_calibration(const casefile::CalibrationFile& file, const ReducedPress& press,
-                                 const OtherPresses& others, int threads, Observer& observer);
+/// @return nothing after Observer::cancelled()
+std::optional<CalibrationPlan> plan_calibration(const casefile::CalibrationFile& file, const ReducedPress& press,
+                                                const OtherPresses& others, int threads, Observer& observer);
 
 }  // namespace deadpoint::study

@@ -3,7 +3,7 @@
 #include "deadpoint/calibration/discrepancy.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/calibration_file.hpp"
-#include "deadpoint/observer.hpp"
+#include "deadpoint/study/sweep/point_observer.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
@@ -146,7 +146,7 @@ std::vector<PredictedRun> predicted_runs(const MeasuredRuns& runs, const Fit& fi
     const double wide = quantile_of(level);
     std::vector<PredictedRun> result;
     for (const auto& run : runs.runs()) {
-        Observer silent;
+        PointObserver silent(runs.asked());
         const auto after = run.model->run(runs.theta_of_case(fit.theta), true, silent);
         const auto others = runs.differences(run, fit.theta, after);
         const auto before = run.model->run(std::vector<double>(runs.case_parameters(), 0.0), false, silent);
@@ -182,7 +182,7 @@ std::pair<double, double> change_by_steps(const MeasuredRuns& runs, const Reduce
 {
     std::pair<double, double> result{0, 0};
     for (const auto& run : runs.runs()) {
-        Observer silent;
+        PointObserver silent(runs.asked());
         const ForwardModel controlled(run.model->input(), press, run.model->parameters());
         const auto theta = runs.theta_of_case(fit.theta);
         const auto with = controlled.run(theta, false, silent), without = run.model->run(theta, false, silent);

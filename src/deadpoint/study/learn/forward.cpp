@@ -18,6 +18,7 @@
 #include "deadpoint/study/reduce/run_reduced.hpp"
 #include "deadpoint/study/reduce/split.hpp"
 #include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/study/sweep/point_observer.hpp"
 
 #include <array>
 #include <fmt/format.h>
@@ -113,8 +114,18 @@ struct ForwardModel::Parts {
     [[nodiscard]] std::vector<reduce::Output> recorded() const;
     void add_values(const reduce::RecordedRun& run, const drift::BearingPlay& play, Forecast& result) const;
     void add_derivatives(const reduce::RecordedRun& run, const drift::BearingPlay& play,
-                         const std::vector<double>& theta, Forecast& result) const;
+                         const std::vector<double>& theta, const Observer& asked, Forecast& result) const;
 };
+
+namespace {
+
+void stop_if(const Observer& asked)
+{
+    if (asked.cancelled())
+        throw Stopped{};
+}
+
+}  // namespace
 
 // Probes, then all functionals of the chain and its gaps.
 std::vector<reduce::Output> ForwardModel::Parts::recorded() const
@@ -158,11 +169,14 @@ void ForwardModel::Parts::add_values(const reduce::RecordedRun& run, const drift
 }
 
 void ForwardModel::Parts::add_derivatives(const reduce::RecordedRun& run, const drift::BearingPlay& play,
-                                          const std::vector<double>& theta, Forecast& result) const
+                                          const std::vector<double>& theta, const Observer& asked,
+                                          Forecast& result) const
 {
     std::vector<reduce::Direction> directions(parameters.size());
-    reduce::in_parallel(options.threads, parameters.size(),
-                        [&](std::size_t k) { directions[k] = direction(theta, k); });
+    reduce::in_parallel(options.threads, parameters.size(), [&](std::size_t k) {
+        stop_if(asked);
+        directions[k] = direction(theta, k);
+    });
     const auto found = reduce::forward(run, directions, recorded());
     const auto& history = run.history;
     const std::size_t first = input.probes.size();
@@ -232,16 +246,17 @@ double ForwardModel::start_of(const ForwardOutput& output) const
 
 Forecast ForwardModel::run(const std::vector<double>& theta, bool derivatives, Observer& observer, double coarser) const
 {
-    Observer silent;
+    PointObserver silent(observer);
     auto problem = parts_->problem(theta, observer);
     problem.fixed_step *= coarser;
     const auto run =
         reduce::record_run(parts_->press->terms, std::move(problem), parts_->input.machine.initial_temperature, silent);
+    stop_if(observer);
     const auto play = parts_->input.chain ? crank_play(parts_->input) : drift::BearingPlay{};
     Forecast result;
     parts_->add_values(run, play, result);
     if (derivatives)
-        parts_->add_derivatives(run, play, theta, result);
+        parts_->add_derivatives(run, play, theta, observer, result);
     return result;
 }
 

@@ -36,6 +36,9 @@ struct ForwardOutput {
 /// All outputs of a case on its reduced press.
 std::vector<ForwardOutput> forward_outputs(const casefile::Case& input, const ReducedPress& press);
 
+/// Thrown by a run that Observer::cancelled() stops; no error.
+struct Stopped {};
+
 /// Outputs of a run at its rows, with their derivatives.
 struct Forecast {
     std::vector<double> time;                ///< of the rows [s]; equal times where segments meet
@@ -74,7 +77,7 @@ public:
     [[nodiscard]] double start_of(const ForwardOutput& output) const;
 
     /// @param coarser  factor on ForwardOptions::fixed_step, for a quick look
-    /// @throws InputError, CaseError as a run
+    /// @throws InputError, CaseError as a run; Stopped
     [[nodiscard]] Forecast run(const std::vector<double>& theta, bool derivatives, Observer& observer,
                                double coarser = 1) const;
     /// Coefficients at theta outside of the range for which the press was reduced, as text.

@@ -5,9 +5,9 @@
 #include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/casefile/files/numbers.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/parallel/in_parallel.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/study/sweep/point_observer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -128,8 +128,8 @@ std::pair<double, double> stated_errors(const ReducedPress& press)
 }
 
 MeasuredRuns::MeasuredRuns(const casefile::CalibrationFile& file, const ReducedPress& press, OtherPresses others,
-                           int threads)
-    : file_(file), press_(press), others_(std::move(others)), threads_(threads)
+                           int threads, const Observer& asked)
+    : file_(file), press_(press), others_(std::move(others)), threads_(threads), asked_(asked)
 {
     others_.resize(file.alternatives.size());
     std::tie(reduced_temperature_, reduced_gap_) = stated_errors(press);
@@ -278,7 +278,7 @@ std::vector<Differences> MeasuredRuns::differences(const ModelledRun& run, const
         std::vector<double> known;
         for (const auto k : alternative.unknowns)
             known.push_back(theta[static_cast<Index>(k)]);
-        Observer silent;
+        PointObserver silent(asked_);
         const auto other = alternative.model->run(known, false, silent);
         auto& of = result.emplace_back();
         for (std::size_t o = 0; o < own.value.size(); ++o) {
@@ -294,7 +294,7 @@ void MeasuredRuns::take_differences(ModelledRun& of, const VectorXd& theta) cons
 {
     if (of.alternatives.empty())
         return;
-    Observer silent;
+    PointObserver silent(asked_);
     const auto own = of.model->run(theta_of_case(theta), false, silent);
     const auto all = differences(of, theta, own);
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -391,7 +391,7 @@ Prediction MeasuredRuns::predict(const std::vector<const ModelledRun*>& runs, co
     std::vector<std::vector<Shown>> parts(runs.size());
     const auto of_case = theta_of_case(theta);
     reduce::in_parallel(threads_, runs.size(), [&](std::size_t r) {
-        Observer silent;
+        PointObserver silent(asked_);
         const auto forecast = runs[r]->model->run(of_case, jacobian, silent, coarser);
         for (std::size_t c = 0; c < runs[r]->curves.size(); ++c) {
             parts[r].push_back(shown(runs[r]->curves[c], forecast, theta, jacobian));

@@ -53,9 +53,11 @@ public:
     /// @param file    must outlive this
     /// @param press   must outlive this
     /// @param others  of the file's alternatives
+    /// @param asked   whether to stop; must outlive this. All functions that run a model throw Stopped then
     /// @throws InputError if a run is not of that press, if a parameter changes what a reduced model cannot, or if the
     ///         mesh of an alternative is too much like that of the press
-    MeasuredRuns(const casefile::CalibrationFile& file, const ReducedPress& press, OtherPresses others, int threads);
+    MeasuredRuns(const casefile::CalibrationFile& file, const ReducedPress& press, OtherPresses others, int threads,
+                 const Observer& asked);
 
     /// The fitted runs (or the held-out ones) as a problem. It refers to this object.
     /// @param coarser  factor on the time step
@@ -71,6 +73,8 @@ public:
     [[nodiscard]] std::vector<Differences> differences(const ModelledRun& run, const Eigen::VectorXd& theta,
                                                        const Forecast& own) const;
 
+    /// Whoever is asked whether to stop.
+    [[nodiscard]] const Observer& asked() const { return asked_; }
     /// Unknowns without estimates.
     [[nodiscard]] const std::vector<FittedParameter>& unknowns() const { return unknowns_; }
     [[nodiscard]] std::size_t case_parameters() const { return of_case_; }
@@ -98,6 +102,7 @@ private:
     const ReducedPress& press_;
     OtherPresses others_;
     int threads_ = 1;
+    const Observer& asked_;
     double reduced_temperature_ = 0, reduced_gap_ = 0;
     std::vector<CaseParameter> parameters_;
     std::vector<FittedParameter> unknowns_;

@@ -30,7 +30,7 @@ class Planning {
 public:
     Planning(const casefile::CalibrationFile& file, const ReducedPress& press, const OtherPresses& others, int threads,
              Observer& observer)
-        : file_(file), observer_(observer), runs_(file, press, others, threads)
+        : file_(file), observer_(observer), runs_(file, press, others, threads, observer)
     {}
 
     CalibrationPlan run()
@@ -203,10 +203,12 @@ private:
 
 }  // namespace
 
-CalibrationPlan plan_calibration(const casefile::CalibrationFile& file, const ReducedPress& press,
-                                 const OtherPresses& others, int threads, Observer& observer)
-{
+std::optional<CalibrationPlan> plan_calibration(const casefile::CalibrationFile& file, const ReducedPress& press,
+                                                const OtherPresses& others, int threads, Observer& observer)
+try {
     return Planning(file, press, others, threads, observer).run();
+} catch (const Stopped&) {
+    return std::nullopt;
 }
 
 }  // namespace deadpoint::study

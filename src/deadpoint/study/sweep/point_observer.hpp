@@ -2,6 +2,7 @@
 
 #include "deadpoint/observer.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,10 +14,14 @@ class PointObserver : public Observer {
 public:
     /// @param study  outlives this
     explicit PointObserver(const Observer& study) : study_(study) {}
-    void warn(std::string_view text) override { warnings.emplace_back(text); }
+    void warn(std::string_view text) override
+    {
+        if (std::ranges::find(warnings, text) == warnings.end())
+            warnings.emplace_back(text);
+    }
     [[nodiscard]] bool cancelled() const override { return study_.cancelled(); }
 
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings;  ///< each once
 
 private:
     const Observer& study_;
