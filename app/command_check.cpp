@@ -91,9 +91,6 @@ void check_press(const CaseOptions& options, study::Press& press, const Machine*
     const auto& machine = mesh_parts(press, console, kept);
     meshed = &machine;
     show(options, report::plan_text(description, machine));
-    for (const auto& warning : report::plan_warnings(description, machine)) {
-        console.warn(warning);
-    }
     press.check(warnings);
     summarise(options, console);
 }

@@ -5,7 +5,6 @@
 #include "deadpoint/report/mesh/calculix_mesh.hpp"
 #include "deadpoint/report/mesh/mesh_files.hpp"
 #include "deadpoint/report/probe/node_temperatures.hpp"
-#include "deadpoint/report/text/plan_text.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 
@@ -47,9 +46,6 @@ void write_mesh(const MeshOptions& options)
     const auto folder = start_folder(options, read, console);
     study::Press press(description, options.size_scale);
     const auto& machine = mesh_parts(press, console);
-    for (const auto& warning : report::plan_warnings(description, machine)) {
-        console.warn(warning);
-    }
     console.stage("files");
     report::write_mesh_files(folder->path(), machine, file_comments(description, console));
     const bool calculix = options.calculix || !options.temperatures.empty();

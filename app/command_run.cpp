@@ -1,12 +1,9 @@
 #include "commands.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/io/plain_reason.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
-#include "deadpoint/report/page/page.hpp"
-#include "deadpoint/report/text/plan_text.hpp"
+#include "deadpoint/report/page/run_folder.hpp"
 #include "deadpoint/report/text/run_text.hpp"
 #include "deadpoint/study/fields/field_options.hpp"
 #include "deadpoint/study/fields/lift_fields.hpp"
@@ -47,27 +44,23 @@ struct RunOptions : ResultOptions {
     RankOptions ranks;
 };
 
-/// Adds the page to finished results. Whatever is wrong with it must not cost them.
-/// @return whether it is there
-bool add_page(const ResultFolder& folder, Console& console)
+/// Writes and names the folder of a finished run, and says where it is.
+void show_results(ResultFolder& folder, const RunOptions& options, const casefile::Case& input, const Machine& machine,
+                  const study::RunResult& result, Console& console)
 {
-    const std::vector<report::ReportSource> source{{folder.path(), folder.target().filename().string()}};
-    const auto page = folder.path() / "report.html";
-    try {
-        report::write_report(page, source);
-        return true;
-    } catch (const std::exception& error) {
-        std::error_code ignored;
-        std::filesystem::remove(page, ignored);
-        console.warn(fmt::format("report.html is missing: {}", plain_reason(error)));
-        return false;
+    const auto problem = report::finish_run_folder(folder, input, machine, result, console.warnings(), options.tables);
+    for (const auto& note : folder.take_notes()) {
+        console.note(note);
     }
-}
-
-void warn_of_plan(study::Press& press, Console& console)
-{
-    for (const auto& warning : report::plan_warnings(press.input(), press.machine(console))) {
-        console.warn(warning);
+    if (!problem.empty()) {
+        console.warn(problem);
+    }
+    const auto where = folder.target().string();
+    const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
+    print_out("{}\nresults{} are in {}\n", report::run_text(input, result, detail),
+              result.thermal.interrupted ? " up to the interruption" : "", where);
+    if (problem.empty()) {
+        print_out("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
     }
 }
 
@@ -89,7 +82,6 @@ study::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOpti
             return of_last;
         },
         ranks.console);
-    warn_of_plan(*run.press, ranks.console);
     return run;
 }
 
@@ -142,7 +134,6 @@ study::RefinedRun compute_once(const casefile::Case& input, const RunOptions& op
     study::Press press(input, options.size_scale);
     press.mesh(console);
     console.finish();
-    warn_of_plan(press, console);
     ranks.spread([&] { return press.machine(console).cells.size(); });
     leave_to_first(ranks, folder);
     ranks.agree = false;
@@ -262,21 +253,10 @@ int run_reduced_case(const RunOptions& options, Ranks& ranks)
     if (!folder) {
         return result.thermal.interrupted ? interrupted_exit_code : 0;
     }
-    report::write_run_files(folder->path(), read.value, meshed ? meshed->machine(console) : press.machine, result,
-                            console.warnings());
-    report::write_manifest(folder->path());
-    const bool has_page = add_page(*folder, console);
-    commit(*folder, options.tables, console);
-    const auto where = folder->target().string();
-    const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
-    print_out("{}\nresults{} are in {}\n", report::run_text(read.value, result, detail),
-              result.thermal.interrupted ? " up to the interruption" : "", where);
+    show_results(*folder, options, read.value, meshed ? meshed->machine(console) : press.machine, result, console);
     if (wants_fields(read.value) && !lifts) {
         print_out("there are no fields, since '{}' is missing; 'deadpoint reduce --fields' writes it\n",
                   study::fields_file(options.reduced).string());
-    }
-    if (has_page) {
-        print_out("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
     }
     return result.thermal.interrupted ? interrupted_exit_code : 0;
 }
@@ -346,16 +326,14 @@ int run_case(RunOptions options, Ranks& ranks)
     };
     const auto path = start_folder(ranks.first, start, folder);
 
-    const auto state_in = [](const std::string& place) { return place.empty() ? place : place + "/state.bin"; };
-    wanted.start_from = state_in(options.from);
     if (!options.from.empty()) {
         report::ResultFiles(options.from).check("state.bin");
+        wanted.start_from = options.from + "/state.bin";
     }
-    wanted.state_file = state_in(path);
-    wanted.kept_checkpoint = kept_checkpoint_in(path, wanted);
-    wanted.field_folder = input.output.fields ? path : std::string{};
-    wanted.comments = file_comments(input, console);
-    wanted.view = true;
+    report::write_along(wanted, path, input, console.warnings());
+    if (!keeps_checkpoints(wanted)) {
+        wanted.kept_checkpoint.clear();
+    }
     wanted.causes = true;
     auto run =
         (casefile::wanted_accuracy(input) ? compute_to_accuracy : compute_once)(input, options, wanted, ranks, folder);
@@ -363,19 +341,8 @@ int run_case(RunOptions options, Ranks& ranks)
     console.finish();
     if (folder) {
         console.stage("files");
-        report::write_run_files(folder->path(), run.press->input(), run.press->machine(console), result,
-                                console.warnings());
-        report::write_manifest(folder->path());
-        const bool has_page = add_page(*folder, console);
-        commit(*folder, options.tables, console);
-        console.finish();
-        const auto where = folder->target().string();
-        const auto detail = options.console.verbose ? report::Detail::all : report::Detail::short_text;
-        print_out("{}\nresults{} are in {}\n", report::run_text(run.press->input(), result, detail),
-                  result.thermal.interrupted ? " up to the interruption" : "", where);
+        show_results(*folder, options, run.press->input(), run.press->machine(console), result, console);
         say_or_remove(checkpoint_of(options.folder), result.thermal.interrupted);
-        if (has_page)
-            print_out("see them on a page: deadpoint view {}  (opens {}/report.html)\n", where, where);
     }
     if (result.thermal.interrupted) {
         return interrupted_exit_code;

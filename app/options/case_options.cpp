@@ -1,9 +1,7 @@
 #include "options/case_options.hpp"
 
-#include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/core/version.hpp"
+#include "deadpoint/report/files/run_files.hpp"
 
-#include <fmt/format.h>
 #include <langinfo.h>
 #include <locale.h>
 #include <string_view>
@@ -97,11 +95,5 @@ const Machine& mesh_parts(study::Press& press, Console& console, MeshedParts* ke
 
 std::vector<std::string> file_comments(const casefile::Case& description, const Console& console)
 {
-    std::vector<std::string> lines{
-        fmt::format("deadpoint {}", version),
-        fmt::format("case {}, hash {}", description.machine.name, casefile::case_hash(description))};
-    for (const auto& warning : console.warnings()) {
-        lines.push_back("warning: " + warning);
-    }
-    return lines;
+    return report::file_comments(description, console.warnings());
 }

@@ -8,6 +8,7 @@
 #include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/page/run_folder.hpp"
 #include "deadpoint/study/pipeline/run_mark.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
 #include "output.hpp"
@@ -42,7 +43,7 @@ double interval_of(const std::string& text)
     return interval > 0 ? interval : never;
 }
 
-constexpr const char* kept_checkpoint = "checkpoint.bin";
+using report::kept_checkpoint;
 
 bool is_result(const fs::path& folder) { return fs::exists(folder / "summary.json") && report::is_whole(folder); }
 
@@ -193,8 +194,7 @@ bool plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, 
     return replaces;
 }
 
-std::string kept_checkpoint_in(const std::string& folder, const study::RunOptions& wanted)
+bool keeps_checkpoints(const study::RunOptions& wanted)
 {
-    const bool keeps = !wanted.checkpoint_file.empty() && std::isfinite(wanted.checkpoint_interval);
-    return folder.empty() || !keeps ? std::string{} : folder + "/" + kept_checkpoint;
+    return !wanted.checkpoint_file.empty() && std::isfinite(wanted.checkpoint_interval);
 }

@@ -28,5 +28,5 @@ std::filesystem::path checkpoint_of(const std::filesystem::path& folder);
 bool plan_checkpoints(const CheckpointOptions& options, const std::filesystem::path& folder, bool force,
                       const deadpoint::casefile::Case& input, bool first, deadpoint::study::RunOptions& wanted);
 
-/// Where a run keeps the state for a longer operation: in the folder that is filled, if it keeps any.
-std::string kept_checkpoint_in(const std::string& folder, const deadpoint::study::RunOptions& wanted);
+/// Whether a run saves its state as plan_checkpoints() has set it.
+bool keeps_checkpoints(const deadpoint::study::RunOptions& wanted);

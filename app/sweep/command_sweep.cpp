@@ -7,7 +7,6 @@
 #include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/files/sweep_files.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
-#include "deadpoint/report/text/plan_text.hpp"
 #include "deadpoint/report/text/table.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/pipeline/run_record.hpp"
@@ -72,9 +71,6 @@ study::PointAction action_of(const SweepOptions& options, const std::vector<fs::
         study::PointObserver observer(ranks.console);
         const auto& input = press.input();
         const auto& machine = press.machine(observer);
-        for (const auto& warning : report::plan_warnings(input, machine)) {
-            observer.warn(warning);
-        }
         std::unique_ptr<ResultFolder> folder;
         const auto start = [&] {
             return std::make_unique<ResultFolder>(claim_folder(folder_of(options, point), ranks.console),

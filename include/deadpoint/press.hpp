@@ -26,7 +26,7 @@ struct ReadOptions {
 
 /// Where a run starts, and where it writes files.
 struct RunOptions {
-    std::filesystem::path folder = {};      ///< new folder for the files of `deadpoint run`; empty: none
+    std::filesystem::path folder = {};      ///< new folder for all files of `deadpoint run`; empty: none
     bool replace = false;                   ///< an existing folder that deadpoint wrote may be replaced
     std::filesystem::path start_from = {};  ///< a result folder whose final temperatures are the start; empty: the case
 };
@@ -37,7 +37,7 @@ public:
     /// Reads and checks a case file.
     /// @throws CaseError with all mistakes; IoError if the file cannot be read
     static Press read(const std::filesystem::path& file, const ReadOptions& options = {});
-    /// Mistakes and warnings of a case, as `deadpoint check` finds them; empty if there are none. Reads and meshes the
+    /// All mistakes and warnings of a case that `deadpoint check` prints; empty if there are none. Reads and meshes the
     /// case, and checks its loads, laws and dimension chain.
     /// @throws IoError if a file cannot be read
     static std::vector<Diagnostic> check(const std::filesystem::path& file, const ReadOptions& options = {});

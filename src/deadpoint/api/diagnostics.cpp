@@ -4,6 +4,7 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/syntax/diagnostics.hpp"
 #include "deadpoint/casefile/syntax/document.hpp"
+#include "deadpoint/error.hpp"
 #include "deadpoint/press.hpp"
 
 namespace deadpoint {
@@ -24,6 +25,13 @@ std::vector<std::filesystem::path> files_of(const casefile::Document& document, 
 
 }  // namespace
 
+void require_scale(double scale)
+{
+    if (!(scale >= 0.01 && scale <= 100))
+        throw InputError(
+            "the factor on cell sizes is not between 0.01 and 100\n  help: 1 takes the cell sizes of the case");
+}
+
 casefile::FileAccess access_of(const ReadOptions& options)
 {
     return options.allow_outside ? casefile::FileAccess::anywhere : casefile::FileAccess::below;
@@ -35,6 +43,7 @@ CheckedCase read_with_diagnostics(const std::filesystem::path& file, const ReadO
     CheckedCase result;
     const auto document = casefile::read_case(file, options.overrides, result.value, found, access_of(options));
     result.diagnostics = casefile::as_data(found);
+    result.warnings = found.render_warnings();
     if (found.error_count() > 0)
         result.errors = found.render_errors();
     result.files = files_of(document, options.overrides.size(), result.value);

@@ -21,7 +21,7 @@ private:
     Observer silent_;
 };
 
-/// Forwards everything and keeps the warnings.
+/// Forwards everything and keeps the warnings; each of them once.
 class Listener : public Observer {
 public:
     explicit Listener(Observer& to) : to_(to) {}
@@ -30,8 +30,9 @@ public:
     void info(std::string_view text) override { to_.info(text); }
     void warn(std::string_view text) override
     {
-        if (std::ranges::find(warnings, text) == warnings.end())
-            warnings.emplace_back(text);
+        if (std::ranges::find(warnings, text) != warnings.end())
+            return;
+        warnings.emplace_back(text);
         to_.warn(text);
     }
     [[nodiscard]] bool cancelled() const override { return to_.cancelled(); }

@@ -24,20 +24,6 @@
 namespace deadpoint {
 namespace {
 
-constexpr double least_scale = 0.01, largest_scale = 100;  // the same limits as on the command line
-
-void require_scale(double scale)
-{
-    if (!(scale >= least_scale && scale <= largest_scale))
-        throw InputError("ReadOptions::size_scale is not between 0.01 and 100\n  help: 1 takes the cell sizes of the "
-                         "case");
-}
-
-void append(std::vector<Diagnostic>& found, const Diagnosed& error)
-{
-    found.insert(found.end(), error.diagnostics().begin(), error.diagnostics().end());
-}
-
 MeshFigures figures_of(const Machine& machine)
 {
     MeshFigures figures{machine.cells.size(), machine.nodes.size(), machine.half_model, {}};
@@ -75,9 +61,9 @@ Press Press::read(const std::filesystem::path& file, const ReadOptions& options)
     auto read = read_with_diagnostics(file, options);
     if (!read.errors.empty())
         throw CaseError(read.errors, std::move(read.diagnostics));
-    return Press(
-        std::make_unique<Implementation>(Implementation{study::Press(std::move(read.value), options.size_scale), file,
-                                                        options, std::move(read.diagnostics), std::move(read.files)}));
+    return Press(std::make_unique<Implementation>(
+        Implementation{study::Press(std::move(read.value), options.size_scale), file, options,
+                       std::move(read.diagnostics), std::move(read.warnings), std::move(read.files)}));
 }
 
 std::vector<Diagnostic> Press::check(const std::filesystem::path& file, const ReadOptions& options)
@@ -86,15 +72,9 @@ std::vector<Diagnostic> Press::check(const std::filesystem::path& file, const Re
     auto read = read_with_diagnostics(file, options);
     if (!read.errors.empty())
         return read.diagnostics;
-    try {
-        Observer silent;
-        study::Press(std::move(read.value), options.size_scale).check(silent);
-    } catch (const CaseError& error) {
-        append(read.diagnostics, error);
-    } catch (const CaseDomainError& error) {
-        append(read.diagnostics, error);
-    }
-    return read.diagnostics;
+    Observer silent;
+    study::Press press(read.value, options.size_scale);
+    return check_press(read, press, silent);
 }
 
 Press::Press(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
@@ -135,11 +115,7 @@ RunResult Press::run(const RunOptions& options, Observer* observer)
     Listener listener(to.get());
     auto& press = implementation_->press;
     ResultWriter writer(options, implementation_->inputs);
-    press.mesh(listener);
-    auto wanted = writer.wanted();
-    wanted.causes = true;
-    const auto result = press.run(wanted, listener);
-    writer.write(press, result, listener.warnings, listener);
+    const auto result = writer.run(press, implementation_->reading, listener);
     return public_run(press.input(), result, listener.warnings, writer.folder());
 }
 

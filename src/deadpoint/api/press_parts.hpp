@@ -4,6 +4,7 @@
 #include "deadpoint/study/pipeline/press.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 /// Internal to api/: the implementation of a public press.
@@ -14,6 +15,7 @@ struct Press::Implementation {
     std::filesystem::path file;  ///< that it was read from
     ReadOptions options;
     std::vector<Diagnostic> warnings;
+    std::vector<std::string> reading;           ///< the same warnings as texts
     std::vector<std::filesystem::path> inputs;  ///< all files of the user that belong to it
 };
 

@@ -1,15 +1,17 @@
 #include "deadpoint/api/result_writer.hpp"
 
+#include "deadpoint/api/listener.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/press.hpp"
-#include "deadpoint/report/files/run_files.hpp"
 #include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/folder/result_folder.hpp"
+#include "deadpoint/report/page/run_folder.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/study/result/run_result.hpp"
 
 #include <functional>
 
@@ -53,23 +55,27 @@ ResultWriter::ResultWriter(const RunOptions& options, const std::vector<std::fil
 
 ResultWriter::~ResultWriter() = default;
 
-study::RunOptions ResultWriter::wanted() const
+study::RunResult ResultWriter::run(study::Press& press, const std::vector<std::string>& reading, Listener& listener)
 {
-    study::RunOptions options;
-    options.start_from = start_from_;
-    options.state_file = path_.empty() ? std::string{} : path_ + "/state.bin";
-    options.view = !path_.empty();
-    return options;
-}
-
-void ResultWriter::write(study::Press& press, const study::RunResult& result, const std::vector<std::string>& warnings,
-                         Observer& observer)
-{
-    if (!folder_)
-        return;
-    report::write_run_files(folder_->path(), press.input(), press.machine(observer), result, warnings);
-    report::write_manifest(folder_->path());
-    folder_->commit();
+    for (const auto& warning : reading)
+        listener.warn(warning);
+    press.mesh(listener);
+    study::RunOptions wanted;
+    wanted.start_from = start_from_;
+    wanted.causes = true;
+    if (!path_.empty())
+        report::write_along(wanted, path_, press.input(), listener.warnings);
+    auto result = press.run(wanted, listener);
+    result.timings.insert(result.timings.begin(), {"mesh", press.mesh_seconds()});
+    if (folder_) {
+        const auto& machine = press.machine(listener);
+        const auto problem = report::finish_run_folder(*folder_, press.input(), machine, result, listener.warnings);
+        if (!problem.empty())
+            listener.warn(problem);
+        for (const auto& note : folder_->take_notes())
+            listener.info(note);
+    }
+    return result;
 }
 
 }  // namespace deadpoint

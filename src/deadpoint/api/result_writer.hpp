@@ -10,14 +10,13 @@ class ResultFolder;
 }
 namespace deadpoint::study {
 class Press;
-struct RunOptions;
 struct RunResult;
 }  // namespace deadpoint::study
 
 /// Internal to api/: the result folder of a run.
 namespace deadpoint {
 
-class Observer;
+class Listener;
 struct RunOptions;
 
 class ResultWriter {
@@ -28,11 +27,10 @@ public:
     ResultWriter(const RunOptions& options, const std::vector<std::filesystem::path>& inputs);
     ~ResultWriter();
 
-    /// Start and output options of a run.
-    [[nodiscard]] study::RunOptions wanted() const;
-    /// Writes the files of a finished run and gives the folder its name. On the first rank; nothing on the others.
-    void write(study::Press& press, const study::RunResult& result, const std::vector<std::string>& warnings,
-               Observer& observer);
+    /// Meshes and runs a press; the first rank writes the same files as `deadpoint run` and gives the folder its name.
+    /// @param reading   warnings of reading the case
+    /// @param listener  has all warnings of the files afterwards
+    study::RunResult run(study::Press& press, const std::vector<std::string>& reading, Listener& listener);
     /// Of the finished results; empty: none were wanted.
     [[nodiscard]] std::string folder() const { return wanted_folder_.string(); }
 

@@ -81,8 +81,8 @@ Refinement refinement_of(const Press::Implementation& parts, study::RefinedRun r
     for (const auto& round : report.rounds)
         result.rounds.push_back({round.cells, round.value, round.change, round.estimate});
     result.result = public_run(run.press->input(), run.result, std::move(warnings), {});
-    result.press = Press(std::make_unique<Press::Implementation>(
-        Press::Implementation{std::move(*run.press), parts.file, parts.options, parts.warnings, parts.inputs}));
+    result.press = Press(std::make_unique<Press::Implementation>(Press::Implementation{
+        std::move(*run.press), parts.file, parts.options, parts.warnings, parts.reading, parts.inputs}));
     return result;
 }
 

@@ -32,6 +32,8 @@ TEST_CASE("a run's series by name equal what its files say")
     const auto files = report::read_result(scratch.path / "results");
     CHECK(result.folder == (scratch.path / "results").string());
     CHECK(result.case_hash == files.hash);
+    for (const auto* file : {"report.html", "checkpoint.bin", "state.bin", "view.json", "fields.pvd"})
+        CHECK_MESSAGE(std::filesystem::exists(scratch.path / "results" / file), file);
     CHECK(result.names(SeriesKind::probe) == files.probes);
     for (std::size_t row = 0; row < files.time.size(); ++row) {
         const double time = files.time[row];
@@ -63,6 +65,18 @@ TEST_CASE("parts sum to the gap, sources to the joints")
     CHECK(gap == near(result.gap().values.back(), 1e-9));
     CHECK(joints == near(sources, 1e-12));
     CHECK(joints > 100);
+}
+
+TEST_CASE("both runs of a press have the warnings of reading and of its mesh, as its files do")
+{
+    const ScratchFolder scratch;
+    auto press = starter({"bodies.slide.mass=1 t", "operation.0.duration=1 min"});
+    const auto first = press.run({.folder = scratch.path / "first"}), second = press.run();
+    CHECK(first.warnings == second.warnings);
+    CHECK(std::ranges::count_if(first.warnings, [](const auto& text) {
+              return text.find("bodies.slide.mass") != std::string::npos;
+          }) == 1);
+    CHECK(content(scratch.path / "first/summary.json").find("bodies.slide.mass") != std::string::npos);
 }
 
 TEST_CASE("a second run meshes nothing and gives the same")

@@ -45,12 +45,9 @@ using study::RunResult;
 std::vector<std::string> head(const casefile::Case& input, const RunResult& result,
                               const std::vector<std::string>& warnings)
 {
-    std::vector<std::string> lines{fmt::format("deadpoint {}", version),
-                                   fmt::format("case {}, hash {}", input.machine.name, casefile::case_hash(input))};
+    auto lines = file_comments(input, warnings);
     if (result.thermal.interrupted)
-        lines.push_back(fmt::format("interrupted at t = {:.1f} s", result.thermal.time.back()));
-    for (const auto& warning : warnings)
-        lines.push_back("warning: " + warning);
+        lines.insert(lines.begin() + 2, fmt::format("interrupted at t = {:.1f} s", result.thermal.time.back()));
     return lines;
 }
 
@@ -375,6 +372,15 @@ nlohmann::ordered_json summary_json(const casefile::Case& input, const Machine& 
 }
 
 }  // namespace
+
+std::vector<std::string> file_comments(const casefile::Case& input, const std::vector<std::string>& warnings)
+{
+    std::vector<std::string> lines{fmt::format("deadpoint {}", version),
+                                   fmt::format("case {}, hash {}", input.machine.name, casefile::case_hash(input))};
+    for (const auto& warning : warnings)
+        lines.push_back("warning: " + warning);
+    return lines;
+}
 
 std::vector<RunTable> course_tables(const casefile::Case& input, const RunResult& result)
 {

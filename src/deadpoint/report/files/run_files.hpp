@@ -26,6 +26,8 @@ struct RunTable {
     std::vector<CsvColumn> columns;
 };
 
+/// Lines for the head of every result file: version, case and hash, warnings.
+std::vector<std::string> file_comments(const casefile::Case& input, const std::vector<std::string>& warnings);
 /// What a run computed over its time: history.csv, and where the case has a dimension chain contributions.csv and
 /// gaps.csv.
 std::vector<RunTable> course_tables(const casefile::Case& input, const study::RunResult& result);

@@ -1,10 +1,9 @@
 #include "deadpoint/report/text/plan_text.hpp"
 
-#include "deadpoint/casefile/check/findings.hpp"
-#include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/report/mesh/mesh_files.hpp"
 #include "deadpoint/report/text/table.hpp"
+#include "deadpoint/study/check/whole_mass.hpp"
 #include "deadpoint/study/pipeline/prepare.hpp"
 #include "deadpoint/study/translate/heat.hpp"
 
@@ -17,17 +16,6 @@ namespace deadpoint::report {
 namespace {
 
 using casefile::Case;
-
-bool straddles_plane(const Case& description, const Machine& machine, const std::string& body)
-{
-    const auto is_cut = [&](const MeshPart& part) { return part.body == body && part.cut; };
-    const auto is_dropped = [&](const std::string& name) {
-        const auto part = description.parts.find(name);
-        return part != description.parts.end() && part->second.body == body;
-    };
-    return machine.half_model &&
-           (std::ranges::any_of(machine.parts, is_cut) || std::ranges::any_of(machine.dropped_parts, is_dropped));
-}
 
 std::string percent(double share, int decimals = 1) { return fmt::format("{:.{}f} %", 100 * share, decimals); }
 
@@ -49,7 +37,7 @@ std::string section(const std::string& title, const TextTable& table)
 std::string bodies_section(const Case& description, const Machine& machine)
 {
     TextTable table({"body", "parts", "mass [kg]", "stated [kg]", "difference"});
-    for (const auto& mass : body_masses(description, machine)) {
+    for (const auto& mass : study::whole_masses(description, machine)) {
         const auto deviation = mass.deviation();
         table.add_row({mass.body, std::to_string(mass.parts), significant(mass.computed, 4),
                        mass.stated ? significant(*mass.stated, 4) : "",
@@ -185,35 +173,6 @@ std::string size_section(const Case& description, const Machine& machine)
 
 }  // namespace
 
-std::optional<double> BodyMass::deviation() const
-{
-    return stated && *stated > 0 && !partial ? std::optional(computed / *stated - 1) : std::nullopt;
-}
-
-std::vector<BodyMass> body_masses(const Case& description, const Machine& machine)
-{
-    std::vector<BodyMass> result;
-    for (const auto& name : body_names(machine)) {
-        BodyMass mass{name, 0, 0, {}, false};
-        for (const auto& part : machine.parts) {
-            if (part.body == name) {
-                ++mass.parts;
-                mass.computed += part.mass;
-            }
-        }
-        const bool straddles = straddles_plane(description, machine, name);
-        const auto body = description.bodies.find(name);
-        const bool twice = body != description.bodies.end() && body->second.mirror;
-        mass.computed *= straddles && !twice ? 2 : 1;
-        mass.partial = straddles && twice;
-        if (body != description.bodies.end()) {
-            mass.stated = body->second.mass;
-        }
-        result.push_back(std::move(mass));
-    }
-    return result;
-}
-
 SizeEstimate estimate_size(const Case& description, const Machine& machine)
 {
     SizeEstimate size;
@@ -232,36 +191,6 @@ SizeEstimate estimate_size(const Case& description, const Machine& machine)
     size.memory = memory_base + rows(corners) * memory_per_heat_unknown +
                   3 * share * rows(deformed) * memory_per_deformation_unknown;
     return size;
-}
-
-std::vector<std::string> plan_warnings(const Case& description, const Machine& machine)
-{
-    std::vector<casefile::Finding> found;
-    for (const auto& mass : body_masses(description, machine)) {
-        const auto deviation = mass.deviation();
-        if (deviation && std::abs(*deviation) > mass_tolerance) {
-            found.push_back(
-                {"mass", fmt::format("bodies.{}.mass", mass.body),
-                 fmt::format("body '{}' has {} kg by its parts, but {} kg are stated ({:+.1f} %)", mass.body,
-                             significant(mass.computed, 4), significant(*mass.stated, 4), 100 * *deviation),
-                 "correct the mass, or the shapes and materials of its parts", true});
-        }
-    }
-    for (const auto& overlap : machine.overlaps) {
-        found.push_back({"overlap", "parts." + overlap.part_b,
-                         fmt::format("parts '{}' and '{}' overlap by {} mm near ({:.1f}, {:.1f}, {:.1f}) mm",
-                                     overlap.part_a, overlap.part_b, significant(1e3 * overlap.depth),
-                                     1e3 * overlap.where[0], 1e3 * overlap.where[1], 1e3 * overlap.where[2]),
-                         "let their faces lie on each other there: move one of them, or change its size or bore",
-                         true});
-    }
-    for (const auto& part : machine.floating_parts) {
-        found.push_back(
-            {"floating", "parts." + part,
-             fmt::format("part '{}' is not connected: no bond and no interface joins it to another part", part),
-             "let it touch a part of its body, or name it in an interface of a joint", true});
-    }
-    return casefile::placed_warnings(description, found);
 }
 
 std::string plan_text(const Case& description, const Machine& machine)

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace deadpoint {
 struct Machine;
@@ -13,25 +11,6 @@ struct Case;
 
 /// The plan of a case before anything is solved, as text.
 namespace deadpoint::report {
-
-/// Mass of one body of the whole machine, computed from its mesh.
-///
-/// In a half model a body that straddles the symmetry plane (one of its parts is cut, or lies
-/// wholly on the far side) counts twice; any other body is one of a pair and counts once.
-struct BodyMass {
-    std::string body;
-    int parts = 0;                 ///< modelled
-    double computed = 0;           ///< [kg]
-    std::optional<double> stated;  ///< in the case file [kg]
-    bool partial = false;          ///< exists twice and is cut by the plane of symmetry: less than the body is modelled
-    /// Computed over stated, less one; none if no mass is stated or the body is modelled in part
-    /// only.
-    [[nodiscard]] std::optional<double> deviation() const;
-};
-std::vector<BodyMass> body_masses(const casefile::Case& description, const Machine& machine);
-
-/// Computed and stated mass may differ by this share before it is warned about.
-inline constexpr double mass_tolerance = 0.02;
 
 struct SizeEstimate {
     long long hexahedra = 0;
@@ -53,9 +32,6 @@ SizeEstimate estimate_size(const casefile::Case& description, const Machine& mac
 inline constexpr double memory_base = 0.25e9;             ///< program and libraries [byte]
 inline constexpr double memory_per_heat_unknown = 2.2e3;  ///< matrices, multigrid, vectors [byte]
 inline constexpr double memory_per_deformation_unknown = 3.2e3;
-
-/// Warnings of the plan: masses, overlaps, parts that are not connected, one sentence each.
-std::vector<std::string> plan_warnings(const casefile::Case& description, const Machine& machine);
 
 /// The plan as text: bodies and masses, parts with cells and quality, joints and interfaces, bonds, surfaces, size.
 std::string plan_text(const casefile::Case& description, const Machine& machine);

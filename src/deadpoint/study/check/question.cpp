@@ -3,6 +3,7 @@
 #include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/study/check/whole_mass.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 
@@ -15,6 +16,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace deadpoint::study {
@@ -54,6 +56,38 @@ std::array<double, 3> extents(const Machine& machine, const MeshPart& part)
     std::array<double, 3> lengths{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
     std::ranges::sort(lengths);
     return lengths;
+}
+
+/// A mass with four digits: 12340 kg.
+std::string kilograms(double mass) { return fmt::format("{} kg", std::stod(fmt::format("{:.4g}", mass))); }
+
+void question_masses(const Case& input, const Machine& machine, std::vector<Finding>& found)
+{
+    constexpr double tolerance = 0.02;
+    for (const auto& mass : whole_masses(input, machine)) {
+        const auto deviation = mass.deviation();
+        if (deviation && std::abs(*deviation) > tolerance)
+            found.push_back({"mass", fmt::format("bodies.{}.mass", mass.body),
+                             fmt::format("body '{}' has {} by its parts, but {} are stated ({:+.1f} %)", mass.body,
+                                         kilograms(mass.computed), kilograms(*mass.stated), 100 * *deviation),
+                             "correct the mass, or the shapes and materials of its parts", true});
+    }
+}
+
+void question_neighbours(const Machine& machine, std::vector<Finding>& found)
+{
+    for (const auto& overlap : machine.overlaps)
+        found.push_back({"overlap", "parts." + overlap.part_b,
+                         fmt::format("parts '{}' and '{}' overlap by {:.3g} mm near ({:.1f}, {:.1f}, {:.1f}) mm",
+                                     overlap.part_a, overlap.part_b, 1e3 * overlap.depth, 1e3 * overlap.where[0],
+                                     1e3 * overlap.where[1], 1e3 * overlap.where[2]),
+                         "let their faces lie on each other there: move one of them, or change its size or bore",
+                         true});
+    for (const auto& part : machine.floating_parts)
+        found.push_back(
+            {"floating", "parts." + part,
+             fmt::format("part '{}' is not connected: no bond and no interface joins it to another part", part),
+             "let it touch a part of its body, or name it in an interface of a joint", true});
 }
 
 // A cell may be as thick as a plate, but not wider than the part is in its second direction.
@@ -314,6 +348,8 @@ std::vector<Finding> question_machine(const Case& input, const Machine& machine,
          {coarse_parts(input, machine, size_scale), bare_parts(input, machine), faceted_contacts(machine)})
         if (finding)
             found.push_back(std::move(*finding));
+    question_masses(input, machine, found);
+    question_neighbours(machine, found);
     return found;
 }
 

@@ -19,8 +19,9 @@ struct RunResult;
 /// Whether a surface states how heat passes it, or that none does.
 bool has_condition(const casefile::Surface& surface);
 
-/// Parts with cells larger than they are, parts whose faces in air no surface claims, and cylinders in contact with
-/// fewer than ten cells around.
+/// Masses by the mesh that differ from those stated by more than 2 %, overlaps, parts that are not connected, parts
+/// with cells larger than they are, parts whose faces in air no surface claims, and cylinders in contact with fewer
+/// than ten cells around.
 /// @param size_scale  of the cells
 std::vector<casefile::Finding> question_machine(const casefile::Case& input, const Machine& machine, double size_scale);
 

@@ -12,6 +12,7 @@
 #include "deadpoint/study/result/run_result.hpp"
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace deadpoint::study {
@@ -22,6 +23,25 @@ void pass_on(const std::vector<std::string>& warnings, Observer& observer)
     for (const auto& warning : warnings)
         observer.warn(warning);
 }
+
+/// Passes everything on and keeps the warnings.
+class Keeper : public Observer {
+public:
+    Keeper(Observer& to, std::vector<std::string>& kept) : to_(to), kept_(kept) {}
+    void stage(std::string_view name) override { to_.stage(name); }
+    void progress(double fraction, std::string_view detail) override { to_.progress(fraction, detail); }
+    void info(std::string_view text) override { to_.info(text); }
+    void warn(std::string_view text) override
+    {
+        kept_.emplace_back(text);
+        to_.warn(text);
+    }
+    [[nodiscard]] bool cancelled() const override { return to_.cancelled(); }
+
+private:
+    Observer& to_;
+    std::vector<std::string>& kept_;
+};
 
 /// Adds the wall time of its lifetime to a sum.
 class LifetimeTimer {
@@ -50,6 +70,7 @@ Press& Press::operator=(Press&& other) noexcept
     machine_ = std::move(other.machine_);
     deformed_ = std::move(other.deformed_);
     model_ = std::move(other.model_);
+    mesh_warnings_ = std::move(other.mesh_warnings_);
     mesh_seconds_ = other.mesh_seconds_;
     meshed_ = other.meshed_;
     return *this;
@@ -69,22 +90,27 @@ void Press::take(casefile::Case input)
 
 const Machine& Press::machine(Observer& observer, MeshedParts* kept)
 {
-    if (!machine_) {
-        const LifetimeTimer timer(mesh_seconds_);
-        machine_ = casefile::with_places(
-            input_, [&] { return std::make_unique<Machine>(prepare_machine(input_, size_scale_, observer, kept)); });
+    if (machine_) {
+        pass_on(mesh_warnings_, observer);
+        return *machine_;
     }
+    const LifetimeTimer timer(mesh_seconds_);
+    mesh_warnings_.clear();
+    Keeper keeper(observer, mesh_warnings_);
+    machine_ = casefile::with_places(
+        input_, [&] { return std::make_unique<Machine>(prepare_machine(input_, size_scale_, keeper, kept)); });
     return *machine_;
 }
 
 void Press::mesh(Observer& observer)
 {
+    const auto& machine = this->machine(observer);
     if (meshed_)
         return;
-    const auto& machine = this->machine(observer);
     const LifetimeTimer timer(mesh_seconds_);
+    Keeper keeper(observer, mesh_warnings_);
     casefile::with_places(input_, [&] {
-        if (auto own = prepare_deformation_machine(input_, size_scale_, machine, observer))
+        if (auto own = prepare_deformation_machine(input_, size_scale_, machine, keeper))
             deformed_ = std::make_unique<Machine>(*std::move(own));
     });
     meshed_ = true;

@@ -5,6 +5,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace deadpoint::study {
 struct HeatTables;
@@ -45,7 +47,8 @@ public:
     /// nothing.
     void take(casefile::Case input);
 
-    /// The mesh of the parts. Errors as prepare_machine().
+    /// The mesh of the parts. Its warnings go to the observer of every call, those that come after meshing too, so that
+    /// every run and check gets all of them. Errors as prepare_machine().
     /// @param kept  meshes of its parts, for a sketch where the machine is refused; may be null
     const Machine& machine(Observer& observer, MeshedParts* kept = nullptr);
     /// Builds the meshes of a run: of the parts, and of the deformation if that is a separate mesh.
@@ -86,6 +89,7 @@ private:
     std::unique_ptr<Machine> machine_;
     std::unique_ptr<Machine> deformed_;  ///< meshed for the deformation, where that is another mesh
     std::unique_ptr<SharedModel> model_;
+    std::vector<std::string> mesh_warnings_;
     double mesh_seconds_ = 0;
     bool meshed_ = false;  ///< both of them
 };
