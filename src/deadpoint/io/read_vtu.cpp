@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fmt/format.h>
 #include <optional>
+#include <type_traits>
 #include <zlib.h>
 
 namespace deadpoint {
@@ -14,6 +16,9 @@ namespace {
 
 constexpr std::string_view data_mark = "<AppendedData encoding=\"raw\">\n_";
 constexpr std::uint64_t largest_block = std::uint64_t{1} << 24;  // [byte]; sixteen times what the writer makes
+// A file may unpack to no more than this [byte] and that many times its size, whatever its blocks say. Points and cells
+// of regular meshes shrink to a tenth, so that files of this program stay below.
+constexpr std::uint64_t largest_small = std::uint64_t{1} << 26, largest_growth = 30;
 
 [[noreturn]] void refuse(const std::string& file)
 {
@@ -69,10 +74,12 @@ std::string_view section(std::string_view text, std::string_view name)
 /// The appended section of a file.
 class AppendedReader {
 public:
-    AppendedReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+    AppendedReader(std::string_view bytes, const std::string& file)
+        : bytes_(bytes), file_(file), left_(largest_small + largest_growth * bytes.size())
+    {}
 
     template <class T>
-    std::vector<T> read(std::string_view element) const
+    std::vector<T> read(std::string_view element)
     {
         const std::string raw = inflated(number<std::uint64_t>(attribute(element, "offset"), file_));
         std::vector<T> values(raw.size() / sizeof(T));
@@ -80,6 +87,11 @@ public:
             refuse(file_);
         }
         std::copy_n(raw.data(), raw.size(), reinterpret_cast<char*>(values.data()));
+        if constexpr (std::is_floating_point_v<T>) {
+            if (!std::ranges::all_of(values, [](T value) { return std::isfinite(value); })) {
+                refuse(file_);
+            }
+        }
         return values;
     }
 
@@ -99,12 +111,13 @@ private:
         return value;
     }
     /// VTK's list of compressed blocks: their number, their size, the size of a shorter last one, compressed sizes.
-    [[nodiscard]] std::string inflated(std::uint64_t at) const
+    [[nodiscard]] std::string inflated(std::uint64_t at)
     {
         const auto blocks = word(at), size = word(at), last = word(at);
-        if (blocks > bytes_.size() || size > largest_block || last > size) {
+        if (blocks > bytes_.size() || size > largest_block || last > size || blocks * size > left_) {
             refuse(file_);
         }
+        left_ -= blocks * size;
         std::vector<std::uint64_t> sizes(blocks);
         std::ranges::generate(sizes, [&] { return word(at); });
         std::string result;
@@ -125,9 +138,10 @@ private:
 
     std::string_view bytes_;
     const std::string& file_;
+    std::uint64_t left_;  ///< that may still be unpacked [byte]
 };
 
-VtuValues values_of(std::string_view element, const AppendedReader& data, const std::string& file)
+VtuValues values_of(std::string_view element, AppendedReader& data, const std::string& file)
 {
     const auto type = attribute(element, "type");
     if (type == "Float32") {
@@ -142,7 +156,7 @@ VtuValues values_of(std::string_view element, const AppendedReader& data, const 
     refuse(file);
 }
 
-void add_arrays(std::string_view text, VtuArray::Place place, const AppendedReader& data, const std::string& file,
+void add_arrays(std::string_view text, VtuArray::Place place, AppendedReader& data, const std::string& file,
                 VtuContents& contents)
 {
     const std::size_t places =
@@ -158,7 +172,7 @@ void add_arrays(std::string_view text, VtuArray::Place place, const AppendedRead
     }
 }
 
-VtuGrid grid_of(std::string_view head, const AppendedReader& data, const std::string& file)
+VtuGrid grid_of(std::string_view head, AppendedReader& data, const std::string& file)
 {
     const auto points = elements(section(head, "Points"), "DataArray");
     const auto cells = elements(section(head, "Cells"), "DataArray");
@@ -221,7 +235,7 @@ VtuContents parse_vtu(std::string_view text, const std::string& file)
         refuse(file);
     }
     const auto head = text.substr(0, mark);
-    const AppendedReader data(text.substr(mark + data_mark.size()), file);
+    AppendedReader data(text.substr(mark + data_mark.size()), file);
     VtuContents contents{grid_of(head, data, file), {}};
     if (!is_sound(contents.grid)) {
         refuse(file);
@@ -251,7 +265,11 @@ std::vector<PvdEntry> parse_pvd(std::string_view text, const std::string& file)
         if (name.empty()) {
             refuse(file);
         }
-        entries.push_back({number<double>(attribute(element, "timestep"), file), std::string(name)});
+        const auto time = number<double>(attribute(element, "timestep"), file);
+        if (!std::isfinite(time)) {
+            refuse(file);
+        }
+        entries.push_back({time, std::string(name)});
     }
     return entries;
 }

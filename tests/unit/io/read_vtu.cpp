@@ -4,6 +4,8 @@
 #include "deadpoint/error.hpp"
 
 #include <doctest/doctest.h>
+#include <limits>
+#include <zlib.h>
 
 using namespace deadpoint;
 
@@ -70,6 +72,35 @@ TEST_CASE("a field file that was cut or changed is refused")
         } catch (const InputError&) {
         }
     }
+}
+
+TEST_CASE("a field file whose values are not finite is refused, and one that would unpack to gigabytes, before it does")
+{
+    const ScratchFolder folder;
+    const auto grid = row_of_tetrahedra(5);
+    for (const float value : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
+        std::vector<float> values(8, 1.0F);
+        values.back() = value;
+        CHECK_THROWS_AS(parse_vtu(written(folder, grid, {{"T", VtuArray::Place::point, 1, values}}), "a.vtu"),
+                        InputError);
+    }
+    CHECK_THROWS_AS(parse_pvd("<DataSet timestep=\"nan\" file=\"a\"/>", "a.pvd"), InputError);
+
+    // The points as 300 blocks of 2 MB, in some kilobytes.
+    auto text = written(folder, grid, {{"T", VtuArray::Place::point, 1, std::vector<float>(8, 1.0F)}});
+    const auto data = text.find("<AppendedData encoding=\"raw\">\n_") + 31;
+    std::string zeros(1U << 21U, '\0'), packed(compressBound(zeros.size()), '\0');
+    uLongf length = packed.size();
+    REQUIRE(compress(reinterpret_cast<Bytef*>(packed.data()), &length, reinterpret_cast<const Bytef*>(zeros.data()),
+                     zeros.size()) == Z_OK);
+    std::string blocks;
+    for (const std::uint64_t word : {std::uint64_t{300}, std::uint64_t{zeros.size()}, std::uint64_t{0}})
+        blocks.append(reinterpret_cast<const char*>(&word), sizeof word);
+    for (int k = 0; k < 300; ++k)
+        blocks.append(reinterpret_cast<const char*>(&length), sizeof length);
+    for (int k = 0; k < 300; ++k)
+        blocks.append(packed, 0, length);
+    CHECK_THROWS_AS(parse_vtu(text.substr(0, data) + blocks, "a.vtu"), InputError);
 }
 
 TEST_CASE("lists of times and of pieces read back")

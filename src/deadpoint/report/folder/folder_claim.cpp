@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* unfinished = "unfinished";
-
 /// The name without "." and a slash at its end; a link to a folder is that folder. @throws IoError
 fs::path normal_target(const fs::path& given)
 {
@@ -52,7 +50,7 @@ bool says_unfinished(const fs::path& folder)
 {
     try {
         const auto json = read_json(folder / manifest_name);
-        return json && json->is_object() && json->contains(unfinished);
+        return json && json->is_object() && json->contains(unfinished_mark);
     } catch (const InputError&) {  // damaged by others, so it is not removed
         return false;
     }
@@ -160,7 +158,8 @@ bool is_whole(const fs::path& folder)
 
 void mark_unfinished(const fs::path& folder)
 {
-    write_json(folder / manifest_name, {{"written_by", "deadpoint"}, {"format", result_format}, {unfinished, true}});
+    write_json(folder / manifest_name,
+               {{"written_by", "deadpoint"}, {"format", result_format}, {unfinished_mark, true}});
 }
 
 fs::path rename_uniquely(const fs::path& folder, const std::string& prefix)

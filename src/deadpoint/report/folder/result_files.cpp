@@ -106,6 +106,12 @@ Listed parsed(const Json& json, const fs::path& file)
 {
     try {
         require_format(json, file);
+        if (json.contains(unfinished_mark)) {
+            throw InputError(
+                fmt::format("'{}' is not finished: deadpoint is still writing it, or was stopped\n  help: wait "
+                            "for it, or compute the case again",
+                            file.parent_path().string()));
+        }
         const auto& files = json.at("files");
         Listed listed;
         for (const auto& [name, entry] : files.items()) {
@@ -131,6 +137,12 @@ const ListedFile* ResultFiles::find(const std::string& name) const
 {
     const auto found = listed_.find(name);
     return found == listed_.end() ? nullptr : &found->second;
+}
+
+void ResultFiles::refuse_missing(const std::string& name) const
+{
+    throw IoError(fmt::format("'{}' is missing: it belongs to these results\n  help: {}", (folder_ / name).string(),
+                              compute_again));
 }
 
 void ResultFiles::compare(const std::string& name, const ListedFile& found) const
@@ -163,13 +175,23 @@ std::optional<std::string> ResultFiles::read(const std::string& name) const
             return usual_table(name, *text, read(table_heads_name).value_or(""));
         }
     } else if (find(name) != nullptr) {
-        throw IoError(fmt::format("'{}' is missing: it belongs to these results\n  help: {}", (folder_ / name).string(),
-                                  compute_again));
+        refuse_missing(name);
     }
     return text;
 }
 
 void ResultFiles::check(const std::string& name) const { compare(name, as_written(folder_ / name)); }
+
+void ResultFiles::check_size(const std::string& name) const
+{
+    std::error_code error;
+    const auto size = fs::file_size(folder_ / name, error);
+    if (error) {
+        refuse_missing(name);
+    }
+    const auto* written = find(name);
+    compare(name, {size, written == nullptr ? "" : written->checksum});
+}
 
 void write_manifest(const fs::path& folder)
 {

@@ -16,6 +16,7 @@
 namespace deadpoint::report {
 
 inline constexpr const char* manifest_name = "deadpoint.json";
+inline constexpr const char* unfinished_mark = "unfinished";  ///< in the list of a folder that is being written
 inline constexpr int result_format = 2;  ///< changes when an older version could not read the folder
 
 /// Size and checksum of a file as written.
@@ -42,10 +43,13 @@ public:
     [[nodiscard]] std::optional<std::string> read(const std::string& name) const;
     /// Checks a file of any size that must exist, without returning its contents.
     void check(const std::string& name) const;
+    /// Checks that a listed file exists with the size that it had, and nothing else.
+    void check_size(const std::string& name) const;
 
 private:
     [[nodiscard]] const ListedFile* find(const std::string& name) const;
     void compare(const std::string& name, const ListedFile& found) const;
+    [[noreturn]] void refuse_missing(const std::string& name) const;
 
     std::filesystem::path folder_;
     std::map<std::string, ListedFile> listed_;
