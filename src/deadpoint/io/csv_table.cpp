@@ -67,7 +67,7 @@ bool is_gap(std::string_view cell)
 }
 
 /// @param cell  with a decimal point @return nothing unless all of it is one finite number
-std::optional<double> number(std::string_view cell)
+std::optional<double> finite_number(std::string_view cell)
 {
     if (cell.starts_with('+') && !cell.starts_with("+-")) {
         cell.remove_prefix(1);
@@ -78,7 +78,7 @@ std::optional<double> number(std::string_view cell)
     return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::string with_point(std::string cell)
+std::string comma_as_point(std::string cell)
 {
     std::ranges::replace(cell, ',', '.');
     return cell;
@@ -95,7 +95,7 @@ std::optional<CellPlace> first_with(const CsvTable& table, char mark)
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         for (std::size_t column = 0; column < table.columns.size(); ++column) {
             const auto& cell = table.rows[row][column];
-            if (cell.find(mark) != std::string::npos && number(with_point(cell))) {
+            if (cell.find(mark) != std::string::npos && finite_number(comma_as_point(cell))) {
                 return CellPlace{row, column};
             }
         }
@@ -130,7 +130,7 @@ std::string reason_of(const std::string& cell, bool semicolons)
     const auto commas = std::ranges::count(cell, ','), points = std::ranges::count(cell, '.');
     auto bare = cell;
     std::erase_if(bare, [](char c) { return c == ',' || c == '.' || c == '\'' || c == ' '; });
-    if (commas + points == 0 || !number(bare)) {
+    if (commas + points == 0 || !finite_number(bare)) {
         return "is not a finite number\n  help: correct the cell, or remove the row";
     }
     if (!semicolons && commas == 1 && points == 0) {
@@ -174,7 +174,7 @@ std::vector<double> CsvTable::numbers(std::size_t column, Gaps gaps) const
         const auto& cell = rows[i].at(column);
         const bool gap = gaps == Gaps::as_nan && is_gap(cell);
         const auto value = gap ? std::optional(std::numeric_limits<double>::quiet_NaN())
-                               : number(semicolons ? with_point(cell) : cell);
+                               : finite_number(semicolons ? comma_as_point(cell) : cell);
         if (!value) {
             throw InputError(fmt::format("{}:{}: '{}' in column '{}' {}", file, lines[i], cell, columns.at(column).name,
                                          reason_of(cell, semicolons)));
@@ -191,10 +191,10 @@ void CsvTable::require_increasing(const std::vector<double>& times) const
         return;
     }
     const auto row = static_cast<std::size_t>(wrong - times.begin());
-    throw InputError(fmt::format("{}:{}: the times do not increase: that of line {} {}\n  help: sort the rows, each time "
-                                 "only once",
-                                 file, lines[row + 1], lines[row],
-                                 times[row] == times[row + 1] ? "stands there again" : "is later"));
+    throw InputError(fmt::format(
+        "{}:{}: the times do not increase: that of line {} {}\n  help: sort the rows, each time "
+        "only once",
+        file, lines[row + 1], lines[row], times[row] == times[row + 1] ? "stands there again" : "is later"));
 }
 
 CsvTable parse_csv(const std::string& text, const std::string& file)
@@ -213,7 +213,8 @@ CsvTable parse_csv(const std::string& text, const std::string& file)
         if (line.starts_with('#') || trimmed(line).empty()) {
             continue;
         }
-        if (std::ranges::count_if(line, [](char c) { return c == ',' || c == ';'; }) >= most_columns || table.rows.size() * table.columns.size() > most_cells) {
+        if (std::ranges::count_if(line, [](char c) { return c == ',' || c == ';'; }) >= most_columns ||
+            table.rows.size() * table.columns.size() > most_cells) {
             throw InputError(
                 fmt::format("{}:{}: the table is larger than {} columns or {} cells, the most that is read\n"
                             "  help: check that it is the table that is meant",
