@@ -12,7 +12,7 @@
 inline deadpoint::casefile::CalibratedCase calibrated_case(const InputFile& beside)
 {
     const auto path = beside.folder() / "case.toml";
-    std::filesystem::copy_file(DEADPOINT_SOURCE_DIR "/tests/fuzz/sound/case.toml", path,
+    std::filesystem::copy_file(DEADPOINT_SOURCE_DIR "/cases/starter/case.toml", path,
                                std::filesystem::copy_options::overwrite_existing);
     deadpoint::casefile::CalibratedCase of;
     of.path = path;

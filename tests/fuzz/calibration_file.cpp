@@ -10,6 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const auto of = [] {
         std::filesystem::copy_file(DEADPOINT_SOURCE_DIR "/tests/fuzz/seeds/measured_file-points",
                                    file.folder() / "log.csv", std::filesystem::copy_options::overwrite_existing);
+        InputFile::write(file.folder() / "press.rom", reinterpret_cast<const std::uint8_t*>("r"),
+                         1);  // named, not read
         return calibrated_case(file);
     }();
     file.write(data, size);

@@ -15,12 +15,13 @@ constexpr std::string_view calibration = R"(format = 1
 name = "n"
 [[parameters]]
 name = "p"
-keys = ["friction.bearing.load_part"]
+keys = ["friction.pins.load_part"]
 factor = 2
 [[runs]]
 name = "r"
 data = "log.csv"
 gaps = "leave_out"
+ignore = ["text"]
 [[sensors]]
 columns = ["*"]
 noise = "0.1 K"
@@ -30,9 +31,9 @@ name = "n"
 source = "s"
 [[curves]]
 file = "log.csv"
-column = "P1"
+column = "slide"
 measures = "temperature"
-probe = "P1"
+probe = "slide"
 )";
 
 void require(bool sound)
