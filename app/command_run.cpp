@@ -189,8 +189,7 @@ private:
 };
 
 /// Computes the case in full and states how far the reduced run is off.
-void compare_with_full(const study::ReducedPress& reduced, study::Press& press, study::RunResult& result,
-                       Console& console)
+void compare_with_full(study::Press& press, study::RunResult& result, Console& console)
 {
     auto bare = press.input();
     bare.output.fields = bare.output.causes = false;
@@ -221,7 +220,7 @@ std::unique_ptr<study::Press> use_mesh(const casefile::Case& input, const RunOpt
         lift_fields(options, *press, *states, folder, result, console);
     }
     if (options.full_run && !result.thermal.interrupted) {
-        compare_with_full(reduced, *press, result, console);
+        compare_with_full(*press, result, console);
     }
     press->drop_model();
     return press;
