@@ -73,8 +73,8 @@ bool sound_past(const RunState& read, const RunState& like, const HeatProblem& p
                fits(step.start, stage, 1) && fits(step.middle, stage, 1) && fits(step.end, stage, 1);
     };
     return same_history(read.history, like.history, rows) && rows >= 2 && read.place.segment_row <= rows - 2 &&
-           std::ranges::is_sorted(read.history.time) && read.history.time.back() == read.place.time && fits(read.balance, like.balance, 1) &&
-           std::ranges::all_of(read.steps, sound_step);
+           std::ranges::is_sorted(read.history.time) && read.history.time.back() == read.place.time &&
+           fits(read.balance, like.balance, 1) && std::ranges::all_of(read.steps, sound_step);
 }
 
 }  // namespace
