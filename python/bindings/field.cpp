@@ -1,20 +1,17 @@
 /// deadpoint._field: meshes, loads, heat and full runs for Python. It brings PETSc, MPI and Gmsh.
+#include "deadpoint/api/listener.hpp"
+#include "deadpoint/api/result_writer.hpp"
 #include "deadpoint/api/results.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
-#include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/core/version.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/bare_machine.hpp"
 #include "deadpoint/fem/algebra/product_kernels.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
-#include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/study/pipeline/loads.hpp"
 #include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
 #include "deadpoint/study/result/heat_tables.hpp"
 #include "deadpoint/study/result/loads_result.hpp"
 #include "run_data.hpp"
-#include "run_folder.hpp"
 #include "support.hpp"
 
 #include <algorithm>
@@ -55,7 +52,11 @@ auto compute(const CaseData& of, const Work& work)
 /// A press with its mesh and its model, which later runs share. All that live are known, since their models must be
 /// gone before MPI and PETSc close.
 struct FieldPress {
-    FieldPress(CasePointer of_, double size) : of(std::move(of_)), press(of->value(), size) { living().insert(this); }
+    FieldPress(CasePointer of_, double size) : of(std::move(of_)), press(of->value(), size)
+    {
+        require_scale(size);
+        living().insert(this);
+    }
     ~FieldPress() { living().erase(this); }
     FieldPress(const FieldPress&) = delete;
 
@@ -85,18 +86,13 @@ void take(FieldPress& press, const CasePointer& of)
 
 py::list check(const CasePointer& of, double size)
 {
-    auto found = of->read.diagnostics;
-    const auto add = [&](const Diagnosed& error) {
-        found.insert(found.end(), error.diagnostics().begin(), error.diagnostics().end());
-    };
-    try {
-        Observer silent;
-        compute(*of, [&] { study::Press(of->value(), size).check(silent); });
-    } catch (const CaseError& error) {
-        add(error);
-    } catch (const CaseDomainError& error) {
-        add(error);
-    }
+    require_scale(size);
+    PythonObserver observer{py::none()};
+    const auto found = compute(*of, [&] {
+        study::Press press(of->value(), size);
+        return check_press(of->read, press, observer);
+    });
+    observer.raise_or_stop();
     return findings(found);
 }
 
@@ -108,7 +104,7 @@ py::dict loads(FieldPress& press, int segment, py::object receiver)
     const auto found = compute(*press.of, [&] {
         return public_loads(press.press.loads(segment_of(press.of->value(), segment, true), observer));
     });
-    observer.raise();
+    observer.raise_or_stop();
     py::list series;
     for (const auto& one : found.series())
         series.append(py::make_tuple(std::string(kind_name(one.kind)), one.name, one.quantity, one.unit, one.values));
@@ -129,7 +125,7 @@ py::dict heat(FieldPress& press, int segment, py::object receiver)
     const auto found = compute(*press.of, [&] {
         return public_tables(press.press.heat_tables(segment_of(press.of->value(), segment, false), observer));
     });
-    observer.raise();
+    observer.raise_or_stop();
     py::list joints, conductances, films;
     for (const auto& row : found.joints)
         joints.append(py::make_tuple(row.name, row.law, row.lubricant, row.joints, row.heat));
@@ -153,7 +149,7 @@ py::dict mesh(FieldPress& press, py::object receiver)
 {
     PythonObserver observer(std::move(receiver));
     const auto* machine = compute(*press.of, [&] { return &press.press.machine(observer); });
-    observer.raise();
+    observer.raise_or_stop();
     py::dict parts, result;
     for (const auto& part : machine->parts)
         parts[py::str(part.name)] = part.cell_count;
@@ -166,56 +162,22 @@ py::dict mesh(FieldPress& press, py::object receiver)
 
 // ---------------------------------------------------------------- runs
 
-/// What a run writes into its folder.
-void add_files(study::RunOptions& options, const std::string& path, const casefile::Case& input,
-               const std::vector<std::string>& warnings)
-{
-    options.state_file = path + "/state.bin";
-    options.field_folder = input.output.fields ? path : std::string{};
-    options.comments = {"deadpoint " + std::string(library_version()),
-                        "case " + input.machine.name + ", hash " + casefile::case_hash(input)};
-    for (const auto& warning : warnings)
-        options.comments.push_back("warning: " + warning);
-    options.view = true;
-}
-
-study::RunOptions run_options(const std::optional<fs::path>& start_from)
-{
-    study::RunOptions options;
-    options.causes = true;
-    if (start_from) {
-        report::ResultFiles(*start_from).check("state.bin");
-        options.start_from = (*start_from / "state.bin").string();
-    }
-    return options;
-}
-
-std::shared_ptr<RunData> run(FieldPress& press, const std::optional<fs::path>& target, bool replace,
+std::shared_ptr<RunData> run(FieldPress& press, const fs::path& target, bool replace,
                              const std::optional<fs::path>& start_from, py::object receiver)
 {
     auto data = std::make_shared<RunData>();
     data->of = press.of;
-    const auto& input = press.of->value();
     PythonObserver observer(std::move(receiver));
     compute(*press.of, [&] {
         const auto start = std::chrono::steady_clock::now();
-        auto options = run_options(start_from);
-        std::optional<RunFolder> folder;
-        if (target)
-            folder.emplace(*target, replace, *press.of);
-        press.press.mesh(observer);
-        if (folder)
-            add_files(options, folder->path(), input, observer.warnings);
-        data->result = press.press.run(options, observer);
-        data->result.timings.insert(data->result.timings.begin(), {"mesh", press.press.mesh_seconds()});
-        const auto& machine = press.press.machine(observer);
-        if (folder)
-            folder->write(input, machine, data->result, observer.warnings);
-        data->machine = std::make_shared<const Machine>(without_mesh(machine));
+        Listener listener(observer);
+        ResultWriter writer({target, replace, start_from.value_or(fs::path{})}, press.of->read.files);
+        data->result = writer.run(press.press, press.of->read.warnings, listener);
+        data->warnings = listener.warnings;
+        data->machine = std::make_shared<const Machine>(without_mesh(press.press.machine(listener)));
         data->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     });
     observer.raise();
-    data->warnings = std::move(observer.warnings);
     return data;
 }
 

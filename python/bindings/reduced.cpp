@@ -1,10 +1,15 @@
 /// deadpoint._reduced: cases, results and the reduced press for Python. It loads no PETSc, MPI or Gmsh.
+#include "deadpoint/casefile/files/case_base.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/files/run_files.hpp"
+#include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/folder/result_folder.hpp"
+#include "deadpoint/report/page/run_folder.hpp"
+#include "deadpoint/report/probe/field_files.hpp"
 #include "deadpoint/report/schema/schema.hpp"
 #include "deadpoint/study/learn/forward.hpp"
 #include "deadpoint/study/reduce/reduced_press.hpp"
@@ -13,12 +18,13 @@
 #include "deadpoint/study/reduce/run_sensitivities.hpp"
 #include "deadpoint/study/result/run_summary.hpp"
 #include "run_data.hpp"
-#include "run_folder.hpp"
 #include "support.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -96,9 +102,93 @@ std::string summary_of(const RunData& run)
     return report::summary_text(run.of->value(), *run.machine, run.result, run.warnings);
 }
 
-void write_folder(const RunData& run, const fs::path& target, bool replace)
+void write_folder(const RunData& run, const fs::path& target, bool replace_it)
 {
-    RunFolder(target, replace, *run.of).write(run.of->value(), *run.machine, run.result, run.warnings);
+    using enum report::ResultFolder::IfExists;
+    report::ResultFolder folder(report::FolderClaim(target), replace_it ? replace : refuse, run.of->read.files);
+    report::finish_run_folder(folder, run.of->value(), *run.machine, run.result, run.warnings);
+}
+
+// ---------------------------------------------------------------- folders of results
+
+/// Bytes of a listed file that are as they were written; nothing where the folder has no such file.
+std::optional<py::bytes> read_listed(const report::ResultFiles& files, const std::string& name)
+{
+    std::optional<std::string> text;
+    {
+        const py::gil_scoped_release unlocked;
+        text = files.read(name);
+    }
+    return text ? std::optional(py::bytes(*text)) : std::nullopt;
+}
+
+/// Checks that all files are there as they were written: the sizes of all, the contents of those that are read whole.
+void check_listed(const report::ResultFiles& files)
+{
+    const auto read_later = [](const std::string& name) {
+        return name.ends_with(".vtu") || name.ends_with(".bin");  // large, and checked when they are used
+    };
+    for (const auto& [name, file] : files.listed())
+        read_later(name) ? files.check_size(name) : files.check(name);
+}
+
+/// An array that owns its numbers, in rows where there are several components.
+template <class Value>
+py::array as_rows(std::vector<Value> values, int components)
+{
+    auto* kept = new std::vector<Value>(std::move(values));
+    const py::capsule owner(kept, [](void* p) { delete static_cast<std::vector<Value>*>(p); });
+    const auto count = static_cast<py::ssize_t>(kept->size());
+    if (components == 1)
+        return py::array_t<Value>({count}, kept->data(), owner);
+    return py::array_t<Value>({count / components, static_cast<py::ssize_t>(components)}, kept->data(), owner);
+}
+
+py::dict piece_of(VtuContents& piece)
+{
+    std::vector<double> points;
+    points.reserve(3 * piece.grid.points.size());
+    for (const auto& point : piece.grid.points)
+        points.insert(points.end(), point.begin(), point.end());
+    std::vector<std::uint8_t> types;
+    for (const auto type : piece.grid.types)
+        types.push_back(static_cast<std::uint8_t>(type));
+    py::dict at_points, in_cells, result;
+    for (auto& array : piece.arrays)
+        (array.place == VtuArray::Place::point ? at_points : in_cells)[py::str(array.name)] =
+            std::visit([&](auto& values) { return as_rows(std::move(values), array.components); }, array.values);
+    result["points"] = as_rows(std::move(points), 3);
+    result["connectivity"] = as_rows(std::move(piece.grid.connectivity), 1);
+    result["offsets"] = as_rows(std::move(piece.grid.offsets), 1);
+    result["types"] = as_rows(std::move(types), 1);
+    result["point_data"] = at_points;
+    result["cell_data"] = in_cells;
+    return result;
+}
+
+/// Grids and arrays of a field file, one of each rank.
+py::list pieces_of(const report::ResultFiles& files, const std::string& name)
+{
+    std::vector<VtuContents> pieces;
+    {
+        const py::gil_scoped_release unlocked;
+        pieces = report::field_pieces(files, name);
+    }
+    py::list result;
+    for (auto& piece : pieces)
+        result.append(piece_of(piece));
+    return result;
+}
+
+/// Times [s] and files of the fields, in the order of their list.
+std::vector<std::pair<double, std::string>> times_of_fields(const report::ResultFiles& files)
+{
+    if (!files.listed().contains("fields.pvd"))
+        return {};
+    std::vector<std::pair<double, std::string>> result;
+    for (auto& entry : report::field_times(files))
+        result.emplace_back(entry.time, std::move(entry.file));
+    return result;
 }
 
 // ---------------------------------------------------------------- the reduced press
@@ -121,6 +211,8 @@ std::shared_ptr<RunData> run_reduced(const std::shared_ptr<Rom>& rom, const Case
     PythonObserver observer(std::move(receiver));
     {
         const py::gil_scoped_release unlocked;
+        for (const auto& warning : of->read.warnings)
+            observer.warn(warning);
         const auto start = std::chrono::steady_clock::now();
         const auto detail = figures_only ? study::ReducedDetail::figures : study::ReducedDetail::all;
         run->result = casefile::with_places(of->value(), [&] {
@@ -184,7 +276,7 @@ py::dict sensitivities_of(const Rom& rom, const CasePointer& of, py::object rece
             return study::run_sensitivities(of->value(), rom.press, observer);
         });
     }
-    observer.raise();
+    observer.raise_or_stop();
     py::list rows;
     for (const auto& one : found.of)
         rows.append(py::make_tuple(one.coefficient, one.value, one.unit, one.change, one.gap, one.temperature));
@@ -213,13 +305,15 @@ py::tuple derivatives_of(const Rom& rom, const CasePointer& of, const std::vecto
 {
     study::Forecast forecast;
     PythonObserver observer{py::none()};
-    {
+    try {
         const py::gil_scoped_release unlocked;
         forecast = casefile::with_places(of->value(), [&] {
             const study::ForwardModel model(of->value(), rom.press, parameters_of(of->value(), keys),
                                             {0, threads, nullptr});
             return model.run(std::vector<double>(keys.size(), 0.0), true, observer);
         });
+    } catch (const study::Stopped&) {
+        observer.raise_or_stop();
     }
     py::list values, slopes;
     for (auto& value : forecast.value)
@@ -281,29 +375,22 @@ private:
     std::vector<std::string> errors_;
 };
 
-casefile::Case with_settings(const CaseData& of, const std::vector<std::string>& settings)
-{
-    auto options = of.options;
-    options.overrides.insert(options.overrides.end(), settings.begin(), settings.end());
-    auto read = read_with_diagnostics(of.file, options);
-    if (!read.errors.empty())
-        throw CaseError(read.errors, std::move(read.diagnostics));
-    return std::move(read.value);
-}
-
 py::dict map_of(const Rom& rom, const CasePointer& of, const std::vector<std::vector<std::string>>& settings,
                 int threads, py::object receiver)
 {
     std::vector<study::SweepPoint> points;
     std::vector<std::size_t> all;
     for (std::size_t k = 0; k < settings.size(); ++k) {
-        points.push_back({std::to_string(k), settings[k], {}});
+        auto overrides = of->options.overrides;
+        overrides.insert(overrides.end(), settings[k].begin(), settings[k].end());
+        points.push_back({std::to_string(k), std::move(overrides), {}});
         all.push_back(k);
     }
     Figures figures(of->value(), points.size());
+    std::optional<casefile::CaseBase> base;  // read once for all points
     study::ReducedSweep sweep;
-    sweep.threads = threads;
-    sweep.read = [&](const study::SweepPoint& point) { return with_settings(*of, point.overrides); };
+    sweep.threads = std::max(threads, 1);
+    sweep.read = [&](const study::SweepPoint& point) { return base->with(point.overrides); };
     sweep.record = [&](std::size_t point, const casefile::Case& input, const study::RunResult& result) {
         figures.keep(point, input, result);
         return study::RunRecord{};
@@ -315,6 +402,7 @@ py::dict map_of(const Rom& rom, const CasePointer& of, const std::vector<std::ve
     PythonObserver observer(std::move(receiver));
     {
         const py::gil_scoped_release unlocked;
+        base.emplace(of->file, access_of(of->options));
         study::run_points_reduced(points, all, rom.press, sweep, observer);
     }
     observer.raise();
@@ -342,6 +430,20 @@ PYBIND11_MODULE(_reduced, module)
         .def_property_readonly("hash", [](const CaseData& of) { return casefile::case_hash(of.value()); })
         .def_property_readonly("text", [](const CaseData& of) { return casefile::write_case(of.value()); })
         .def_property_readonly("findings", [](const CaseData& of) { return findings(of.read.diagnostics); });
+
+    py::class_<report::ResultFiles>(module, "Files")
+        .def(py::init<fs::path>(), arg("folder"), py::call_guard<py::gil_scoped_release>())
+        .def_property_readonly("names",
+                               [](const report::ResultFiles& files) {
+                                   std::vector<std::string> names;
+                                   for (const auto& [name, file] : files.listed())
+                                       names.push_back(name);
+                                   return names;
+                               })
+        .def("check", &check_listed, py::call_guard<py::gil_scoped_release>())
+        .def("read", &read_listed, arg("name"))
+        .def("field_times", &times_of_fields, py::call_guard<py::gil_scoped_release>())
+        .def("fields", &pieces_of, arg("name"));
 
     py::class_<RunData, std::shared_ptr<RunData>>(module, "Run")
         .def("tables", &tables_of)

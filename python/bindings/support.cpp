@@ -3,6 +3,8 @@
 #include "deadpoint/error.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <new>
 
 namespace deadpoint::python {
 namespace {
@@ -10,22 +12,35 @@ namespace {
 constexpr auto progress_interval = std::chrono::milliseconds(100);
 constexpr auto signal_interval = std::chrono::milliseconds(50);
 
+/// Text of any bytes: messages quote files, which need not be UTF-8.
+py::object text_of(const std::string& bytes)
+{
+    auto* text = PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "backslashreplace");
+    if (text == nullptr)
+        throw py::error_already_set();
+    return py::reinterpret_steal<py::object>(text);
+}
+
 py::object finding(const Diagnostic& found)
 {
     const auto& place = found.place;
     return py::module_::import("deadpoint._errors")
-        .attr("Finding")(found.path, place.file, place.line, place.column,
-                         found.severity == DiagnosticSeverity::error ? "error" : "warning", found.code, found.message,
-                         found.help);
+        .attr("Finding")(text_of(found.path), text_of(place.file), place.line, place.column,
+                         found.severity == DiagnosticSeverity::error ? "error" : "warning", found.code,
+                         text_of(found.message), text_of(found.help));
+}
+
+/// @param code  exit code of the command; 0: none of its four kinds
+void set_error(int code, const std::string& text, const py::list& found)
+{
+    const auto made = py::module_::import("deadpoint._errors").attr("error_of")(code, text_of(text), found);
+    PyErr_SetObject(py::type::of(made).ptr(), made.ptr());
 }
 
 void set_error(const Error& error)
 {
     const auto* diagnosed = dynamic_cast<const Diagnosed*>(&error);
-    const auto made = py::module_::import("deadpoint._errors")
-                          .attr("error_of")(error.exit_code(), error.what(),
-                                            diagnosed ? findings(diagnosed->diagnostics()) : py::list());
-    PyErr_SetObject(py::type::of(made).ptr(), made.ptr());
+    set_error(error.exit_code(), error.what(), diagnosed ? findings(diagnosed->diagnostics()) : py::list());
 }
 
 }  // namespace
@@ -46,6 +61,16 @@ void translate_errors()
                 std::rethrow_exception(thrown);
         } catch (const Error& error) {
             set_error(error);
+        } catch (const std::filesystem::filesystem_error& error) {
+            set_error(
+                IoError(std::string(error.what()) + "\n  help: check the length of the path and its permissions"));
+        } catch (const py::builtin_exception&) {
+            throw;  // pybind11's own, of wrong arguments
+        } catch (const std::bad_alloc&) {
+            set_error(0, "out of memory\n  help: take fewer values at a time, or a coarser mesh", py::list());
+        } catch (const std::exception& error) {
+            set_error(0, std::string(error.what()) + "\n  help: this is a defect of deadpoint; please report it",
+                      py::list());
         }
     });
 }
@@ -110,6 +135,15 @@ void PythonObserver::raise()
 {
     if (error_)
         throw std::move(*error_);
+}
+
+void PythonObserver::raise_or_stop()
+{
+    raise();
+    if (!stop_)
+        return;
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
 }
 
 }  // namespace deadpoint::python

@@ -15,7 +15,8 @@ namespace deadpoint::python {
 
 namespace py = pybind11;
 
-/// From now on errors of the library reach Python as the classes of deadpoint._errors.
+/// From now on what the library throws reaches Python as the classes of deadpoint._errors, running out of memory and
+/// failing file systems too. Wrong types of arguments stay TypeErrors.
 void translate_errors();
 
 /// Diagnostics as a list of deadpoint.Finding.
@@ -35,6 +36,8 @@ public:
 
     /// To be called after the run, with the lock: raises what the receiver or a handler of a signal has raised.
     void raise();
+    /// The same for work that keeps nothing after Ctrl-C: it raises KeyboardInterrupt then.
+    void raise_or_stop();
     std::vector<std::string> warnings;  ///< each once
 
 private:

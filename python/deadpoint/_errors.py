@@ -1,6 +1,10 @@
 """Errors of deadpoint, and what a check finds in a case."""
 from __future__ import annotations
 
+import contextlib
+import os
+import pathlib
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -43,7 +47,11 @@ class Finding:
 
 
 class Error(Exception):
-    """Base of all errors of deadpoint. ``str(error)`` states the error, its place and its remedy."""
+    """Base of all errors of deadpoint. ``str(error)`` states the error, its place and its remedy.
+
+    Besides these and :class:`deadpoint.Interrupted` only Python's own errors of programming leave the package: TypeError for
+    an argument of a wrong type, and ImportError where an optional package is not installed.
+    """
 
     def __init__(self, text: str, findings: Iterable[Finding] = ()) -> None:
         super().__init__(text)
@@ -109,6 +117,47 @@ _CLASSES: dict[int, type[Error]] = {2: InputError, 3: DomainError, 4: Convergenc
 def error_of(code: int, text: str, findings: Iterable[Finding] = ()) -> Error:
     """The error of an exit code of the command. For deadpoint itself."""
     return _CLASSES.get(code, Error)(text, findings)
+
+
+@contextlib.contextmanager
+def reading(what: object) -> Iterator[None]:
+    """Whatever goes wrong while a file is read and taken apart becomes an error of deadpoint. For deadpoint itself."""
+    try:
+        yield
+    except Error:
+        raise
+    except OSError as error:
+        raise IoError(f"cannot read '{what}': {error.strerror or error}\n  help: check that it is there and that you may "
+                      "read it") from error
+    except MemoryError as error:
+        raise Error(f"'{what}' does not fit into the memory") from error
+    except Exception as error:
+        raise InputError(f"'{what}' was changed or cut short: {type(error).__name__} {error}\n  help: compute it again") from error
+
+
+@contextlib.contextmanager
+def writing(what: object) -> Iterator[None]:
+    """The same for a file or folder that is written. For deadpoint itself."""
+    try:
+        yield
+    except Error:
+        raise
+    except OSError as error:
+        raise IoError(f"cannot write '{what}': {error.strerror or error}\n  help: check the folder and its permissions") from error
+
+
+def path_of(value: str | os.PathLike[str]) -> pathlib.Path:
+    """A path that a system call can take. For deadpoint itself.
+
+    :raises TypeError: if it is no text and no path
+    """
+    path = pathlib.Path(value)
+    try:
+        if b"\0" not in os.fsencode(path):
+            return path
+    except UnicodeError:
+        pass
+    raise InputError(f"{str(path)!r} is no path: it has characters that no file name may have")
 
 
 def unknown(kind: str, name: object, known: Iterable[str]) -> NameUnknown:

@@ -39,7 +39,7 @@ class FieldPress:
     def heat(self, segment: int, receiver: Receiver | None) -> _Heat: ...
     def run(
         self,
-        folder: str | pathlib.Path | None,
+        folder: str | pathlib.Path,
         replace: bool,
         start_from: str | pathlib.Path | None,
         receiver: Receiver | None,

@@ -28,6 +28,9 @@ def _ticks(low: float, high: float) -> list[float]:
 
 def chart(series: Sequence[Series], title: str) -> str:
     """Lines over the hours, with a legend below."""
+    series = [one for one in series if np.isfinite(one.values).any()]
+    if not series:
+        return ""
     low = min(float(np.nanmin(one.values)) for one in series)
     high = max(float(np.nanmax(one.values)) for one in series)
     if not high > low:

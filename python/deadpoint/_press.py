@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from deadpoint import _reduced
-from deadpoint._errors import Finding, InputError, Interrupted, unknown
+from deadpoint._errors import Finding, InputError, Interrupted, path_of, reading, unknown, writing
 from deadpoint._loads import Heat, Loads, Mesh, heat_of, loads_of
 from deadpoint._progress import Receiver, close, receiver_of
 
@@ -52,7 +52,7 @@ class Press:
 
     def __init__(self, file: str | pathlib.Path, settings: Mapping[str, Setting] | None = None,
                  allow_outside: bool = False) -> None:
-        self.file = pathlib.Path(file)
+        self.file = path_of(file)
         """The case file."""
         self._allow_outside = allow_outside
         self._settings: dict[str, str] = {key: _text_of(value) for key, value in (settings or {}).items()}
@@ -73,9 +73,10 @@ class Press:
         if self._values is None:
             import tomllib
 
-            self._values = tomllib.loads(self._case.text)
+            with reading("case"):
+                self._values = tomllib.loads(self._case.text)
         found: Any = self._values
-        for step in key.split("."):
+        for step in str(key).split("."):
             found = _step(found, step, key)
         return found
 
@@ -94,10 +95,13 @@ class Press:
         changed = {**self._settings, **{key: _text_of(value) for key, value in settings.items()}}
         try:
             return changed, self._read(changed)
-        except InputError:
+        except InputError as mistake:
             if not any(hasattr(value, "to_base_units") for value in settings.values()):
                 raise
-            converted = {key: _text_of(_base_units(value)) for key, value in settings.items()}
+            try:
+                converted = {key: _text_of(_base_units(value)) for key, value in settings.items()}
+            except Exception:  # pint cannot convert it
+                raise mistake from None
             changed = {**self._settings, **converted}
             return changed, self._read(changed)
 
@@ -151,10 +155,13 @@ class Press:
 
         :raises deadpoint.InputError: if the file exists
         """
-        path = pathlib.Path(file)
-        if path.exists():
-            raise InputError(f"'{path}' exists\n  help: remove it or give another name")
-        path.write_text(self.text, encoding="utf-8")
+        path = path_of(file)
+        with writing(path):
+            try:
+                with path.open("x", encoding="utf-8") as out:
+                    out.write(self.text)
+            except FileExistsError:
+                raise InputError(f"'{path}' exists\n  help: remove it or give another name") from None
 
     # ---------------------------------------------------------------- with meshes and fields
 
@@ -169,7 +176,7 @@ class Press:
         return self._field
 
     def check(self, size: float = 1.0) -> list[Finding]:
-        """Mistakes and warnings of the case, as ``deadpoint check`` finds them; empty if there are none.
+        """All mistakes and warnings that ``deadpoint check`` prints; empty if there are none.
 
         Meshes the case and checks its loads, laws and dimension chain.
 
@@ -209,8 +216,7 @@ class Press:
 
         A second run with other operation, friction, oil or convection uses the mesh and the unknowns of the first.
 
-        :param folder: where the files of the run are written, fields included; None: a folder that
-            goes with the result
+        :param folder: where all files of ``deadpoint run`` are written; None: a folder that goes with the result
         :param size: factor on all cell sizes: 2 is coarser and faster
         :param progress: True shows a bar; or any object with the methods of :class:`deadpoint.Receiver`
         :param replace: an existing result folder may be replaced
@@ -220,11 +226,13 @@ class Press:
         """
         from deadpoint._results import Result, open_result
 
-        temporary = tempfile.TemporaryDirectory(prefix="deadpoint-") if folder is None else None
-        target = pathlib.Path(temporary.name, "results") if temporary else pathlib.Path(str(folder))
+        with writing("temporary folder"):
+            temporary = tempfile.TemporaryDirectory(prefix="deadpoint-") if folder is None else None
+        target = pathlib.Path(temporary.name, "results") if folder is None and temporary else path_of(folder or "")
+        start = None if start_from is None else path_of(start_from)
         receiver = receiver_of(progress)
         try:
-            run = self._with_mesh(size).run(target, replace, start_from, receiver)
+            run = self._with_mesh(size).run(target, replace, start, receiver)
         finally:
             close(receiver)
         result = Result(target, run) if temporary else open_result(target)
@@ -265,7 +273,7 @@ def _step(found: Any, step: str, key: str) -> Any:
             raise unknown("key", key, [step_ for step_ in found])
         return found[step]
     if isinstance(found, list):
-        if step.isdigit() and int(step) < len(found):
+        if step.isdecimal() and int(step) < len(found):
             return found[int(step)]
         for item in found:
             if isinstance(item, dict) and item.get("name") == step:

@@ -3,6 +3,8 @@ from __future__ import annotations
 
 import functools
 import json
+import math
+import operator
 import pathlib
 import shutil
 import tempfile
@@ -11,20 +13,17 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from deadpoint import _schema
-from deadpoint._errors import InputError, IoError, NameUnknown
+from deadpoint import _reduced, _schema
+from deadpoint._errors import InputError, NameUnknown, path_of, reading, writing
 from deadpoint._series import Array, Named, Series
-from deadpoint._tables import Table, TableColumn, Tables, column_of
+from deadpoint._tables import Table, TableColumn, Tables, column_of, needed
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-    from deadpoint import _reduced
     from deadpoint._fields import Fields
     from deadpoint._plot import Plot
-
-RESULT_FORMAT = 2
 
 
 class StatedError(NamedTuple):
@@ -54,10 +53,15 @@ class Result:
         """Holds the folder of a run without one; it is removed with the result."""
 
     @functools.cached_property
+    def _files(self) -> _reduced.Files | None:
+        """What the folder lists. Each file is compared with its size and checksum when it is read."""
+        return _reduced.Files(self.folder) if self.folder else None
+
+    @functools.cached_property
     def tables(self) -> Tables:
         """All tables: ``history``, ``contributions``, ``gaps`` and so on. Those of a folder are read when first used."""
         if self._run is None:
-            return Tables(self.folder)
+            return Tables(self._files)
         found = self._run.tables()
         return Tables(None, {file: Table(file, [column_of(file, *one) for one in found[file]]) for file in found})
 
@@ -66,15 +70,21 @@ class Result:
         """The figures of ``summary.json`` (docs/result-files.md)."""
         if self._run is not None:
             return dict(json.loads(self._run.summary()))
-        assert self.folder is not None
-        return dict(_json(self.folder / "summary.json"))
+        assert self._files is not None
+        with reading("summary.json"):
+            return dict(_json(needed(self._files, "summary.json")))
+
+    def _stated(self, *keys: str) -> Any:
+        """A figure of the summary that every run has."""
+        with reading("summary.json"):
+            return functools.reduce(operator.getitem, keys, self.summary)
 
     # ---------------------------------------------------------------- series
 
     @property
     def time(self) -> Array:
         """Times of the rows since the start [s]; shape (n,)."""
-        return np.asarray(self.tables["history"]["time"], dtype=float)
+        return _time_of(self.tables["history"])
 
     def series(self, kind: str, table: str = "history") -> Named:
         """All series of a kind, by the name of the thing: ``result.series("joint_heat")["crank_pin"]``.
@@ -85,11 +95,11 @@ class Result:
         if table not in self.tables:
             return Named(kind.replace("_", " "), {})
         found = self.tables[table]
-        time = np.asarray(found["time"], dtype=float)
+        time = _time_of(found)
         dimensions = _schema.dimensions() if kind == "dimension" else {}
         return Named(
             kind.replace("_", " "),
-            {c.name: _series(c, time, dimensions.get(c.name, "")) for c in found.of_kind(kind)},
+            {c.name: _series(found.file, c, time, dimensions.get(c.name, "")) for c in found.of_kind(kind)},
         )
 
     @property
@@ -142,33 +152,36 @@ class Result:
     @property
     def name(self) -> str:
         """The case's own name."""
-        return str(self.summary["case"]["name"])
+        return str(self._stated("case", "name"))
 
     @property
     def case_hash(self) -> str:
         """Hash of the case, equal for equal cases."""
-        return str(self.summary["case"]["hash"])
+        return str(self._stated("case", "hash"))
 
     @property
     def warnings(self) -> list[str]:
         """All warnings of the run."""
-        return list(self.summary["warnings"])
+        with reading("summary.json"):
+            return [str(text) for text in self._stated("warnings")]
 
     @property
     def interrupted(self) -> bool:
         """True if the run was stopped before its end."""
-        return bool(self.summary["interrupted"])
+        return bool(self._stated("interrupted"))
 
     @property
     def error(self) -> StatedError | None:
         """How far a reduced run is off the large model; None for a full run, and if it was not estimated."""
-        found = self.summary.get("reduced", {}).get("estimate")
-        return StatedError(found["of"], found["temperature_K"], found["E_SW_um"]) if found else None
+        with reading("summary.json"):
+            found = self.summary.get("reduced", {}).get("estimate")
+            return StatedError(str(found["of"]), float(found["temperature_K"]), float(found["E_SW_um"])) if found else None
 
     @property
     def outside(self) -> list[str]:
         """Coefficients outside the range for which the reduced model was built: the run is then an extrapolation."""
-        return list(self.summary.get("reduced", {}).get("outside", []))
+        with reading("summary.json"):
+            return [str(text) for text in self.summary.get("reduced", {}).get("outside", [])]
 
     # ---------------------------------------------------------------- other forms
 
@@ -185,7 +198,7 @@ class Result:
         groups: dict[str, list[TableColumn]] = {}
         for column in self.tables["history"].columns:
             groups.setdefault(column.kind, []).append(column)
-        time = groups.pop("time")[0]
+        groups.pop("time", None)
         data: dict[str, Any] = {}
         for kind, columns in groups.items():
             attributes = {"units": columns[0].unit, "long_name": columns[0].meaning}
@@ -195,7 +208,7 @@ class Result:
                 data[kind] = ((f"{kind}_name", "time"), values, attributes)
             else:
                 data[kind] = (("time",), columns[0].values, attributes)
-        coordinates: dict[str, Any] = {"time": ("time", time.values, {"units": "s"})}
+        coordinates: dict[str, Any] = {"time": ("time", self.time, {"units": "s"})}
         for kind, entry in data.items():
             if len(entry[0]) > 1:
                 coordinates[f"{kind}_name"] = [column.name for column in groups[kind]]
@@ -213,7 +226,7 @@ class Result:
         """Times at which the folder holds fields [s]; shape (m,)."""
         from deadpoint._fields import listed
 
-        return np.array([time for time, _ in listed(self.folder)])
+        return np.array([time for time, _ in listed(self._files)])
 
     def fields(self, time: float | None = None) -> Fields:
         """Temperature, displacement and stress on the mesh at one of :attr:`field_times`.
@@ -223,7 +236,7 @@ class Result:
         """
         from deadpoint._fields import fields_at
 
-        return fields_at(self.folder, time)
+        return fields_at(self._files, time)
 
     def to_pyvista(self, time: float | None = None) -> Any:
         """The fields as a grid of PyVista. Needs pyvista."""
@@ -237,10 +250,11 @@ class Result:
         """
         if self._run is None:
             raise InputError(f"this result is in '{self.folder}' already\n  help: copy the folder")
-        target = pathlib.Path(folder)
+        target = path_of(folder)
         self._run.write(target, replace)
         if self.folder is not None:
-            shutil.copytree(self.folder, target, dirs_exist_ok=True)  # fields, which are on disk only
+            with writing(target):
+                shutil.copytree(self.folder, target, dirs_exist_ok=True)  # fields, which are on disk only
         return open_result(target)
 
     # ---------------------------------------------------------------- text
@@ -260,12 +274,31 @@ class Result:
     def _repr_html_(self) -> str:
         from deadpoint._html import result_html
 
-        return result_html(self)
+        with reading("the result"):
+            return result_html(self)
 
 
-def _series(column: TableColumn, time: Array, meaning: str) -> Series:
+def _numbers(file: str, column: TableColumn) -> Array:
+    if isinstance(column.values, list):
+        raise InputError(f"'{file}' was changed: the column '{column.heading}' has texts or values that are not finite\n"
+                         "  help: compute it again")
+    return np.asarray(column.values, dtype=float)
+
+
+def _time_of(table: Table) -> Array:
+    """Times of a table, which increase from row to row; the checksum shows only that they are as written."""
+    columns = table.of_kind("time")
+    if len(columns) != 1 or not len(table):
+        raise InputError(f"'{table.file}' was changed: it has no times\n  help: compute it again")
+    time = _numbers(table.file, columns[0])
+    if np.isnan(time).any() or (np.diff(time) <= 0).any():
+        raise InputError(f"'{table.file}' was changed: its times do not increase\n  help: compute it again")
+    return time
+
+
+def _series(file: str, column: TableColumn, time: Array, meaning: str) -> Series:
     full = f"{column.meaning}: {meaning}" if meaning else column.meaning
-    return Series(column.name, column.kind, column.unit, full, time, np.asarray(column.values, dtype=float))
+    return Series(column.name, column.kind, column.unit, full, time, _numbers(file, column))
 
 
 class Study:
@@ -274,16 +307,20 @@ class Study:
     def __init__(self, folder: pathlib.Path) -> None:
         self.folder = folder
         """Where it is."""
-        self.tables = Tables(folder)
+        self._files = _opened(folder)
+        self.tables = Tables(self._files)
         """All tables by name: ``study.tables["parameters"]``."""
 
     @functools.cached_property
     def figures(self) -> dict[str, Any]:
         """The JSON files of the folder by name without ending: ``study.figures["calibration"]``."""
-        skipped = {"deadpoint", "motion", "view"}
-        return {
-            path.stem: _json(path) for path in sorted(self.folder.glob("*.json")) if path.stem not in skipped
-        }
+        skipped = {"motion.json", "view.json", "tables.json"}
+        found: dict[str, Any] = {}
+        for name in self._files.names:
+            if name.endswith(".json") and "/" not in name and name not in skipped:
+                with reading(name):
+                    found[name.removesuffix(".json")] = _json(needed(self._files, name))
+        return found
 
     @property
     def page(self) -> pathlib.Path:
@@ -292,8 +329,10 @@ class Study:
 
     def __iter__(self) -> Iterator[Result]:
         """Results of the runs in its subfolders."""
-        for path in sorted(self.folder.rglob("summary.json")):
-            yield open_result(path.parent)
+        with reading(self.folder):
+            folders = sorted(path.parent for path in self.folder.rglob("summary.json"))
+        for folder in folders:
+            yield open(folder)
 
     def to_pandas(self, table: str) -> pandas.DataFrame:
         """A table as a data frame. Needs pandas."""
@@ -305,54 +344,52 @@ class Study:
     def _repr_html_(self) -> str:
         from deadpoint._html import study_html
 
-        return study_html(self)
+        with reading("the study"):
+            return study_html(self)
 
 
-def _json(path: pathlib.Path) -> Any:
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise IoError(f"cannot read '{path}': {error.strerror}") from error
-    except ValueError as error:
-        raise InputError(f"'{path}' was changed or cut short: {error}\n  help: compute it again") from error
+def _finite(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError(f"{text} is not a finite number")
+    return value
 
 
-def _require_folder(folder: pathlib.Path) -> None:
-    if not folder.is_dir():
-        raise IoError(f"there is no folder '{folder}'\n  help: give the folder that 'deadpoint run -o' wrote")
-    manifest = folder / "deadpoint.json"
-    if not manifest.exists():
-        raise InputError(f"'{folder}' holds no results of deadpoint: deadpoint.json is missing\n"
-                         "  help: give the folder itself, not one above it")
-    found = _json(manifest)
-    if not isinstance(found, dict) or found.get("format") != RESULT_FORMAT:
-        raise InputError(f"'{folder}' is a result of another format\n  help: compute it again with this version")
+def _json(data: bytes) -> Any:
+    """A document without numbers that are not finite."""
+    return json.loads(data.decode("utf-8"), parse_float=_finite, parse_constant=_finite)
+
+
+def _opened(folder: pathlib.Path) -> _reduced.Files:
+    """The list of a folder, whose files are all there as they were written."""
+    files = _reduced.Files(folder)
+    files.check()
+    return files
 
 
 def open_result(folder: pathlib.Path) -> Result:
     """The result of a run in a folder."""
+    files = _opened(folder)
+    if "summary.json" not in files.names:
+        raise InputError(f"'{folder}' holds no run\n  help: open the folder of another command with deadpoint.open_study()")
     return Result(folder)
 
 
 def open(folder: str | pathlib.Path) -> Result:
-    """Opens a folder that ``deadpoint run`` wrote.
+    """Opens a folder that ``deadpoint run`` wrote. All its files must be there as they were written: the sizes are compared at
+    once, and the checksums of all but the large ones (fields and states), which are compared when they are read.
 
-    :raises deadpoint.IoError: if there is no such folder
-    :raises deadpoint.InputError: if deadpoint did not write it, an older version did, or it is one of another command
+    :raises deadpoint.IoError: if there is no such folder, or one of its files is missing or cannot be read
+    :raises deadpoint.InputError: if deadpoint did not write it or is not done with it, an older version wrote it, one of its
+        files was changed since, or it is a folder of another command
     """
-    path = pathlib.Path(folder)
-    _require_folder(path)
-    if not (path / "summary.json").exists():
-        raise InputError(f"'{path}' holds no run\n  help: open the folder of another command with deadpoint.open_study()")
-    return open_result(path)
+    return open_result(path_of(folder))
 
 
 def open_study(folder: str | pathlib.Path) -> Study:
     """Opens a folder that ``sweep``, ``sensitivity``, ``optimise``, ``calibrate``, ``loads`` or ``heat`` wrote.
 
-    :raises deadpoint.IoError: if there is no such folder
-    :raises deadpoint.InputError: if deadpoint did not write it, or an older version did
+    :raises deadpoint.IoError: as :func:`open`
+    :raises deadpoint.InputError: as :func:`open`
     """
-    path = pathlib.Path(folder)
-    _require_folder(path)
-    return Study(path)
+    return Study(path_of(folder))

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import os
 import pathlib
 import warnings
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from deadpoint import _reduced
-from deadpoint._errors import InputError, Interrupted, unknown
+from deadpoint._errors import InputError, Interrupted, path_of, unknown
 from deadpoint._press import Press, Setting, _text_of, press_of
 from deadpoint._progress import Receiver, close, receiver_of
 from deadpoint._results import Result, StatedError
@@ -23,6 +24,11 @@ if TYPE_CHECKING:
 _KINDS = ("film", "side", "oil", "heat", "oil temperature", "ambient")
 _MICROMETRE = 1e6
 _ZERO_CELSIUS = 273.15
+MOST_RUNS = 1_000_000  # of one map
+
+
+def _threads(wanted: int | None) -> int:
+    return max(wanted or os.cpu_count() or 1, 1)
 
 
 class Range(NamedTuple):
@@ -113,7 +119,7 @@ class Rom:
     """
 
     def __init__(self, file: str | pathlib.Path) -> None:
-        self.file = pathlib.Path(file)
+        self.file = path_of(file)
         """The file of the model."""
         self._model = _reduced.Rom(self.file)
         self._info = self._model.info()
@@ -216,11 +222,13 @@ class Rom:
         shape = tuple(len(values) for values in axes.values())
         if not all(shape):
             raise InputError("a key of a map has no value\n  help: give at least one")
+        if math.prod(shape) > MOST_RUNS:
+            raise InputError(f"a map of {math.prod(shape)} runs is too large\n  help: give fewer values; {MOST_RUNS} runs are the most")
         texts = [[f"{key}={_text_of(value)}" for value in values] for key, values in axes.items()]
         points = [list(point) for point in itertools.product(*texts)]
         receiver = receiver_of(progress)
         try:
-            found = self._model.map(press.case, points, threads or os.cpu_count() or 1, receiver)
+            found = self._model.map(press.case, points, _threads(threads), receiver)
         finally:
             close(receiver)
         result = Map(
@@ -261,7 +269,7 @@ class Rom:
         wanted = [(key, [key], False) for key in keys] + [(key, [key], True) for key in shifts]
         if not wanted:
             raise InputError("there is no key to derive by\n  help: give at least one")
-        time, values, slopes = self._model.derivatives(press.case, wanted, threads or os.cpu_count() or 1)
+        time, values, slopes = self._model.derivatives(press.case, wanted, _threads(threads))
         outputs = self.outputs(press)
         curves = {
             output.name: value - _ZERO_CELSIUS if output.unit == "degC" else _MICROMETRE * value
@@ -290,6 +298,8 @@ class Rom:
         if of not in found.values:
             raise unknown("curve", of, found.values)
         at = float(found.time[-1] if time is None else time)
+        if not found.time[0] <= at <= found.time[-1]:
+            raise InputError(f"{at:g} s is outside the run\n  help: it has {found.time[0]:g} to {found.time[-1]:g} s")
         return {key: float(np.interp(at, found.time, curves[of])) for key, curves in found.by.items()}
 
     def __repr__(self) -> str:

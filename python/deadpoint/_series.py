@@ -50,7 +50,8 @@ class Series:
     @property
     def largest(self) -> float:
         """Value of largest magnitude, with its sign [unit]."""
-        return float(self.values[int(np.nanargmax(np.abs(self.values)))])
+        sizes = np.where(np.isnan(self.values), -1.0, np.abs(self.values))
+        return float(self.values[int(np.argmax(sizes))])
 
     def at(self, time: npt.ArrayLike) -> Any:
         """Values at other times, linear in between.
@@ -61,8 +62,11 @@ class Series:
         """
         from deadpoint._errors import InputError
 
-        wanted = np.asarray(time, dtype=float)
-        if wanted.size and (wanted.min() < self.time[0] or wanted.max() > self.time[-1]):
+        try:
+            wanted = np.asarray(time, dtype=float)
+        except ValueError as error:
+            raise InputError(f"{self.name}: {time!r} is no time\n  help: give seconds since the start") from error
+        if not ((wanted >= self.time[0]) & (wanted <= self.time[-1])).all():
             raise InputError(
                 f"{self.name}: time {wanted.min():g}..{wanted.max():g} s is outside the run\n"
                 f"  help: it has {self.time[0]:g} to {self.time[-1]:g} s"

@@ -8,8 +8,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from deadpoint._command import call, case_arguments
+from deadpoint._errors import path_of, reading, writing
 from deadpoint._press import Press, Setting, _text_of, press_of
-from deadpoint._results import Study
+from deadpoint._results import Study, open_study
 from deadpoint._rom import Rom
 
 
@@ -42,12 +43,12 @@ def sweep(study: str | pathlib.Path | Press, output: str | pathlib.Path,
     more = [*_model(reduced), "-o", output, *(["--size", size] if size else []), *(["-j", jobs] if jobs else [])]
     if not isinstance(study, Press):
         call("sweep", [study, *more], progress)
-        return Study(pathlib.Path(output))
-    with tempfile.TemporaryDirectory() as folder:
+        return open_study(path_of(output))
+    with writing("temporary folder"), tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "study.toml"
         file.write_text(_study_text(study, axes or {}), encoding="utf-8")
         call("sweep", [file, *more, *_flags(allow_outside=study.allow_outside)], progress)
-    return Study(pathlib.Path(output))
+    return open_study(path_of(output))
 
 
 def _study_text(press: Press, axes: Mapping[str, Sequence[Setting]]) -> str:
@@ -72,7 +73,7 @@ def calibrate(case: Press | str | pathlib.Path, calibration: str | pathlib.Path,
     """
     arguments = [*case_arguments(press_of(case)), calibration, *_model(reduced), *_options(output, replace, jobs)]
     call("calibrate", [*arguments, *_flags(plan=plan, full_run=full_run)], progress)
-    return Study(pathlib.Path(output))
+    return open_study(path_of(output))
 
 
 def sensitivity(study: str | pathlib.Path, reduced: Rom | str | pathlib.Path, output: str | pathlib.Path,
@@ -82,7 +83,7 @@ def sensitivity(study: str | pathlib.Path, reduced: Rom | str | pathlib.Path, ou
     :param study: a study file with a section [sensitivity]
     """
     call("sensitivity", [study, *_model(reduced), *_options(output, replace, jobs)], progress)
-    return Study(pathlib.Path(output))
+    return open_study(path_of(output))
 
 
 def optimise(study: str | pathlib.Path, reduced: Rom | str | pathlib.Path, output: str | pathlib.Path,
@@ -94,7 +95,7 @@ def optimise(study: str | pathlib.Path, reduced: Rom | str | pathlib.Path, outpu
     """
     arguments = [study, *_model(reduced), *_options(output, replace, jobs), *_flags(no_full_run=not full_run)]
     call("optimise", arguments, progress)
-    return Study(pathlib.Path(output))
+    return open_study(path_of(output))
 
 
 def compare(results: str | pathlib.Path, reference: str | pathlib.Path, point: str | None = None) -> dict[str, Any]:
@@ -105,8 +106,9 @@ def compare(results: str | pathlib.Path, reference: str | pathlib.Path, point: s
     :param point: operating point of the reference; None: values without one
     :returns: the contents of ``compare.json`` (docs/result-files.md), and under ``text`` the tables
     """
-    with tempfile.TemporaryDirectory() as folder:
+    with writing("temporary folder"), tempfile.TemporaryDirectory() as folder:
         target = pathlib.Path(folder) / "compare"
         text = call("compare", [results, reference, "-o", target, *(["--point", point] if point else [])], False)
-        found = json.loads(target.with_suffix(".json").read_text(encoding="utf-8"))
+        with reading("compare.json"):
+            found = json.loads(target.with_suffix(".json").read_text(encoding="utf-8"))
     return {**found, "text": text}

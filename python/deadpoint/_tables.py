@@ -1,23 +1,32 @@
 """Tables of results: from the files of a folder, or from a run in memory."""
 from __future__ import annotations
 
+import array
 import csv
-import io
-import json
-import pathlib
+import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 import numpy as np
 
 from deadpoint import _schema
-from deadpoint._errors import InputError, IoError, unknown
+from deadpoint._errors import IoError, reading, unknown
 from deadpoint._series import Array
 
 if TYPE_CHECKING:
     import pandas
 
+    from deadpoint import _reduced
+
 Values = Union[Array, "list[str]"]
+
+
+def needed(files: _reduced.Files, name: str) -> bytes:
+    """The bytes of a file that must be there, as they were written. For deadpoint itself."""
+    data = files.read(name)
+    if data is None:
+        raise IoError(f"there is no '{name}' among these results\n  help: compute them again")
+    return data
 
 
 class TableColumn(NamedTuple):
@@ -82,13 +91,6 @@ def column_of(file: str, kind: str, heading: str, unit: str, values: Values) -> 
     return TableColumn(kind, heading, _schema.name_in(known.heading, heading), unit, known.meaning, values)
 
 
-def _numbers(cells: list[str], comma: bool) -> Values:
-    try:
-        return np.array([float(cell.replace(",", ".") if comma else cell) if cell else np.nan for cell in cells])
-    except ValueError:
-        return cells
-
-
 def _heading(text: str) -> tuple[str, str]:
     if text.endswith("]") and " [" in text:
         heading, _, unit = text.rpartition(" [")
@@ -96,67 +98,99 @@ def _heading(text: str) -> tuple[str, str]:
     return text, ""
 
 
-def _head_beside(path: pathlib.Path) -> tuple[list[str], bool]:
-    """Kinds of the columns of a table that lost its comment lines (``--csv``), and whether it has decimal commas."""
-    beside = path.parent / "tables.json"
-    try:
-        heads = json.loads(beside.read_text(encoding="utf-8"))
-        for line in heads["heads"].get(path.name, []):
-            if line.startswith("columns: "):
-                return line[len("columns: ") :].split(", "), heads["style"] == "comma"
-    except FileNotFoundError:
-        pass
-    except (ValueError, KeyError, AttributeError) as error:
-        raise InputError(f"'{beside}' was changed or cut short\n  help: compute it again") from error
-    return [], False
+_PLAIN = frozenset("0123456789+-.eE")
 
 
-def read_table(path: pathlib.Path) -> Table:
-    """Reads a table that deadpoint wrote: comments, the line with the kinds, the heading and the rows."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise IoError(f"cannot read '{path}': {error.strerror}") from error
+def _number(cell: str) -> float:
+    """:raises ValueError: if a cell is neither empty nor a finite number"""
+    if not cell:
+        return math.nan
+    value = float(cell)
+    if not math.isfinite(value):
+        raise ValueError(f"'{cell}' is not a finite number")
+    if not _PLAIN.issuperset(cell):
+        raise ValueError(f"'{cell}' is no number")  # Python also reads 1_0
+    return value
+
+
+def _columns(text: str, count: int) -> list[Values]:
+    """Columns below the heading. Rows are not kept: a cell takes 8 bytes as a number, and many times that as text."""
+    numbers: list[array.array[float] | None] = [array.array("d") for _ in range(count)]
+    for row in _rows(text):
+        if len(row) != count:
+            raise ValueError(f"a row has {len(row)} cells below {count} headings")
+        for index, cell in enumerate(row):
+            column = numbers[index]
+            if column is None:
+                continue
+            try:
+                column.append(_number(cell))
+            except ValueError:
+                numbers[index] = None
+    texts = [index for index, column in enumerate(numbers) if column is None]
+    kept: dict[int, list[str]] = {index: [] for index in texts}
+    for row in _rows(text) if texts else ():
+        for index in texts:
+            kept[index].append(row[index])
+    return [kept[index] if column is None else np.array(column) for index, column in enumerate(numbers)]
+
+
+def _rows(text: str) -> Iterator[list[str]]:
+    """Rows of a table behind its heading."""
+    rows = csv.reader(_lines(text))
+    next(rows)
+    yield from rows
+
+
+def _lines(text: str) -> Iterator[str]:
+    start = 0
+    while start < len(text):
+        end = text.find("\n", start) + 1 or len(text)
+        yield text[start:end]
+        start = end
+
+
+def read_table(file: str, data: bytes) -> Table:
+    """A table that deadpoint wrote: comments, the line with the kinds, the heading and the rows."""
+    text = data.decode("utf-8")
     kinds: list[str] = []
-    rest = io.StringIO(text)
     position = 0
-    for line in rest:
+    for line in _lines(text):
         if not line.startswith("#"):
             break
         if line.startswith("# columns: "):
             kinds = line[len("# columns: ") :].strip().split(", ")
         position += len(line)
-    comma = False
     if not kinds:
-        kinds, comma = _head_beside(path)
-    if not kinds:
-        raise InputError(f"'{path}' is not a table that deadpoint wrote\n  help: it lacks the line '# columns: ...'")
-    rows = list(csv.reader(io.StringIO(text[position:]), delimiter=";" if comma else ","))
-    if not rows or any(len(row) != len(kinds) for row in rows):
-        raise InputError(f"'{path}' was changed or cut short\n  help: compute it again")
+        raise ValueError("it lacks the line '# columns: ...'")
+    text = text[position:]
+    titles: list[str] = next(csv.reader(_lines(text)), [])
+    if len(titles) != len(kinds):
+        raise ValueError(f"it has {len(titles)} headings of {len(kinds)} kinds")
     columns = []
-    for index, (kind, title) in enumerate(zip(kinds, rows[0])):
+    for kind, title, values in zip(kinds, titles, _columns(text, len(kinds))):
         heading, unit = _heading(title)
-        columns.append(column_of(path.name, kind, heading, unit, _numbers([row[index] for row in rows[1:]], comma)))
-    return Table(path.name, columns)
+        columns.append(column_of(file, kind, heading, unit, values))
+    return Table(file, columns)
 
 
 class Tables(Mapping[str, Table]):
     """Tables by name, with or without ``.csv``. A table of a folder is read when it is first used."""
 
-    def __init__(self, folder: pathlib.Path | None, ready: dict[str, Table] | None = None) -> None:
-        self._folder = folder
+    def __init__(self, files: _reduced.Files | None, ready: dict[str, Table] | None = None) -> None:
+        self._files = files
         self._ready: dict[str, Table] = dict(ready or {})
-        files = sorted(path.name for path in folder.glob("*.csv")) if folder else []
-        self._names = list(dict.fromkeys([*self._ready, *files]))
+        listed = [name for name in files.names if name.endswith(".csv") and "/" not in name] if files else []
+        self._names = list(dict.fromkeys([*self._ready, *listed]))
 
     def __getitem__(self, name: str) -> Table:
         file = name if name.endswith(".csv") else f"{name}.csv"
         if file not in self._names:
             raise unknown("table", name, self._names)
         if file not in self._ready:
-            assert self._folder is not None
-            self._ready[file] = read_table(self._folder / file)
+            assert self._files is not None
+            with reading(file):
+                self._ready[file] = read_table(file, needed(self._files, file))
         return self._ready[file]
 
     def __iter__(self) -> Iterator[str]:

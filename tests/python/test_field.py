@@ -1,5 +1,7 @@
 """Requirement: full runs, loads and heat in Python are those of the command; Ctrl-C keeps what a run has computed."""
 import gc
+import os
+import re
 import signal
 import subprocess
 import sys
@@ -12,8 +14,16 @@ import numpy as np
 
 import deadpoint
 from common import CASE, FILES, command
+from deadpoint._press import _text_of as text_of
 
+COMMAND = os.environ["DEADPOINT_COMMAND"]
 SETTINGS = {"operation.0.duration": "20 min", "output.field_times": ["10 min", "20 min"]}  # as make_files.sh
+
+
+
+
+def files_below(folder):
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
 
 
 class Full(unittest.TestCase):
@@ -27,6 +37,7 @@ class Full(unittest.TestCase):
             for name in ("case.toml", "history.csv", "contributions.csv", "gaps.csv", "causes.csv", "fields_0001.vtu", "fields.pvd",
                          "state.bin", "view.json"):
                 self.assertEqual((FILES / "full" / name).read_bytes(), (result.folder / name).read_bytes(), name)
+            self.assertEqual(files_below(result.folder), files_below(FILES / "full"))  # page, fields and checkpoint too
             with self.assertRaises(deadpoint.IoError):
                 self.press.run(Path(folder) / "full", size=4)
 
@@ -60,6 +71,30 @@ class Full(unittest.TestCase):
         with self.assertRaises(deadpoint.InputError) as caught:
             wrong.run(size=4)
         self.assertTrue(caught.exception.path.startswith("joints.crank_pin"))
+
+    def test_every_warning_of_the_command_arrives(self):
+        # Of reading (a segment of no use), of the mesh (a mass) and of the loads (less force than the slide weighs).
+        changes = {**SETTINGS, "bodies.slide.mass": "1 t", "operation.0.force": "10 N", "numerics.max_step": "1 ms"}
+        settings = [argument for key, value in changes.items() for argument in ("--set", f"{key}={text_of(value)}")]
+        shown = subprocess.run([COMMAND, "check", "--size", "4", CASE, *settings], capture_output=True, text=True, check=True)
+        count = int(re.search(r"no errors, (\d+) warnings", shown.stdout).group(1))
+        press = deadpoint.load(CASE, changes)
+        found = press.check(size=4)
+        self.assertEqual([one.severity for one in found], ["warning"] * count, found)
+        self.assertGreaterEqual({one.path for one in found}, {"bodies.slide.mass", "numerics.max_step"})
+        for one in found:
+            self.assertIn(one.message.partition("\n")[0], shown.stderr)
+
+        # Both runs of one mesh have them all, and so have their files.
+        short = {"numerics.max_step": "60 s", "operation.0.duration": "1 min", "output.field_times": []}
+        settings += [argument for key, value in short.items() for argument in ("--set", f"{key}={text_of(value)}")]
+        press.update(short)
+        with tempfile.TemporaryDirectory() as folder:
+            command("run", "-q", "--size", "4", CASE, *settings, "-o", Path(folder) / "command")
+            expected = deadpoint.open(Path(folder) / "command").warnings
+            self.assertTrue(any("bodies.slide.mass" in text for text in expected))
+            for _ in range(2):
+                self.assertEqual(press.run(size=4).warnings, expected)
 
     def test_loads_are_those_of_the_command(self):
         loads = self.press.loads()

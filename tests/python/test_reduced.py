@@ -228,6 +228,28 @@ class Runs(unittest.TestCase):
         self.assertTrue(np.isnan(bad.gap_end[1]) and not np.isnan(bad.gap_end[0]))
         self.assertEqual(len(bad.errors), 1)
 
+    def test_a_map_reads_its_case_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = Path(folder) / "case.toml"
+            shutil.copy(CASE, case)
+            press = deadpoint.load(case, {"operation.0.duration": "2 min"})
+
+            class Receiver:
+                def stage(self, name):
+                    case.write_text("no case")  # it has been read when the points begin
+
+                def progress(self, fraction, detail):
+                    pass
+
+                def warn(self, text):
+                    pass
+
+            found = self.rom.map(press, {"operation.0.speed": ["50 rpm", "60 rpm"]}, progress=Receiver())
+            self.assertEqual(found.errors, [])
+            self.assertAlmostEqual(found.gap_end[1], self.rom.run(self.press, {"operation.0.duration": "2 min"}).gap.end, delta=1e-9)
+        with self.assertRaisesRegex(deadpoint.InputError, "too large"):
+            self.rom.map(self.press, {f"operation.{k}.speed": range(1000) for k in range(3)})
+
     def test_threads_run_models_at_once(self):
         models = [self.rom, deadpoint.open_rom(ROM)]
         speeds = ["50 rpm", "60 rpm", "70 rpm", "80 rpm"]
@@ -301,7 +323,63 @@ class Runs(unittest.TestCase):
         self.assertLess(resident() - before, 5e6)
 
 
+CALIBRATION = """
+format = 1
+name = "long"
+[[parameters]]
+name = "pins"
+keys = ["friction.pins.*_part"]
+factor = 2
+[[parameters]]
+name = "film"
+keys = ["surfaces.*.film.coefficient"]
+factor = 2
+[[runs]]
+name = "r"
+data = "log.csv"
+[[sensors]]
+columns = ["slide"]
+noise = "0.1 K"
+[options]
+starts = 500
+"""
+
+
 class Interrupts(unittest.TestCase):
+    def stopped_after(self, call, first):
+        """Seconds from Ctrl-C to the KeyboardInterrupt of a call, which has begun once `first` seconds have passed."""
+        script = f"""
+import deadpoint, time
+press, rom = deadpoint.load({str(CASE)!r}), deadpoint.open_rom({str(ROM)!r})
+print("begun", flush=True)
+try:
+    {call}
+    print("done", flush=True)
+except KeyboardInterrupt:
+    print(time.time(), flush=True)
+"""
+        with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as child:
+            self.assertEqual(child.stdout.readline().strip(), "begun")
+            time.sleep(first)
+            asked = time.time()
+            child.send_signal(signal.SIGINT)
+            return float(child.stdout.readline()) - asked
+
+    def test_ctrl_c_reaches_every_long_call_within_a_second(self):
+        with tempfile.TemporaryDirectory() as folder:
+            calibration = Path(folder) / "calibration.toml"
+            calibration.write_text(CALIBRATION)
+            rows = [f"{60 * k},{20 + 0.05 * k}" for k in range(1, 180)]
+            (Path(folder) / "log.csv").write_text("\n".join(["time [s],slide [degC]", *rows]))
+            calls = {
+                "while True: rom.derivatives(press, ['friction.*.load_part'] * 40, threads=1)": 1,
+                "while True: rom.sensitivities(press)": 1,
+                f"deadpoint.calibrate(press, {str(calibration)!r}, {str(Path(folder) / 'c')!r}, reduced=rom)": 2,
+                f"press.reduce({str(Path(folder) / 'new.rom')!r}, size=2)": 3,
+            }
+            for call, first in calls.items():
+                self.assertLess(self.stopped_after(call, first), 1.0, call)
+
     def test_ctrl_c_keeps_what_is_done(self):
         script = f"""
 import deadpoint

@@ -1,15 +1,23 @@
 """Requirement: a result folder opens with all series, units and meanings, equal to its files, without the field solver."""
 import importlib
 import json
+import os
+import re
+import resource
 import shutil
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
+import zlib
 from pathlib import Path
 
 import numpy as np
 
 import deadpoint
-from common import CASE, FILES, command, python
+import mutate_results
+from common import CASE, FILES, command, python, resign
 
 
 class Opened(unittest.TestCase):
@@ -133,7 +141,7 @@ class Folders(unittest.TestCase):
             deadpoint.open(FILES / "none")
         self.assertIsInstance(caught.exception, OSError)
         self.assertIn("deadpoint run", caught.exception.help)
-        with self.assertRaisesRegex(deadpoint.InputError, "deadpoint.json is missing"):
+        with self.assertRaisesRegex(deadpoint.InputError, "there is no deadpoint.json"):
             deadpoint.open(FILES)
         with tempfile.TemporaryDirectory() as folder:
             command("loads", "-q", CASE, "-o", Path(folder) / "loads")
@@ -143,30 +151,140 @@ class Folders(unittest.TestCase):
             self.assertIn("joints.csv", study.tables)
             self.assertIn("loads", study.figures)
 
-    def test_broken_files_are_refused(self):
+    def changed_copy(self, name, change, signed=False):
+        """A copy of a folder in which one file has other bytes."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        copy = Path(folder.name) / "copy"
+        shutil.copytree(FILES / "full", copy)
+        (copy / name).write_bytes(change((copy / name).read_bytes()))
+        if signed:
+            resign(copy, name)
+        return copy
+
+    def test_edited_cut_exchanged_and_unfinished_folders_are_refused_with_the_file(self):
+        def digit(data):  # of the last row, same size
+            return data[:-3] + (b"7" if data[-3:-2] != b"7" else b"8") + data[-2:]
+
+        for name in ("history.csv", "gaps.csv", "summary.json", "case.toml"):
+            for change in (digit, lambda data: data[: len(data) // 2], lambda data: (FILES / "reduced/causes.csv").read_bytes()):
+                with self.assertRaisesRegex(deadpoint.InputError, f"{name}' was changed since deadpoint wrote it"):
+                    deadpoint.open(self.changed_copy(name, change))
+        copy = self.changed_copy("fields_0001.vtu", lambda data: data[:-20000])
+        with self.assertRaisesRegex(deadpoint.InputError, "fields_0001.vtu' was changed"):
+            deadpoint.open(copy)
+        with self.assertRaisesRegex(deadpoint.InputError, "fields_0001.vtu' was changed"):
+            deadpoint.open(self.changed_copy("fields_0001.vtu", digit)).fields(1200)
+        copy = self.changed_copy("summary.json", lambda data: data)
+        (copy / "gaps.csv").unlink()
+        with self.assertRaisesRegex(deadpoint.IoError, "gaps.csv"):
+            deadpoint.open(copy)
+        (copy / "deadpoint.json").unlink()
+        with self.assertRaisesRegex(deadpoint.InputError, "there is no deadpoint.json"):
+            deadpoint.open(copy)
+        (copy / "deadpoint.json").write_text('{"format": 99}')
+        with self.assertRaisesRegex(deadpoint.InputError, "is of format 99"):
+            deadpoint.open(copy)
+        (copy / "deadpoint.json").write_text('{"written_by": "deadpoint", "format": 2, "unfinished": true}')
+        with self.assertRaisesRegex(deadpoint.InputError, "is not finished"):
+            deadpoint.open(copy)
+        # A table that was added is none of the results.
+        copy = self.changed_copy("summary.json", lambda data: data)
+        shutil.copy(copy / "gaps.csv", copy / "more.csv")
+        self.assertNotIn("more", deadpoint.open(copy).tables)
+
+    def test_nothing_that_is_not_finite_is_taken_from_a_file(self):
+        def last_cell(text):
+            return lambda data: data.rstrip(b"\n").rpartition(b",")[0] + b"," + text + b"\n"
+
+        for text in (b"nan", b"inf", b"-Infinity", b"1e999", b"1_0"):
+            result = deadpoint.open(self.changed_copy("history.csv", last_cell(text), signed=True))
+            with self.assertRaisesRegex(deadpoint.InputError, "history.csv' was changed"):
+                [series for kind in result.tables["history"].columns for series in result.series(kind.kind).values()]
+        for text in (b"NaN", b"Infinity", b"1e999"):
+            copy = self.changed_copy("summary.json", lambda data: data.replace(b'"interrupted": false', b'"interrupted": ' + text),
+                                     signed=True)
+            with self.assertRaisesRegex(deadpoint.InputError, "summary.json' was changed"):
+                deadpoint.open(copy).interrupted
+
+    def test_pipes_devices_deep_json_and_bombs_are_refused_at_once(self):
+        copy = self.changed_copy("summary.json", lambda data: b"[" * 1_000_000, signed=True)
+        with self.assertRaisesRegex(deadpoint.InputError, "summary.json"):
+            deadpoint.open(copy).name
         with tempfile.TemporaryDirectory() as folder:
-            copy = Path(folder) / "copy"
-            shutil.copytree(FILES / "full", copy)
-            text = (copy / "history.csv").read_text()
-            (copy / "history.csv").write_text(text[: len(text) // 2].rpartition(",")[0])
-            with self.assertRaisesRegex(deadpoint.InputError, "cut short"):
-                deadpoint.open(copy).gap
-            field = next(copy.glob("fields_0001.vtu"))
-            field.write_bytes(field.read_bytes()[:-20000])
-            with self.assertRaisesRegex(deadpoint.InputError, "cut short"):
-                deadpoint.open(copy).fields()
-            (copy / "deadpoint.json").write_text('{"format": 99}')
-            with self.assertRaisesRegex(deadpoint.InputError, "another format"):
-                deadpoint.open(copy)
+            pipe = Path(folder) / "pipe"
+            os.mkfifo(pipe)
+            for file in (pipe, "/dev/zero", folder, "no\0name", "\udcff\ud800", "x" * 5000):
+                for read in (deadpoint.load, deadpoint.open_rom, deadpoint.open, deadpoint.open_study):
+                    start = time.perf_counter()
+                    with self.assertRaises(deadpoint.Error, msg=f"{read.__name__} {file}"):
+                        read(file)
+                    self.assertLess(time.perf_counter() - start, 2)
+            copy = self.changed_copy("summary.json", lambda data: data)
+            for file in (pipe, Path("/dev/zero")):
+                (copy / "gaps.csv").unlink()
+                (copy / "gaps.csv").symlink_to(file)
+                with self.assertRaisesRegex(deadpoint.Error, "gaps.csv"):
+                    deadpoint.open(copy)
+
+        def bomb(data):  # every block of a megabyte becomes one of sixteen
+            head, mark, _ = data.partition(b"_")
+            block = zlib.compress(bytes(1 << 24))
+            counts = np.array([200, 1 << 24, 0, *[len(block)] * 200], "<u8").tobytes()
+            return re.sub(rb'offset="\d+"', b'offset="0"', head) + mark + counts + 200 * block
+
+        copy = self.changed_copy("fields_0001.vtu", bomb, signed=True)
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        with self.assertRaisesRegex(deadpoint.InputError, "fields_0001.vtu"):
+            deadpoint.open(copy).fields(1200)
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 200_000)  # kB; the bomb has 3.4 GB
+
+    def test_changed_folders_end_with_values_or_an_error_of_deadpoint(self):
+        outcomes, broken, above = mutate_results.run(400)
+        self.assertEqual(broken, [])
+        self.assertLess(above, 200e6)
+        self.assertGreater(outcomes["read"], 0)  # the changes reach what is behind the list
+        self.assertGreater(outcomes["InputError"], 0)
 
     def test_no_chain_no_gap(self):
+        copy = self.changed_copy("history.csv", lambda data: data.replace(b"dimension", b"to_air"), signed=True)
+        with self.assertRaisesRegex(deadpoint.InputError, "no dimension chain"):
+            deadpoint.open(copy).gap
+
+
+class Command(unittest.TestCase):
+    """The program that is called is the one that was installed, named or on the path, and no other."""
+
+    def call(self, package, environment=None):
+        code = ("import deadpoint\ntry:\n    deadpoint.compare('a', 'b')\n"
+                "except deadpoint.Error as error:\n    print(type(error).__name__, error)")
+        variables = {**os.environ, "PYTHONPATH": str(package.parent), "PATH": "", **(environment or {})}
+        if environment is None:
+            variables.pop("DEADPOINT_COMMAND")
+        return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=variables, check=True).stdout
+
+    def test_a_program_that_lies_near_is_not_run(self):
         with tempfile.TemporaryDirectory() as folder:
-            copy = Path(folder) / "copy"
-            shutil.copytree(FILES / "full", copy)
-            lines = (copy / "history.csv").read_text().replace("dimension", "to_air").splitlines(keepends=True)
-            (copy / "history.csv").write_text("".join(lines))
-            with self.assertRaisesRegex(deadpoint.InputError, "no dimension chain"):
-                deadpoint.open(copy).gap
+            for place, marked, runs in (("a/b/c/deadpoint", False, False), ("lib/python3/dist-packages/deadpoint", False, False),
+                                        ("a/b/c/deadpoint", True, False), ("lib/python3/dist-packages/deadpoint", True, True)):
+                root = Path(tempfile.mkdtemp(dir=folder))
+                package = root / place
+                shutil.copytree(Path(deadpoint.__file__).parent, package)
+                planted = root / "bin/deadpoint"
+                planted.parent.mkdir()
+                planted.write_text("#!/bin/sh\necho planted >&2\nexit 2\n")
+                planted.chmod(0o755)
+                if marked:
+                    (package / "installed").write_text("lib/python3/dist-packages/deadpoint\n")
+                self.assertEqual("planted" in self.call(package), runs, place)
+
+    def test_a_missing_or_broken_program_is_an_error_of_deadpoint(self):
+        package = Path(deadpoint.__file__).parent
+        self.assertIn("IoError the command 'deadpoint' is not here", self.call(package))
+        for program in ("/no/such/program", "/etc", __file__):
+            self.assertIn(f"IoError cannot start '{program}'", self.call(package, {"DEADPOINT_COMMAND": program}))
+        with self.assertRaisesRegex(deadpoint.InputError, "null"):
+            deadpoint.compare("a\0b", "c")
 
 
 class Libraries(unittest.TestCase):
