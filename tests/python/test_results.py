@@ -202,8 +202,7 @@ class Folders(unittest.TestCase):
             with self.assertRaisesRegex(deadpoint.InputError, "history.csv' was changed"):
                 [series for kind in result.tables["history"].columns for series in result.series(kind.kind).values()]
         for text in (b"NaN", b"Infinity", b"1e999"):
-            copy = self.changed_copy("summary.json", lambda data: data.replace(b'"interrupted": false', b'"interrupted": ' + text),
-                                     signed=True)
+            copy = self.changed_copy("summary.json", lambda data: re.sub(rb'("interrupted": *)false', rb"\g<1>" + text, data), signed=True)
             with self.assertRaisesRegex(deadpoint.InputError, "summary.json' was changed"):
                 deadpoint.open(copy).interrupted
 

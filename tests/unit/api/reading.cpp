@@ -69,13 +69,13 @@ TEST_CASE("a case with mistakes is no press: the error holds the same list, and 
 TEST_CASE("a check has the warnings of reading, of the mesh and of the loads, each once")
 {
     const auto found = Press::check(
-        starter_file(), {.overrides = {"bodies.slide.mass=1 t", "numerics.max_step=1 ms"}, .size_scale = 3});
+        starter_file(), {.overrides = {"bodies.slide.mass=1 t", "output.history_interval=5 h"}, .size_scale = 3});
     const auto warnings = [&](const std::string& path) {
         return std::ranges::count_if(found, [&](const Diagnostic& one) {
             return one.path == path && one.severity == DiagnosticSeverity::warning && !one.message.empty();
         });
     };
-    CHECK(warnings("numerics.max_step") == 1);
+    CHECK(warnings("output.history_interval") == 1);
     CHECK(warnings("bodies.slide.mass") == 1);
 }
 
