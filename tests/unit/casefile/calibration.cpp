@@ -187,7 +187,8 @@ TEST_CASE("a logger's decimal commas are read as compare reads them, and a headi
     (void)scratch.file("log.csv", logger("column-twice.csv"));
     CHECK_THROWS_WITH_AS((void)read_reference(scratch.file("r.toml", reference)),
                          doctest::Contains("the heading 'bearing_front' stands twice, in columns 2 and 4"), InputError);
-    CHECK_NOTHROW((void)read(head + film + run + "ignore = [\"bearing_front\"]\n" + sensors, logger("column-twice.csv")));
+    CHECK_NOTHROW(
+        (void)read(head + film + run + "ignore = [\"bearing_front\"]\n" + sensors, logger("column-twice.csv")));
 }
 
 TEST_CASE("mistakes in parameters, runs and candidates are told with their place")

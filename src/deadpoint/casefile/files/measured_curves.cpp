@@ -229,11 +229,10 @@ private:
         if (first == values.end())
             return;
         if (run_.gaps == CalibrationRun::Gaps::refuse)
-            throw InputError(
-                fmt::format("{}:{}: there is no value in column '{}'\n  help: fill the cell, or give the run gaps = "
-                            "\"leave_out\"",
-                            table.file, table.lines[static_cast<std::size_t>(first - values.begin())],
-                            table.columns[column].name));
+            throw InputError(fmt::format(
+                "{}:{}: there is no value in column '{}'\n  help: fill the cell, or give the run gaps = "
+                "\"leave_out\"",
+                table.file, table.lines[static_cast<std::size_t>(first - values.begin())], table.columns[column].name));
         notes_.push_back(fmt::format("run '{}': {} of {} values of '{}' are missing", run_.name,
                                      std::ranges::count_if(values, [](double v) { return std::isnan(v); }),
                                      values.size(), table.columns[column].name));
