@@ -167,7 +167,7 @@ void say_what_was_found(const deadpoint::study::Draft& draft)
     for (const auto& body : draft.bodies) {
         std::string names;
         for (const std::size_t i : body.solids) {
-            names += (names.empty() ? "" : ", ") + draft.model.solids[i].name;
+            names += (names.empty() ? "" : ", ") + name_in_case(draft.model.solids[i]);
         }
         print_out("  {}: {}\n", body.name, names);
     }

@@ -74,7 +74,7 @@ struct StepRules {
 
 struct StepSource {
     std::string path;
-    std::string solid = {};           ///< name of one solid of the file; empty: all that it holds
+    std::string solid = {};           ///< SolidReference as text; empty: all that the file holds
     std::optional<double> unit = {};  ///< length of one unit of the file [m]; none: what the file says, or millimetres
     std::array<Vec3, 3> axes{
         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< x, y and z of the machine, as directions of the file

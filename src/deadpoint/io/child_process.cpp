@@ -68,6 +68,13 @@ void set_limit(int resource, std::uint64_t value)
     setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
+/// A library that calls exit() must not run what this program and its libraries do at their end, such as to write
+/// settings: that would be a forbidden call.
+void end_at_exit()
+{
+    std::atexit([] { _exit(1); });  // the last one registered is the first one called
+}
+
 [[noreturn]] void be_the_child(int to, const ChildLimits& limits, const std::function<std::string()>& work,
                                Refusal* refusal)
 {
@@ -80,6 +87,7 @@ void set_limit(int resource, std::uint64_t value)
     if (std::freopen("/dev/null", "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr) {
         _exit(1);
     }
+    end_at_exit();
     clearenv();  // the environment may name further files that a library would open
     try {
         confine({limits.file, limits.name, to, refusal});
@@ -212,13 +220,13 @@ constexpr const char* unnoted = "to start a program or a thread";
 {
     if (refusal.path[0] != '\0') {
         const std::string path = printable({refusal.path, strnlen(refusal.path, sizeof refusal.path)});
-        throw InputError(fmt::format("{} was stopped: it wants to open another file, '{}'\n  help: put all into one "
-                                     "file; do not use it if it is not yours and should need no other",
-                                     what, path));
+        throw StoppedChild(fmt::format("{} was stopped: it wants to open another file, '{}'\n  help: put all into one "
+                                       "file; do not use it if it is not yours and should need no other",
+                                       what, path));
     }
-    throw InputError(fmt::format("{} was stopped: no reader needs what it asks the system for ({})\n  help: the file "
-                                 "may be made to attack; do not use it, or check it with the program that wrote it",
-                                 what, refusal.call == Refusal::none ? unnoted : name_of_call(refusal.call)));
+    throw StoppedChild(fmt::format("{} was stopped: no reader needs what it asks the system for ({})\n  help: the file "
+                                   "may be made to attack; do not use it, or check it with the program that wrote it",
+                                   what, refusal.call == Refusal::none ? unnoted : name_of_call(refusal.call)));
 }
 
 [[noreturn]] void throw_as(char kind, const std::string& what, const std::string& message, const ChildLimits& limits)
@@ -238,7 +246,7 @@ constexpr const char* unnoted = "to start a program or a thread";
                         "the file; check the counts in it where it is a mesh",
                         what, 1e-9 * static_cast<double>(limits.memory)));
     default:
-        throw InputError(
+        throw ForeignError(
             fmt::format("{} failed: {}\n  help: check the file with the program that wrote it", what, message));
     }
 }
@@ -255,14 +263,14 @@ std::string run_in_child(const std::string& what, const ChildLimits& limits, con
         throw_refused(what, child.refusal());
     }
     if (WIFSIGNALED(status)) {
-        throw InputError(fmt::format("{} failed: the reader crashed (signal {}, {})\n  help: check the file with the "
-                                     "program that wrote it, or give the part in another format",
-                                     what, WTERMSIG(status), strsignal(WTERMSIG(status))));
+        throw ForeignError(fmt::format("{} failed: the reader crashed (signal {}, {})\n  help: check the file with "
+                                       "the program that wrote it, or give the part in another format",
+                                       what, WTERMSIG(status), strsignal(WTERMSIG(status))));
     }
     if (bytes.empty()) {
-        throw InputError(fmt::format("{} failed: the reader ended without a result\n  help: check the file with the "
-                                     "program that wrote it",
-                                     what));
+        throw ForeignError(fmt::format("{} failed: the reader ended without a result\n  help: check the file with the "
+                                       "program that wrote it",
+                                       what));
     }
     const char kind = bytes.front();
     bytes.erase(0, 1);

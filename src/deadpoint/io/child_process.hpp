@@ -21,6 +21,15 @@ struct TimeLimitError : InputError {
     using InputError::InputError;
 };
 
+/// The foreign code of a child process was stopped or stopped by itself.
+struct StoppedChild : InputError {
+    using InputError::InputError;
+};
+/// It crashed, ended the process, or threw an error of its own.
+struct ForeignError : StoppedChild {
+    using StoppedChild::StoppedChild;
+};
+
 /// Runs `work` in a child process and returns its bytes. Code of others may there crash, hang, fill
 /// the memory or run commands of a file without harm to this process and this machine, since the
 /// child is confined (confine.hpp). The child has a copy of this process's memory, and no other
@@ -28,8 +37,9 @@ struct TimeLimitError : InputError {
 ///
 /// @param what     begins the error messages: "part 'frame': reading 'frame.step'"
 /// @param waiting  called about once a second with the seconds since the start, in this process
-/// @throws InputError if the child was ended by a signal, made a forbidden call, ran out of memory
-/// or time (TimeLimitError), or failed with a foreign error; a deadpoint error of `work` is thrown again unchanged
+/// @throws InputError if the child made a forbidden call (StoppedChild), ran out of memory or time (TimeLimitError),
+/// was ended by a signal or by exit(), or failed with a foreign error (ForeignError); a deadpoint error of `work` is
+/// thrown again unchanged
 /// @throws IoError if no child can be started or confined
 std::string run_in_child(const std::string& what, const ChildLimits& limits, const std::function<std::string()>& work,
                          const std::function<void(double)>& waiting = {});

@@ -1,5 +1,6 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/machine/cad/cad_contacts.hpp"
+#include "deadpoint/machine/cad/identity.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
 #include "fixture.hpp"
 #include "near.hpp"
@@ -197,16 +198,19 @@ TEST_CASE("every contact of the drawn press is found, and no other")
 
 TEST_CASE("a part names its solid")
 {
-    const std::vector<std::string> names{"frame", "gib_left", "gib_right"};
-    CHECK(chosen_solids("p", "a.step", "gib_*", names) == std::vector<std::string>{"gib_left", "gib_right"});
-    CHECK(chosen_solids("p", "a.step", "", {"only"}) == std::vector<std::string>{"only"});
+    const SolidPrint print{1e-3, {0.1, 0.1, 0.1}, {}};
+    const std::vector<SolidIdentity> solids{
+        {"frame", "frame", print}, {"gib_left", "gib_left", print}, {"gib_right", "gib_right", print}};
+    const auto chosen = [&](const std::string& solid) { return chosen_solids("p", {"a.step", solid}, solids).solids; };
+    CHECK(chosen("gib_*") == std::vector<std::size_t>{1, 2});
+    CHECK(chosen_solids("p", {"a.step"}, {solids[0]}).solids == std::vector<std::size_t>{0});
     CHECK_THROWS_WITH_AS(
-        chosen_solids("p", "a.step", "", names),
+        chosen(""),
         "part 'p': 'a.step' holds 3 solids: frame, gib_left, gib_right\n  help: choose one by solid = "
         "\"frame\"; solid = \"*\" makes all of them one piece; `deadpoint init --step` writes a part for each",
         InputError);
     CHECK_THROWS_WITH_AS(
-        chosen_solids("p", "a.step", "fram", names),
+        chosen("fram"),
         "part 'p': 'a.step' holds no solid 'fram'; it holds frame, gib_left, gib_right\n  help: did you mean "
         "'frame'?",
         InputError);

@@ -2,6 +2,7 @@
 #include "deadpoint/casefile/describe/choose.hpp"
 #include "deadpoint/casefile/describe/library.hpp"
 #include "deadpoint/exchange/named_axes.hpp"
+#include "deadpoint/exchange/solid_print.hpp"
 
 #include <algorithm>
 #include <array>
@@ -244,8 +245,16 @@ void describe(Visitor& v, Part& p)
     v.quantity({"size", "target cell size; else that of [numerics]"}, p.size, D::length, positive);
     v.list({"shapes", "primitives, joined and cut in the order given"}, p.shapes);
     v.path({"step", "STEP file, relative to the file that names it"}, p.step);
+    SolidReference solid = solid_reference(p.solid);
     v.text({"solid", "the solid of the STEP file that is this part, by its name there; else all solids of the file"},
-           p.solid);
+           solid.name);
+    v.text({"fingerprint",
+            "figures that tell the solid from others, written by `init`: \"0.25 L, 100 x 50 x 50 mm at (50, 0, "
+            "25) mm\" are its volume, the box around it and the centre of its volume, in the axes of the file. "
+            "Of several solids of one name they choose; where they are another solid's, the name is refused. "
+            "Volumes agree within 0.5 %, lengths within 0.2 % of the longest edge"},
+           solid.fingerprint);
+    p.solid = text_of(solid);
     v.texts({"axes",
              "the directions of the STEP file that are x, y and z of the machine, such as [\"x\", \"z\", \"-y\"]; "
              "right-handed"},
@@ -271,10 +280,13 @@ void describe(Visitor& v, Part& p)
     v.expect(sources < 2, p.step.empty() ? "mesh" : "step", "the part has more than one form",
              "keep one of `shapes`, `step` and `mesh`");
     for (const auto& [key, given] :
-         {std::pair{"solid", !p.solid.empty()}, std::pair{"axes", !p.axes.empty()},
-          std::pair{"smallest_cell", p.smallest_cell.has_value()}, std::pair{"omit", p.omit.has_value()}}) {
+         {std::pair{"solid", !solid.name.empty()}, std::pair{"fingerprint", !solid.fingerprint.empty()},
+          std::pair{"axes", !p.axes.empty()}, std::pair{"smallest_cell", p.smallest_cell.has_value()},
+          std::pair{"omit", p.omit.has_value()}}) {
         v.expect(!given || !p.step.empty(), key, "it belongs to a part from a STEP file", "remove it, or add `step`");
     }
+    v.expect(solid.fingerprint.empty() || solid_print(solid.fingerprint), "fingerprint",
+             "these are no figures of a solid", "write them like \"0.25 L, 100 x 50 x 50 mm at (50, 0, 25) mm\"");
     v.expect(p.axes.empty() || named_axes(p.axes).has_value(), "axes",
              "these are not three directions of a right-handed system",
              "name each of x, y and z once, with signs that do not mirror: [\"x\", \"z\", \"-y\"]");

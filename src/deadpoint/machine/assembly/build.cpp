@@ -1,6 +1,7 @@
 #include "deadpoint/machine/assembly/build.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
+#include "deadpoint/core/pattern.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/contacts.hpp"
@@ -327,6 +328,7 @@ public:
             mistakes.add(path, error);
         }
     }
+    [[nodiscard]] bool goes_on() const { return at_ == At::go_on; }
     [[nodiscard]] bool is_sound(const PartDescription& part) const
     {
         const auto found = found_in(mistakes);
@@ -448,7 +450,6 @@ std::vector<std::vector<Prism>> mesh_parts(const MachineDescription& description
             shapes.push_back(std::move(drawn[i]));
         }
     }
-    stages.end();
     observer.progress(1, "parts meshed");
     if (assembly.machine.parts.empty() && found_in(stages.mistakes).empty()) {
         throw mistake("machine.half_model",
@@ -550,6 +551,35 @@ Assembly begun(const MachineDescription& description)
     return assembly;
 }
 
+/// Names of parts that could not be meshed.
+std::vector<std::string> lost_parts(const MachineDescription& description, const Machine& machine)
+{
+    std::vector<std::string> lost;
+    for (const PartDescription& part : description.parts) {
+        if (std::ranges::find(machine.parts, part.name, &MeshPart::name) == machine.parts.end() &&
+            std::ranges::find(machine.dropped_parts, part.name) == machine.dropped_parts.end()) {
+            lost.push_back(part.name);
+        }
+    }
+    return lost;
+}
+
+/// The description without what needs these parts: the rest of the machine is checked all the same.
+MachineDescription without(const std::vector<std::string>& lost, MachineDescription description)
+{
+    const auto needed = [&](const std::vector<std::string>& patterns) {
+        return std::ranges::any_of(lost, [&](const std::string& part) {
+            return patterns.empty() ||
+                   std::ranges::any_of(patterns, [&](const auto& pattern) { return matches(pattern, part); });
+        });
+    };
+    std::erase_if(description.surfaces, [&](const auto& surface) { return needed(surface.selector.parts); });
+    std::erase_if(description.interfaces,
+                  [&](const auto& interface) { return needed(interface.a.parts) || needed(interface.b.parts); });
+    description.bonds.clear();
+    return description;
+}
+
 void build(const MachineDescription& description, Assembly& assembly, Stages& stages, Observer& observer,
            MeshedParts* kept)
 {
@@ -557,9 +587,13 @@ void build(const MachineDescription& description, Assembly& assembly, Stages& st
     observer.stage("mesh");
     const std::vector<std::vector<Prism>> shapes = mesh_parts(description, assembly, stages, observer, kept);
     stages.attempt("parts", [&] { inspect(assembly, description.seam_tolerance, observer); });
-    stages.end();
-    connect(description, assembly, stages.mistakes);
-    select_surfaces(description, assembly, stages.mistakes);
+    const auto lost = lost_parts(description, assembly.machine);
+    if (lost.empty()) {
+        stages.end();
+    }
+    const MachineDescription rest = lost.empty() || stages.goes_on() ? description : without(lost, description);
+    connect(rest, assembly, stages.mistakes);
+    select_surfaces(rest, assembly, stages.mistakes);
     stages.end();
     assembly.machine.overlaps = find_overlaps(assembly, shapes);
     find_floating(assembly.machine);

@@ -4,6 +4,8 @@
 
 namespace deadpoint::machine {
 
+std::string name_in_case(const CadSolid& solid) { return solid.called.empty() ? "solid" : solid.called; }
+
 double extent(const CadModel& model)
 {
     if (model.solids.empty()) {

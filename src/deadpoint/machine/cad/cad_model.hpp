@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/exchange/solid_print.hpp"
 
 #include <string>
 #include <vector>
@@ -41,12 +42,14 @@ struct CadFace {
 };
 
 struct CadSolid {
-    std::string name;    ///< unique in the file
+    std::string name;    ///< unique in the file, to be a key of a case
     std::string path;    ///< names of the assemblies that it is in, with '/'
     std::string colour;  ///< "#rrggbb", or empty
     double volume = 0;   ///< [m3]
     BoxShape bounds;
     std::vector<CadFace> faces;
+    std::string called = {};      ///< in the file, where several may have one name; empty: it has none
+    SolidPrint fingerprint = {};  ///< what tells it from the others, in the file's own coordinates and unit
 };
 
 struct CadModel {
@@ -55,6 +58,9 @@ struct CadModel {
     std::vector<CadSolid> solids;
     std::vector<std::string> without_solid;  ///< products that hold surfaces or curves only
 };
+
+/// The name by which a case takes a solid: that of the file; "solid" where it has none.
+std::string name_in_case(const CadSolid& solid);
 
 /// Length of the longest edge of the box around all solids [m].
 double extent(const CadModel& model);

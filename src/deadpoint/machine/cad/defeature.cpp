@@ -3,9 +3,11 @@
 #include "deadpoint/machine/cad/face_middle.hpp"
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Defeaturing.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
+#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -115,6 +117,16 @@ std::vector<TopoDS_Shape> faces_of(const TopoDS_Shape& solid)
     return faces;
 }
 
+/// Whether a face is as small as the bottom of a hole of this diameter. A large face between roundings is none.
+bool fits_hole(const TopoDS_Shape& face, double diameter)
+{
+    Bnd_Box box;
+    BRepBndLib::Add(face, box, false);
+    const gp_XYZ edges = box.CornerMax().XYZ() - box.CornerMin().XYZ();
+    constexpr double slack = 1e-3;
+    return std::max({edges.X(), edges.Y(), edges.Z()}) <= (1 + slack) * diameter;
+}
+
 /// Faces of small holes and roundings, and bottoms of holes.
 TopTools_IndexedMapOfShape small_faces(const TopoDS_Shape& solid, const Neighbours& around, double diameter)
 {
@@ -127,7 +139,7 @@ TopTools_IndexedMapOfShape small_faces(const TopoDS_Shape& solid, const Neighbou
     }
     const TopTools_IndexedMapOfShape sides = small;
     for (const TopoDS_Shape& face : all) {
-        if (!sides.Contains(face) && enclosed(face, around, sides)) {
+        if (!sides.Contains(face) && fits_hole(face, diameter) && enclosed(face, around, sides)) {
             small.Add(face);
         }
     }

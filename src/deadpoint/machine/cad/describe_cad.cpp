@@ -1,6 +1,7 @@
 #include "deadpoint/machine/cad/describe_cad.hpp"
 
 #include "deadpoint/machine/cad/face_middle.hpp"
+#include "deadpoint/machine/cad/identity.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -141,9 +142,11 @@ BoxShape bounds_of_shape(const TopoDS_Shape& shape)
     return {metres(box.CornerMin()), metres(box.CornerMax())};
 }
 
-CadSolid solid_of(const StepSolid& solid)
+CadSolid solid_of(const StepSolid& solid, double scale)
 {
     CadSolid result{solid.name, solid.path, solid.colour, 0, bounds_of_shape(solid.shape), {}};
+    result.called = solid.called;
+    result.fingerprint = fingerprint_of(solid.shape, scale);
     GProp_GProps volume;
     BRepGProp::VolumeProperties(solid.shape, volume);
     result.volume = volume.Mass() * gmsh_unit * gmsh_unit * gmsh_unit;
@@ -165,7 +168,7 @@ CadModel describe_cad(const StepContents& contents)
 {
     CadModel model{contents.unit, contents.scale, {}, contents.without_solid};
     for (const StepSolid& solid : contents.solids) {
-        model.solids.push_back(solid_of(solid));
+        model.solids.push_back(solid_of(solid, contents.scale));
     }
     return model;
 }

@@ -1,7 +1,5 @@
 #include "deadpoint/machine/cad/read_cad.hpp"
 
-#include "deadpoint/core/pattern.hpp"
-#include "deadpoint/core/suggest.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/child_process.hpp"
 #include "deadpoint/machine/cad/describe_cad.hpp"
@@ -10,12 +8,12 @@
 #include <Standard_Failure.hxx>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace deadpoint::machine {
 namespace {
 
-constexpr double longest_reading = 1800;  // [s]
+constexpr double longest_reading = 1800;       // [s]
+constexpr double patience_with_overflow = 30;  // with a number beyond all measure [s]
 
 void put(Packer& to, const CadPlane& plane)
 {
@@ -75,6 +73,8 @@ void put(Packer& to, const CadSolid& solid)
     to.put(solid.colour);
     to.put(solid.volume);
     to.put(solid.bounds);
+    to.put(solid.called);
+    to.put(solid.fingerprint);
     to.put(solid.faces.size());
     for (const CadFace& face : solid.faces) {
         put(to, face);
@@ -88,6 +88,8 @@ void get(Unpacker& from, CadSolid& solid)
     from.get(solid.colour);
     from.get(solid.volume);
     from.get(solid.bounds);
+    from.get(solid.called);
+    from.get(solid.fingerprint);
     std::size_t count = 0;
     from.get(count);
     solid.faces.resize(count);
@@ -133,10 +135,10 @@ CadModel unpacked_model(const std::string& bytes)
 }
 
 /// Open CASCADE throws what is no std::exception.
-CadModel read_in_child(const ForeignFile& file, std::optional<double> unit)
+CadModel read_in_child(const ForeignFile& file, StepLetters letters, std::optional<double> unit)
 {
     try {
-        return describe_cad(read_step_solids(file, unit));
+        return describe_cad(read_step_solids(file, letters, unit));
     } catch (const Standard_Failure& failure) {
         throw InputError(
             fmt::format("part '{}': '{}' cannot be read ({})\n  help: write it again with the program that wrote it",
@@ -148,44 +150,29 @@ CadModel read_in_child(const ForeignFile& file, std::optional<double> unit)
 
 CadModel read_cad(const std::string& part, const std::string& path, std::optional<double> unit, const Waiting& waiting)
 {
-    check_step_file(part, path);
+    const StepText text = check_step_file(part, path);
     const ForeignFile file{part, path, "part.step"};
-    const ChildLimits limits{half_of_memory(), longest_reading, file.path, file.name};
-    CadModel model = unpacked_model(run_in_child(
-        fmt::format("part '{}': reading '{}'", part, path), limits, [&] { return packed(read_in_child(file, unit)); },
-        waiting));
+    const ChildLimits limits{half_of_memory(), text.overflow > 0 ? patience_with_overflow : longest_reading, file.path,
+                             file.name};
+    CadModel model;
+    try {
+        model = unpacked_model(run_in_child(
+            fmt::format("part '{}': reading '{}'", part, path), limits,
+            [&] { return packed(read_in_child(file, text.letters, unit)); }, waiting));
+    } catch (const TimeLimitError&) {
+        if (text.overflow == 0) {
+            throw;
+        }
+        throw InputError(fmt::format("part '{}': '{}', line {}: a number is too large\n  help: export the part again",
+                                     part, path, text.overflow));
+    } catch (const ForeignError&) {
+        throw unreadable(file);
+    }
     if (model.solids.empty()) {
         throw InputError(
             fmt::format("part '{}': '{}' holds no solid\n  help: export closed solids, not surfaces", part, path));
     }
     return model;
-}
-
-std::vector<std::string> chosen_solids(const std::string& part, const std::string& path, const std::string& solid,
-                                       const std::vector<std::string>& names)
-{
-    if (solid.empty()) {
-        if (names.size() == 1) {
-            return names;
-        }
-        throw InputError(
-            fmt::format("part '{}': '{}' holds {} solids: {}\n  help: choose one by solid = \"{}\"; solid = \"*\" "
-                        "makes all of them one piece; `deadpoint init --step` writes a part for each",
-                        part, path, names.size(), fmt::join(names, ", "), names.front()));
-    }
-    std::vector<std::string> found;
-    for (const auto& name : names) {
-        if (matches(solid, name)) {
-            found.push_back(name);
-        }
-    }
-    if (found.empty()) {
-        const std::string near = closest_name(solid, names);
-        throw InputError(fmt::format("part '{}': '{}' holds no solid '{}'; it holds {}{}", part, path, solid,
-                                     fmt::join(names, ", "),
-                                     near.empty() ? "" : fmt::format("\n  help: did you mean '{}'?", near)));
-    }
-    return found;
 }
 
 }  // namespace deadpoint::machine

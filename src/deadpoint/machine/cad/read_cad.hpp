@@ -14,10 +14,4 @@ namespace deadpoint::machine {
 /// @throws IoError if the file cannot be read, InputError if it is no STEP file or holds no solid
 CadModel read_cad(const std::string& part, const std::string& path, std::optional<double> unit, const Waiting& waiting);
 
-/// Names of the solids that a part asks for.
-/// @param solid  a name or a pattern with *; empty: the only one
-/// @throws InputError if there is none, or several and no name
-std::vector<std::string> chosen_solids(const std::string& part, const std::string& path, const std::string& solid,
-                                       const std::vector<std::string>& names);
-
 }  // namespace deadpoint::machine

@@ -3,7 +3,7 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/child_process.hpp"
 #include "deadpoint/machine/cad/defeature.hpp"
-#include "deadpoint/machine/cad/read_cad.hpp"
+#include "deadpoint/machine/cad/identity.hpp"
 #include "deadpoint/machine/cad/step_solids.hpp"
 #include "deadpoint/machine/foreign/packed.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
@@ -56,13 +56,13 @@ StepSolid chosen(const ForeignFile& file, const StepSource& source, const StepCo
         throw InputError(
             fmt::format("part '{}': '{}' holds no solid\n  help: export a closed solid", file.part, file.path));
     }
-    std::vector<std::string> names;
+    std::vector<SolidIdentity> solids;
     for (const StepSolid& solid : contents.solids) {
-        names.push_back(solid.name);
+        solids.push_back({solid.called, solid.name, fingerprint_of(solid.shape, contents.scale)});
     }
     StepSolid result;
-    for (const auto& name : chosen_solids(file.part, file.path, source.solid, names)) {
-        const StepSolid& next = *std::ranges::find(contents.solids, name, &StepSolid::name);
+    for (const std::size_t i : chosen_solids(file.part, source, solids).solids) {
+        const StepSolid& next = contents.solids[i];
         result.named_faces.insert(result.named_faces.end(), next.named_faces.begin(), next.named_faces.end());
         if (result.shape.IsNull()) {
             result.shape = next.shape;
@@ -99,7 +99,7 @@ void cut_beyond(StepSolid& solid, double x)
 StepSolid prepared(const ForeignFile& file, const StepSource& source, const SolidRules& rules,
                    std::vector<std::string>& notes)
 {
-    StepSolid solid = chosen(file, source, read_step_solids(file, source.unit));
+    StepSolid solid = chosen(file, source, read_step_solids(file, rules.letters, source.unit));
     rotate(solid, source.axes);
     if (rules.omit > 0) {
         notes = defeature(solid, rules.omit / gmsh_unit);
@@ -182,20 +182,30 @@ ReadySolid prepared_in_child(const ForeignFile& file, const StepSource& source, 
 ReadySolid ready_solid(const ForeignFile& file, const StepSource& source, const SolidRules& rules,
                        const Waiting& waiting)
 {
-    if (rules.omit <= 0) {
-        return prepared_in_child(file, source, rules, longest_preparation, waiting);
-    }
-    try {
-        return prepared_in_child(file, source, rules, patience, waiting);
-    } catch (const TimeLimitError&) {
-        auto all_stays = rules;
-        all_stays.omit = 0;
-        ReadySolid solid = prepared_in_child(file, source, all_stays, longest_preparation, waiting);
-        solid.notes.push_back(
-            fmt::format("holes and roundings up to {:.3g} mm stay: leaving them out takes longer than "
-                        "{:.0f} s; omit = \"0 mm\" does not try",
-                        1e3 * rules.omit, patience));
+    const auto with = [&](double omit, double seconds) {
+        auto own = rules;
+        own.omit = omit;
+        return prepared_in_child(file, source, own, seconds, waiting);
+    };
+    const auto without_omission = [&](const std::string& reason) {
+        ReadySolid solid = with(0, longest_preparation);
+        solid.notes.push_back(fmt::format("holes and roundings up to {:.3g} mm stay: {}; omit = \"0 mm\" does not try",
+                                          1e3 * rules.omit, reason));
         return solid;
+    };
+    try {
+        if (rules.omit <= 0) {
+            return with(0, longest_preparation);
+        }
+        try {
+            return with(rules.omit, patience);
+        } catch (const TimeLimitError&) {
+            return without_omission(fmt::format("leaving them out takes longer than {:.0f} s", patience));
+        } catch (const ForeignError&) {
+            return without_omission("the geometry kernel cannot leave them out");
+        }
+    } catch (const ForeignError&) {
+        throw unreadable(file);
     }
 }
 

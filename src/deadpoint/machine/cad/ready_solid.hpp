@@ -2,6 +2,7 @@
 
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/machine/foreign/foreign_mesh.hpp"
+#include "deadpoint/machine/foreign/step_file.hpp"
 
 #include <string>
 #include <utility>
@@ -13,9 +14,10 @@ namespace deadpoint::machine {
 struct StepSolid;
 
 struct SolidRules {
-    double omit = 0;      ///< holes and roundings up to this diameter are left out [m]; 0: none
-    bool half = false;    ///< keep x <= 0 of the machine only
-    double position = 0;  ///< of the solid along x of the machine [m]
+    double omit = 0;                          ///< holes and roundings up to this diameter are left out [m]; 0: none
+    bool half = false;                        ///< keep x <= 0 of the machine only
+    double position = 0;                      ///< of the solid along x of the machine [m]
+    StepLetters letters = StepLetters::utf8;  ///< of the names in the file
 };
 
 /// Without types of Open CASCADE, to be handed from process to process.

@@ -1,6 +1,7 @@
 #include "deadpoint/machine/cad/step_solids.hpp"
 
 #include "deadpoint/error.hpp"
+#include "deadpoint/machine/cad/step_names.hpp"
 #include <BRepBuilderAPI_Transform.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_Static.hxx>
@@ -13,6 +14,7 @@
 #include <StepRepr_RepresentationItem.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
+#include <TCollection_ExtendedString.hxx>
 #include <TDF_Label.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
@@ -61,62 +63,13 @@ double length_of(const std::string& name)
     return found == units.end() ? 0 : found->second;
 }
 
-/// Letters of European names as they are written without marks.
-std::string plain_letter(Standard_ExtCharacter letter)
-{
-    static const std::map<Standard_ExtCharacter, std::string> plain{
-        {u'\u00e4', "ae"}, {u'\u00f6', "oe"}, {u'\u00fc', "ue"}, {u'\u00df', "ss"}, {u'\u00c4', "Ae"},
-        {u'\u00d6', "Oe"}, {u'\u00dc', "Ue"}, {u'\u00e9', "e"},  {u'\u00e8', "e"},  {u'\u00ea', "e"},
-        {u'\u00e0', "a"},  {u'\u00e1', "a"},  {u'\u00e2', "a"},  {u'\u00e5', "a"},  {u'\u00e7', "c"},
-        {u'\u00ed', "i"},  {u'\u00f1', "n"},  {u'\u00f3', "o"},  {u'\u00f8', "o"},  {u'\u00fa', "u"}};
-    const auto found = plain.find(letter);
-    if (found != plain.end()) {
-        return found->second;
-    }
-    return letter < 128 ? std::string(1, static_cast<char>(letter)) : "_";
-}
-
-std::string name_of(const TDF_Label& label)
+std::string name_of(const TDF_Label& label, StepLetters letters)
 {
     Handle(TDataStd_Name) name;
     if (label.IsNull() || !label.FindAttribute(TDataStd_Name::GetID(), name)) {
         return {};
     }
-    std::string text;
-    for (int i = 1; i <= name->Get().Length(); ++i) {
-        text += plain_letter(name->Get().Value(i));
-    }
-    return text;
-}
-
-/// Whether a program wrote the name for want of a better one: "SOLID", "Solid1", "=>[0:1:1:2]".
-bool says_nothing(const std::string& name)
-{
-    std::string small = lower(name);
-    while (!small.empty() && (std::isdigit(static_cast<unsigned char>(small.back())) != 0 || small.back() == '_' ||
-                              small.back() == ' ' || small.back() == '.')) {
-        small.pop_back();
-    }
-    static const std::set<std::string> empty{
-        "",     "solid", "compound", "body",    "shape", "none", "open cascade step translator", "manifold_solid_brep",
-        "brep", "part",  "product",  "assembly"};
-    return empty.contains(small) || small.starts_with("=>") || small.starts_with("open cascade");
-}
-
-/// Letters, digits, '-' and '_' only: a name that needs no quotes in a case file.
-std::string bare(const std::string& name)
-{
-    std::string result;
-    for (const char c : name) {
-        const bool kept = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
-        if (kept || (!result.empty() && result.back() != '_')) {
-            result += kept ? c : '_';
-        }
-    }
-    while (!result.empty() && result.back() == '_') {
-        result.pop_back();
-    }
-    return result;
+    return step_name(name->Get(), letters);
 }
 
 std::string hex(const Quantity_Color& colour)
@@ -128,9 +81,11 @@ std::string hex(const Quantity_Color& colour)
 /// Walks through the products of a document.
 class Walk {
 public:
-    Walk(const Handle(TDocStd_Document) & document, Handle(XSControl_WorkSession) session, StepContents& into)
+    Walk(const Handle(TDocStd_Document) & document, Handle(XSControl_WorkSession) session, StepLetters letters,
+         StepContents& into)
         : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
-          colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())), session_(std::move(session)), into_(into)
+          colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())), session_(std::move(session)), letters_(letters),
+          into_(into)
     {}
 
     void all()
@@ -153,8 +108,9 @@ private:
             XCAFDoc_ShapeTool::GetReferredShape(label, product);
             here = place * XCAFDoc_ShapeTool::GetLocation(label);
         }
-        std::string own = name_of(product);
-        own = says_nothing(own) ? (says_nothing(name_of(label)) ? better : name_of(label)) : own;
+        std::string own = name_of(product, letters_);
+        const std::string occurrence = name_of(label, letters_);
+        own = says_nothing(own) ? (says_nothing(occurrence) ? better : occurrence) : own;
         if (!XCAFDoc_ShapeTool::IsAssembly(product)) {
             take(product, here, path, own, colour_of(product, colour));
             return;
@@ -185,8 +141,8 @@ private:
         for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) {
             any = true;
             const std::string inner = item_name(solid.Current());
-            const std::string chosen = says_nothing(name) ? (says_nothing(inner) ? "solid" : inner) : name;
-            StepSolid one{unique(bare(chosen)), path, colour, solid.Current().Moved(place), {}};
+            const std::string called = says_nothing(name) ? (says_nothing(inner) ? "" : inner) : name;
+            StepSolid one{called, unique(key_of(called)), path, colour, solid.Current().Moved(place), {}};
             name_faces(solid.Current(), place, one);
             into_.solids.push_back(std::move(one));
         }
@@ -209,15 +165,16 @@ private:
     {
         const auto entity = session_->TransferReader()->EntityFromShapeResult(shape, 1);
         const auto item = Handle(StepRepr_RepresentationItem)::DownCast(entity);
-        return item.IsNull() || item->Name().IsNull() ? std::string() : std::string(item->Name()->ToCString());
+        return item.IsNull() || item->Name().IsNull()
+                   ? std::string()
+                   : step_name(TCollection_ExtendedString(item->Name()->ToCString(), true), letters_);
     }
 
     std::string unique(const std::string& name)
     {
-        const std::string stem = name.empty() ? "solid" : name;
-        std::string result = stem;
+        std::string result = name;
         for (int n = 2; !names_.insert(result).second; ++n) {
-            result = fmt::format("{}_{}", stem, n);
+            result = fmt::format("{}_{}", name, n);
         }
         return result;
     }
@@ -225,6 +182,7 @@ private:
     Handle(XCAFDoc_ShapeTool) shapes_;
     Handle(XCAFDoc_ColorTool) colours_;
     Handle(XSControl_WorkSession) session_;
+    StepLetters letters_;
     StepContents& into_;
     std::set<std::string> names_;
 };
@@ -268,24 +226,30 @@ double scale_of(const ForeignFile& file, const std::string& unit, std::optional<
 
 }  // namespace
 
-StepContents read_step_solids(const ForeignFile& file, std::optional<double> unit)
+InputError unreadable(const ForeignFile& file)
+{
+    return InputError(
+        fmt::format("part '{}': '{}' cannot be read: its contents are incomplete or out of order\n  help: check "
+                    "the file with the program that wrote it, and write it again",
+                    file.part, file.path));
+}
+
+StepContents read_step_solids(const ForeignFile& file, StepLetters letters, std::optional<double> unit)
 {
     Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     STEPCAFControl_Reader reader;
+    Interface_Static::SetCVal("read.step.codepage", code_page(letters));
     reader.SetNameMode(true);
     reader.SetColorMode(true);
     Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
     if (reader.ReadFile(file.name.c_str()) != IFSelect_RetDone || !reader.Transfer(document)) {
-        throw InputError(
-            fmt::format("part '{}': '{}' cannot be read: its contents are incomplete or out of order\n  help: check "
-                        "the file with the program that wrote it, and write it again",
-                        file.part, file.path));
+        throw unreadable(file);
     }
     StepContents contents;
     contents.unit = unit_of(reader.ChangeReader());
     contents.scale = scale_of(file, contents.unit, unit);
-    Walk(document, reader.ChangeReader().WS(), contents).all();
+    Walk(document, reader.ChangeReader().WS(), letters, contents).all();
     if (contents.scale != 1) {
         enlarge(contents);
     }

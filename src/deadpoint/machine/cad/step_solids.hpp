@@ -1,6 +1,8 @@
 #pragma once
 
+#include "deadpoint/error.hpp"
 #include "deadpoint/machine/foreign/foreign_mesh.hpp"
+#include "deadpoint/machine/foreign/step_file.hpp"
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -18,7 +20,8 @@ struct NamedFace {
 };
 
 struct StepSolid {
-    std::string name;  ///< unique in the file
+    std::string called;  ///< in the file, where several may have one name; empty: it has none
+    std::string name;    ///< made of it, unique in the file, to be a key of a case
     std::string path;
     std::string colour;
     TopoDS_Shape shape;
@@ -32,8 +35,12 @@ struct StepContents {
     std::vector<std::string> without_solid;
 };
 
-/// @param unit  length of one unit of the file [m]; none: what the file says
+/// The error of a file at whose contents Open CASCADE gives up.
+InputError unreadable(const ForeignFile& file);
+
+/// @param letters  how the file writes names
+/// @param unit     length of one unit of the file [m]; none: what the file says
 /// @throws InputError if the file cannot be understood, or its unit is unknown and none is stated
-StepContents read_step_solids(const ForeignFile& file, std::optional<double> unit);
+StepContents read_step_solids(const ForeignFile& file, StepLetters letters, std::optional<double> unit);
 
 }  // namespace deadpoint::machine

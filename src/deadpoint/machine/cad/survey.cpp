@@ -3,6 +3,7 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/machine/cad/identity.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
 #include "deadpoint/machine/parts/cell_limit.hpp"
 #include "deadpoint/observer.hpp"
@@ -45,18 +46,19 @@ private:
 };
 
 /// The solids that a part is made of, with the unit and scale of their file.
-CadModel part_of(const PartDescription& part, const StepSource& source, const CadModel& file)
+CadModel part_of(const PartDescription& part, const StepSource& source, const CadModel& file, Observer& observer)
 {
-    std::vector<std::string> names;
+    std::vector<SolidIdentity> solids;
     for (const CadSolid& solid : file.solids) {
-        names.push_back(solid.name);
+        solids.push_back({solid.called, solid.name, solid.fingerprint});
     }
-    const auto wanted = chosen_solids(part.name, source.path, source.solid, names);
+    const ChosenSolids chosen = chosen_solids(part.name, source, solids);
+    if (!chosen.doubt.empty()) {
+        observer.warn(chosen.doubt);
+    }
     CadModel result{file.unit, file.scale, {}, {}};
-    for (const CadSolid& solid : file.solids) {
-        if (std::ranges::find(wanted, solid.name) != wanted.end()) {
-            result.solids.push_back(solid);
-        }
+    for (const std::size_t i : chosen.solids) {
+        result.solids.push_back(file.solids[i]);
     }
     return result;
 }
@@ -102,7 +104,8 @@ void survey_drawings(const MachineDescription& description, Mistakes& mistakes, 
     for (const PartDescription& part : description.parts) {
         if (const auto* source = std::get_if<StepSource>(&part.source)) {
             mistakes.attempt("parts." + part.name, [&] {
-                check_part(description, part, part_of(part, *source, drawings.of(part.name, *source)), observer);
+                check_part(description, part, part_of(part, *source, drawings.of(part.name, *source), observer),
+                           observer);
             });
         }
     }

@@ -60,29 +60,38 @@ PartMesh unpacked_mesh(const std::string& bytes)
 
 }  // namespace
 
-PartMesh mesh_foreign_file(const ForeignFile& file, const std::function<PartMesh()>& make, const Waiting& waiting)
+PartMesh mesh_foreign_file(const ForeignFile& file, const char* doing, const std::function<PartMesh()>& make,
+                           const Waiting& waiting)
 {
     const ChildLimits limits{half_of_memory(), longest_meshing, file.path, file.name};
     return unpacked_mesh(run_in_child(
-        fmt::format("part '{}': reading '{}'", file.part, file.path), limits, [&] { return packed(make()); }, waiting));
+        fmt::format("part '{}': {} '{}'", file.part, doing, file.path), limits, [&] { return packed(make()); },
+        waiting));
 }
 
 GmshComplaints::GmshComplaints() { gmsh::logger::start(); }
 
 GmshComplaints::~GmshComplaints() { gmsh::logger::stop(); }
 
-void GmshComplaints::require_none(const ForeignFile& file) const
+std::string GmshComplaints::first(const std::string& text) const
 {
     constexpr std::string_view mark = "Error: ";
     std::vector<std::string> lines;
     gmsh::logger::get(lines);
-    const auto error = std::ranges::find_if(lines, [&](const auto& line) { return line.starts_with(mark); });
-    if (error == lines.end()) {
+    const auto error = std::ranges::find_if(
+        lines, [&](const auto& line) { return line.starts_with(mark) && line.find(text) != std::string::npos; });
+    return error == lines.end() ? "" : error->substr(mark.size());
+}
+
+void GmshComplaints::require_none(const ForeignFile& file) const
+{
+    const std::string error = first();
+    if (error.empty()) {
         return;
     }
     // An error that only names the file adds nothing.
-    const bool says_more = error->find(file.name) == std::string::npos;
-    const std::string reason = says_more ? error->substr(mark.size()) : "its contents are incomplete or out of order";
+    const bool says_more = error.find(file.name) == std::string::npos;
+    const std::string reason = says_more ? error : "its contents are incomplete or out of order";
     throw InputError(
         fmt::format("part '{}': '{}' cannot be read: {}\n  help: check the file with the program that wrote "
                     "it, and write it again",

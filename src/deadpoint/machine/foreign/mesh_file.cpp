@@ -212,7 +212,7 @@ PartMesh read_mesh(const PartDescription& part, const MeshSource& source, bool h
         });
         return mesh;
     };
-    return mesh_foreign_file(file, make, waiting);
+    return mesh_foreign_file(file, "reading", make, waiting);
 }
 
 }  // namespace deadpoint::machine

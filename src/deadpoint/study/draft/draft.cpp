@@ -26,20 +26,20 @@ std::vector<std::string> wanted_names(const CadModel& model, const std::vector<W
         for (const std::string& pattern : body.solids) {
             bool found = false;
             for (std::size_t i = 0; i < names.size(); ++i) {
-                if (!matches(pattern, model.solids[i].name)) {
+                if (!matches(pattern, model.solids[i].name) && !matches(pattern, model.solids[i].called)) {
                     continue;
                 }
                 found = true;
                 if (!names[i].empty() && names[i] != body.name) {
                     throw InputError(fmt::format("--body: solid '{}' is in '{}' and in '{}'\n  help: name it once",
-                                                 model.solids[i].name, names[i], body.name));
+                                                 name_in_case(model.solids[i]), names[i], body.name));
                 }
                 names[i] = body.name;
             }
             if (!found) {
                 std::vector<std::string> all;
                 for (const auto& solid : model.solids) {
-                    all.push_back(solid.name);
+                    all.push_back(name_in_case(solid));
                 }
                 throw InputError(fmt::format("--body: no solid of the drawing is named '{}'\n  help: its solids are {}",
                                              pattern, fmt::join(all, ", ")));
@@ -57,7 +57,8 @@ public:
     {
         std::iota(follows.begin(), follows.end(), std::size_t{0});
         for (std::size_t i = 0; i < follows.size(); ++i) {
-            roles.push_back(role_of(wanted[i].empty() ? model.solids[i].name : wanted[i]));
+            const auto& solid = model.solids[i];
+            roles.push_back(role_of(wanted[i].empty() ? fmt::format("{} {}", solid.name, solid.called) : wanted[i]));
         }
         by_name = roles;
         // A neighbour may itself take its role from another.

@@ -221,8 +221,10 @@ private:
             line("# {:.4g} litres, {:.1f} x {:.1f} x {:.1f} mm{}{}", 1e3 * one.volume, 1e3 * edges[0], 1e3 * edges[1],
                  1e3 * edges[2], one.path.empty() ? "" : ", in " + one_line(one.path),
                  one.colour.empty() ? "" : ", colour " + one_line(one.colour));
-            line("[parts.{}]\nbody = \"{}\"\nmaterial = \"{}\"\nstep = {}\nsolid = \"{}\"\n{}size = {}\n", one.name,
-                 body(draft_.body_of[i]), material(i), casefile::in_quotes(file_), one.name, axes(), mm(size_of(one)));
+            line("[parts.{}]\nbody = \"{}\"\nmaterial = \"{}\"\nstep = {}\nsolid = {}\nfingerprint = \"{}\"\n{}size = "
+                 "{}\n",
+                 one.name, body(draft_.body_of[i]), material(i), casefile::in_quotes(file_),
+                 casefile::in_quotes(name_in_case(one)), text_of(one.fingerprint), axes(), mm(size_of(one)));
         }
     }
 

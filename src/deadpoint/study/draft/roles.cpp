@@ -13,26 +13,75 @@ struct Word {
     Role role;
 };
 
-/// Where a name holds several, the longest counts: "connecting_rod" is a rod, "motor_shaft" stands with the motor.
-constexpr std::array words{
-    Word{"crankshaft", Role::crank},   Word{"crank", Role::crank},       Word{"eccentric", Role::crank},
-    Word{"flywheel", Role::crank},     Word{"clutch", Role::crank},      Word{"shaft", Role::crank},
-    Word{"kurbelwelle", Role::crank},  Word{"kurbel", Role::crank},      Word{"exzenter", Role::crank},
-    Word{"schwungrad", Role::crank},   Word{"welle", Role::crank},       Word{"kupplung", Role::crank},
-    Word{"connecting_rod", Role::rod}, Word{"conrod", Role::rod},        Word{"con_rod", Role::rod},
-    Word{"pitman", Role::rod},         Word{"link", Role::rod},          Word{"rod", Role::rod},
-    Word{"pleuel", Role::rod},         Word{"slide", Role::slide},       Word{"slider", Role::slide},
-    Word{"ram", Role::slide},          Word{"plunger", Role::slide},     Word{"stoessel", Role::slide},
-    Word{"st_ssel", Role::slide},      Word{"upper_die", Role::slide},   Word{"frame", Role::frame},
-    Word{"bed", Role::frame},          Word{"base", Role::frame},        Word{"column", Role::frame},
-    Word{"upright", Role::frame},      Word{"crown", Role::frame},       Word{"table", Role::frame},
-    Word{"bolster", Role::frame},      Word{"gib", Role::frame},         Word{"guide", Role::frame},
-    Word{"slide_guide", Role::frame},  Word{"slideway", Role::frame},    Word{"guide_rod", Role::frame},
-    Word{"bracket", Role::frame},      Word{"foot", Role::frame},        Word{"feet", Role::frame},
-    Word{"motor", Role::frame},        Word{"motor_shaft", Role::frame}, Word{"housing", Role::frame},
-    Word{"cover", Role::frame},        Word{"gestell", Role::frame},     Word{"staender", Role::frame},
-    Word{"st_nder", Role::frame},      Word{"tisch", Role::frame},       Word{"fuehrung", Role::frame},
-    Word{"f_hrung", Role::frame},      Word{"tie_rod", Role::frame},     Word{"lower_die", Role::frame}};
+/// English, German, Chinese and transliterated Russian. Where a name holds several, the longest counts:
+/// "connecting_rod" is a rod, "motor_shaft" stands with the motor.
+constexpr std::array words{Word{"crankshaft", Role::crank},
+                           Word{"crank", Role::crank},
+                           Word{"eccentric", Role::crank},
+                           Word{"flywheel", Role::crank},
+                           Word{"clutch", Role::crank},
+                           Word{"shaft", Role::crank},
+                           Word{"kurbelwelle", Role::crank},
+                           Word{"kurbel", Role::crank},
+                           Word{"exzenter", Role::crank},
+                           Word{"schwungrad", Role::crank},
+                           Word{"welle", Role::crank},
+                           Word{"kupplung", Role::crank},
+                           Word{"connecting_rod", Role::rod},
+                           Word{"conrod", Role::rod},
+                           Word{"con_rod", Role::rod},
+                           Word{"pitman", Role::rod},
+                           Word{"link", Role::rod},
+                           Word{"rod", Role::rod},
+                           Word{"pleuel", Role::rod},
+                           Word{"slide", Role::slide},
+                           Word{"slider", Role::slide},
+                           Word{"ram", Role::slide},
+                           Word{"plunger", Role::slide},
+                           Word{"stoessel", Role::slide},
+                           Word{"st_ssel", Role::slide},
+                           Word{"upper_die", Role::slide},
+                           Word{"frame", Role::frame},
+                           Word{"bed", Role::frame},
+                           Word{"base", Role::frame},
+                           Word{"column", Role::frame},
+                           Word{"upright", Role::frame},
+                           Word{"crown", Role::frame},
+                           Word{"table", Role::frame},
+                           Word{"bolster", Role::frame},
+                           Word{"gib", Role::frame},
+                           Word{"guide", Role::frame},
+                           Word{"slide_guide", Role::frame},
+                           Word{"slideway", Role::frame},
+                           Word{"guide_rod", Role::frame},
+                           Word{"bracket", Role::frame},
+                           Word{"foot", Role::frame},
+                           Word{"feet", Role::frame},
+                           Word{"motor", Role::frame},
+                           Word{"motor_shaft", Role::frame},
+                           Word{"housing", Role::frame},
+                           Word{"cover", Role::frame},
+                           Word{"gestell", Role::frame},
+                           Word{"staender", Role::frame},
+                           Word{"st_nder", Role::frame},
+                           Word{"tisch", Role::frame},
+                           Word{"fuehrung", Role::frame},
+                           Word{"f_hrung", Role::frame},
+                           Word{"tie_rod", Role::frame},
+                           Word{"lower_die", Role::frame},
+                           Word{"\u66f2\u8f74", Role::crank},        // crankshaft
+                           Word{"\u98de\u8f6e", Role::crank},        // flywheel
+                           Word{"\u8fde\u6746", Role::rod},          // connecting rod
+                           Word{"\u6ed1\u5757", Role::slide},        // slide
+                           Word{"\u673a\u67b6", Role::frame},        // frame
+                           Word{"\u673a\u8eab", Role::frame},        // frame
+                           Word{"\u5de5\u4f5c\u53f0", Role::frame},  // table
+                           Word{"kolenval", Role::crank},
+                           Word{"makhovik", Role::crank},
+                           Word{"shatun", Role::rod},
+                           Word{"polzun", Role::slide},
+                           Word{"stanina", Role::frame},
+                           Word{"stol", Role::frame}};
 
 constexpr std::array<std::string_view, 8> bronzes{"bush",   "bushing", "bronze",     "liner",
                                                   "buchse", "sleeve",  "gleitlager", "brass"};

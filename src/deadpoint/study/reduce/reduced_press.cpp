@@ -4,6 +4,7 @@
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/exchange/solid_print.hpp"
 #include "deadpoint/io/binary_file.hpp"
 #include "deadpoint/io/read_file.hpp"
 #include "deadpoint/io/write_file.hpp"
@@ -129,6 +130,7 @@ std::string fixed_part(const casefile::Case& input)
 {
     auto fixed = fixed_case(input);
     for (auto& [name, part] : fixed.parts) {
+        part.solid = solid_reference(part.solid).name;
         part.step = form_in_file(part.step);
         part.mesh = form_in_file(part.mesh);
     }
