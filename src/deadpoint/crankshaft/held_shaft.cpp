@@ -3,6 +3,9 @@
 #include "deadpoint/crankshaft/system.hpp"
 #include "deadpoint/error.hpp"
 
+#include <fmt/format.h>
+#include <vector>
+
 namespace deadpoint::crankshaft {
 namespace {
 
@@ -59,6 +62,20 @@ Eigen::LLT<Eigen::MatrixXd> factor_of(const HeldShaft& held)
         throw InputError("crankshaft: its bearings do not hold it, or it buckles under its axial load\n"
                          "  help: give every bearing stiffness in both directions, or less compression");
     return factor;
+}
+
+std::vector<double> static_displacement(const ShaftSystem& system, std::span<const double> load)
+{
+    if (static_cast<int>(load.size()) != system.size())
+        throw InputError(
+            fmt::format("crankshaft: the load has {} entries for {} unknowns", load.size(), system.size()));
+    const Eigen::Map<const Eigen::VectorXd> f(load.data(), static_cast<Eigen::Index>(load.size()));
+    const HeldShaft held = held_shaft(system);
+    factor_of(held);
+    const Eigen::VectorXd q = held.motions * held.stiffness.partialPivLu().solve(held.motions.transpose() * f);
+    if (!q.allFinite())
+        throw DomainError("crankshaft: the static displacement is not finite");
+    return {q.begin(), q.end()};
 }
 
 }  // namespace deadpoint::crankshaft

@@ -3,7 +3,6 @@
 #include "deadpoint/crankshaft/check.hpp"
 #include "deadpoint/crankshaft/eigen_views.hpp"
 #include "deadpoint/crankshaft/element.hpp"
-#include "deadpoint/crankshaft/held_shaft.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>
@@ -202,20 +201,6 @@ std::vector<double> weight_pattern(const ShaftSystem& system, const Vec2& accele
             motion[seat.housing + i] = acceleration[static_cast<std::size_t>(i)];
     const Eigen::VectorXd load = view(system.mass) * motion;
     return {load.begin(), load.end()};
-}
-
-std::vector<double> static_displacement(const ShaftSystem& system, std::span<const double> load)
-{
-    if (static_cast<int>(load.size()) != system.size())
-        throw InputError(
-            fmt::format("crankshaft: the load has {} entries for {} unknowns", load.size(), system.size()));
-    const Eigen::Map<const Eigen::VectorXd> f(load.data(), static_cast<Eigen::Index>(load.size()));
-    const HeldShaft held = held_shaft(system);
-    factor_of(held);
-    const Eigen::VectorXd q = held.motions * held.stiffness.partialPivLu().solve(held.motions.transpose() * f);
-    if (!q.allFinite())
-        throw DomainError("crankshaft: the static displacement is not finite");
-    return {q.begin(), q.end()};
 }
 
 std::vector<Vec2> bearing_forces(const ShaftSystem& system, std::span<const double> displacement)

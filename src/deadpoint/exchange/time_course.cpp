@@ -1,6 +1,5 @@
-#include "deadpoint/exchange/time_course.hpp"
-
 #include "deadpoint/error.hpp"
+#include "deadpoint/exchange/heat.hpp"
 
 #include <algorithm>
 #include <array>

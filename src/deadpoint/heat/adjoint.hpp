@@ -3,7 +3,6 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/heat/balance.hpp"
-#include "deadpoint/heat/courses/step_times.hpp"
 #include "deadpoint/heat/system.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
 

@@ -4,7 +4,13 @@
 #include <tuple>
 #include <vector>
 
-/// The scalars of a heat balance at one time, and the records of accepted steps.
+namespace deadpoint {
+struct HeatProblem;
+struct HeatSegment;
+class TimeCourse;
+}  // namespace deadpoint
+
+/// The scalars of a heat balance at one time, the records of accepted steps, and what steps take of courses over time.
 namespace deadpoint::heat {
 
 /// An oil circuit at one time.
@@ -88,5 +94,55 @@ constexpr auto members(const StepRecord*)
     return std::tuple{&StepRecord::segment, &StepRecord::row,    &StepRecord::duration,
                       &StepRecord::start,   &StepRecord::middle, &StepRecord::end};
 }
+
+/// The three times of a step [s].
+struct StepTimes {
+    double start = 0, middle = 0, end = 0;
+
+    /// Value of a course at one of the times, or at any other one. In the middle it is the one with which the step's
+    /// quadrature, weights outer_weight, outer_weight, diagonal, gives the integral of the course: no energy is lost or
+    /// won. Where the course is linear over the step that is its value.
+    [[nodiscard]] double value(const TimeCourse& course, double time) const;
+};
+
+inline StepTimes times_of(const StepRecord& step) { return {step.start.time, step.middle.time, step.end.time}; }
+
+/// What a step would not see of the courses of a segment.
+struct UnseenCourses {
+    double ambient = 0;            ///< of the segment [K s]
+    std::vector<double> surfaces;  ///< per surface condition: of its own ambient [K s] or its flux [J/m2]
+    std::vector<double> bodies;    ///< per HeatProblem::body_heat [J]
+    std::vector<double> powers;    ///< per enclosure [J]
+    double prescribed = 0;         ///< of prescribed temperatures [K]
+    /// True if there is heat to be looked at.
+    [[nodiscard]] bool some_heat() const;
+    /// Largest ratio of an entry of heat to the one of a longer step; infinite if that one is 0.
+    [[nodiscard]] double share_of(const UnseenCourses& longer) const;
+};
+
+/// Times between two others at which the courses of a segment bend, ascending, each once.
+class StepEnds {
+public:
+    explicit StepEnds(const HeatProblem& problem) : problem_(&problem) {}
+    void enter(const HeatSegment& segment);
+
+    /// Points of tables.
+    [[nodiscard]] std::vector<double> points(double from, double to) const;
+    /// The same, and where functions are looked at.
+    [[nodiscard]] std::vector<double> looked_at(double from, double to) const;
+    /// True if a table of prescribed temperatures has a point there, so that slopes of temperatures jump.
+    [[nodiscard]] bool bends_prescribed(double time) const;
+    /// Energies of short features are larger by sqrt(d dt / duration): a stage spreads them over d dt, but a surface
+    /// that takes up heat within t warms with its square root.
+    [[nodiscard]] UnseenCourses unseen(double from, double to) const;
+
+private:
+    [[nodiscard]] std::vector<double> merged(double from, double to,
+                                             std::vector<double> (TimeCourse::*of)(double, double) const) const;
+
+    const HeatProblem* problem_;
+    const HeatSegment* segment_ = nullptr;
+    std::vector<const TimeCourse*> courses_;  ///< all of the segment
+};
 
 }  // namespace deadpoint::heat

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/heat/courses/step_times.hpp"
+#include "deadpoint/heat/balance.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/error.hpp"
-#include "deadpoint/heat/courses/step_ends.hpp"
+#include "deadpoint/heat/balance.hpp"
 #include "deadpoint/heat/history.hpp"
 #include "deadpoint/heat/run_state.hpp"
 #include "deadpoint/heat/stepper.hpp"

@@ -2,8 +2,6 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/heat/balance.hpp"
-#include "deadpoint/heat/courses/step_ends.hpp"
-#include "deadpoint/heat/courses/step_times.hpp"
 #include "deadpoint/heat/enclosed_air.hpp"
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/heat/joints.hpp"

@@ -1,7 +1,6 @@
 /// Requirement: a course over time tells its value, its exact mean, its points, and what a step does not see of it.
-#include "deadpoint/exchange/time_course.hpp"
-
 #include "deadpoint/error.hpp"
+#include "deadpoint/exchange/heat.hpp"
 #include "near.hpp"
 
 #include <cmath>

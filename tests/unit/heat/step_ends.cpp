@@ -1,8 +1,7 @@
 /// Requirement: no course over time is stepped over. Steps end where tables bend; where points are dense, a step passes
 /// over them only if nothing watched would change, and takes their exact mean; functions are looked at every second.
-#include "deadpoint/heat/courses/step_ends.hpp"
-
 #include "deadpoint/heat/adjoint.hpp"
+#include "deadpoint/heat/balance.hpp"
 #include "lumps.hpp"
 #include "near.hpp"
 

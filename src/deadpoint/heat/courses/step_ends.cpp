@@ -1,5 +1,5 @@
-#include "deadpoint/heat/courses/step_ends.hpp"
-
+#include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/heat/balance.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
 
 #include <algorithm>
@@ -35,6 +35,13 @@ void add_shares(const std::vector<double>& here, const std::vector<double>& long
 }
 
 }  // namespace
+
+double StepTimes::value(const TimeCourse& course, double time) const
+{
+    if (time != middle || !(end > start) || course.is_linear(start, end))
+        return course(time);
+    return (course.mean(start, end) - outer_weight * course(start) - diagonal * course(end)) / outer_weight;
+}
 
 bool UnseenCourses::some_heat() const
 {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "deadpoint/heat/balance.hpp"
-#include "deadpoint/heat/courses/step_times.hpp"
 #include "deadpoint/heat/films.hpp"
 #include "deadpoint/heat/joints.hpp"
 #include "deadpoint/reduce/dense/tridiagonal.hpp"
