@@ -68,8 +68,8 @@ struct Part {
     std::string material;
     std::optional<double> size;
     std::vector<Shape> shapes;
-    std::string step;  ///< path, relative to the file that names it
-    std::string solid;  ///< SolidReference as text
+    std::string step;               ///< path, relative to the file that names it
+    std::string solid;              ///< SolidReference as text
     std::vector<std::string> axes;  ///< of the STEP file: "x", "-z", ...; none or three
     int circle_cells = 24;
     std::optional<double> smallest_cell;
