@@ -19,7 +19,7 @@ struct Drawn {
     {
         fs::create_directories(folder.path / "bin");
         fs::create_directories(temporary);
-        const auto browser = folder.file("bin/chromium", "#!/bin/sh\n" + words + script);
+        const auto browser = folder.file("bin/chromium", std::string("#!/bin/sh\n") + words + script);
         fs::permissions(browser, fs::perms::owner_all);
         REQUIRE(::run("", fmt::format("loads -q {}/study/balanced-crank.toml -o '{}'", DEADPOINT_TEST_DATA,
                                       results.string()))

@@ -14,6 +14,7 @@
 #include "deadpoint/fem/estimate/error_estimate.hpp"
 #include "deadpoint/fem/reduction/field_file.hpp"
 #include "deadpoint/fem/reduction/heat_projector.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 #include "deadpoint/fem/transfer/fitted_transfer.hpp"
 #include "deadpoint/fem/transfer/transfer.hpp"
 #include "deadpoint/io/vtu.hpp"

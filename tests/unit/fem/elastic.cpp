@@ -11,6 +11,7 @@
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/elastic/stress_recovery.hpp"
 #include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>

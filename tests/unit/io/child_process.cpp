@@ -64,7 +64,8 @@ TEST_CASE("Errors of a child process come back as what they are")
     CHECK(message_of<InputError>(roomy, []() -> std::string { throw InputError("no solid"); }) == "no solid");
     CHECK(message_of<IoError>(roomy, []() -> std::string { throw IoError("no file"); }) == "no file");
     CHECK(message_of<InputError>(roomy, []() -> std::string { throw std::runtime_error("odd line 3"); }) ==
-          "part 'a': reading 'a.step' failed: odd line 3\n  help: check the file with the program that wrote it");
+          "part 'a': reading 'a.step' failed: an error that the program does not know\n  help: check the file with the "
+          "program that wrote it");
 }
 
 TEST_CASE("A child process that crashes, hangs or takes all memory becomes an error")

@@ -282,7 +282,10 @@ TEST_CASE("derivatives along tables over time, whose dense points a step passes 
     }
     oiled.problem.surfaces[2].flux = wavy(50, 20);
     const auto steps = run_of(oiled).steps;
-    CHECK(std::ranges::any_of(steps, [](const RecordedStep& step) { return step.record.duration > 22; }));
+    double longest = 0;
+    for (const auto& step : steps)
+        longest = std::max(longest, step.record.duration);
+    CHECK(longest > 14);  // over two points of the tables at least
     check_change(oiled, [&](HeatProblem& p, double by) { p.segments[0].body_heat[0] = wavy(25 + by, 10 - 3 * by); });
     check_change(oiled, [&](HeatProblem& p, double by) { p.segments[0].ambient = wavy(293 + by, 3 + by); });
     check_change(oiled, [&](HeatProblem& p, double by) { p.surfaces[2].flux = wavy(50, 20 + 30 * by); });

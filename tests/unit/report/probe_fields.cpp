@@ -127,9 +127,9 @@ TEST_CASE("a place little outside takes the nearest one in a cell, a place farth
     const ScratchFolder folder;
     write_results(folder, false);
     report::write_manifest(folder.path);
-    const auto near = probed(folder, {"wedge,105 mm,5 mm,-1 mm"});  // 1 mm of a cell of 30 mm
-    CHECK(near.places[0].outside == near(1e-3, 1e-5));
-    CHECK(near.places[0].temperature[0] == near(celsius({0.105, 0.005, 0}, 600), 1e-6));
+    const auto beside = probed(folder, {"wedge,105 mm,5 mm,-1 mm"});  // 1 mm of a cell of 30 mm
+    CHECK(beside.places[0].outside == near(1e-3, 1e-5));
+    CHECK(beside.places[0].temperature[0] == near(celsius({0.105, 0.005, 0}, 600), 1e-6));
     const auto far = messages::error_of([&] { probed(folder, {"wedge,105 mm,5 mm,-8 mm"}); });
     CHECK(far.find("8 mm outside of part 'wedge'") != std::string::npos);
     CHECK(far.find("its nearest place is 105 mm,5 mm,0 mm") != std::string::npos);

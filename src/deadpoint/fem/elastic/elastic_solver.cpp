@@ -6,6 +6,7 @@
 #include "deadpoint/fem/elastic/elastic_cells.hpp"
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/discretisation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 
 #include "deadpoint/exchange/deformation.hpp"
 #include "deadpoint/exchange/laws/material.hpp"
+#include "deadpoint/fem/algebra/petsc.hpp"
 #include "deadpoint/fem/algebra/shell_matrix.hpp"
 #include "deadpoint/fem/elastic/factor_solver.hpp"
 #include "deadpoint/fem/elastic/ties.hpp"
-#include "deadpoint/fem/space/discretisation.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -15,10 +15,12 @@
 /// Internal to fem/: linear thermo-elasticity of all bodies at once; bodies do not touch each other here.
 namespace deadpoint::fem {
 
+class Discretisation;
 class RigidPieces;
 struct Adjoint;
 struct Displacement;
 struct Field;
+struct PointShape;
 
 class ElasticSolver {
 public:

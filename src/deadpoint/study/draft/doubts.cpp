@@ -87,7 +87,7 @@ void add_doubles(const Draft& draft, std::vector<std::string>& doubts)
             if (same_place(solids[i], solids[k])) {
                 doubts.push_back(fmt::format("'{}' lies where '{}' lies, in the same size: remove one of them from the "
                                              "drawing, or its part from the case",
-                                             name_in_case(solids[i]), name_in_case(solids[k])));
+                                             solids[i].name, solids[k].name));
             }
         }
     }

@@ -5,22 +5,13 @@
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/solid_print.hpp"
-#include "deadpoint/io/binary_file.hpp"
 #include "deadpoint/io/read_file.hpp"
-#include "deadpoint/io/write_file.hpp"
-#include "deadpoint/reduce/online/dense_terms.hpp"
-#include "deadpoint/reduce/online/terms_file.hpp"
-#include "deadpoint/study/reduce/content/reduced_members.hpp"
-#include "deadpoint/study/reduce/content/sound_press.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <tuple>
 
 namespace deadpoint::study {
 namespace {
-
-constexpr const char* help = "make it again with 'deadpoint reduce CASE -o FILE'";
 
 // Its name and a hash of its bytes: a copy of the case in another folder has the same form, a changed drawing has not.
 std::string form_in_file(const std::string& file)
@@ -32,48 +23,11 @@ std::string form_in_file(const std::string& file)
     return fmt::format("{} with content {:016x}", std::filesystem::path(file).filename().string(), hash.value());
 }
 
-ReducedPress read(const std::filesystem::path& file, reduce::Sums sums)
-{
-    BinaryReader reader(file, reduced_kind, help);
-    ReducedPress press;
-    std::apply([&](auto... member) { reader(press.*member...); }, head(&press));
-    reduce::StoredTerms kept;
-    reduce::DenseTerms terms;
-    reader(terms.geometry, kept);
-    try {
-        reduce::restore(kept, terms);
-        press.terms = std::make_shared<const reduce::PreparedTerms>(std::move(terms), sums);
-    } catch (const InputError& error) {
-        reader.refuse(error.what());
-    }
-    press.states = static_cast<std::size_t>(press.terms->terms.uniform.size());
-    if (const auto flaw = flaw_of(press, file); !flaw.empty())
-        reader.refuse(flaw);
-    return press;
-}
-
 }  // namespace
 
 std::filesystem::path fields_file(const std::filesystem::path& file)
 {
     return file.parent_path() / (file.stem().string() + ".fields" + file.extension().string());
-}
-
-void write_reduced(const std::filesystem::path& file, const ReducedPress& press)
-{
-    write_file(file, [&](std::ostream& out) {
-        BinaryWriter writer(out, reduced_kind);
-        std::apply([&](auto... member) { writer(press.*member...); }, head(&press));
-        writer(press.terms->terms.geometry, reduce::stored(press.terms->terms));
-        writer.finish();
-    });
-}
-
-ReducedPress read_reduced(const std::filesystem::path& file) { return read(file, reduce::Sums::of_matrices); }
-
-ReducedPress read_reduced_for_few_runs(const std::filesystem::path& file)
-{
-    return read(file, reduce::Sums::of_factors);
 }
 
 casefile::Case fixed_case(const casefile::Case& input)
