@@ -294,7 +294,7 @@ TEST_CASE("what mpirun left in the environment, and too few open files, are refu
         CHECK(has(outcome.text, "env -u OMPI_COMM_WORLD_SIZE -u PMIX_RANK"));
         CHECK(count(outcome.text, "\n") == 2);
     }
-    for (const int files : {12, 20, 40}) {
+    for (const int files : {16, 20, 40}) {
         const auto outcome = run(fmt::format("ulimit -n {};", files), line);
         CHECK(outcome.code == 2);
         CHECK(has(outcome.text, fmt::format("open at a time is limited to {}, fewer than the 48", files)));

@@ -65,8 +65,9 @@ TEST_CASE("five minutes of 500 W between two steps warm the block")
     double peak = 0;
     for (const double kelvin : solved.history().probes[0].value)
         peak = std::max(peak, kelvin - zero_celsius);
-    // One mass of 3611 J/K that loses 0.6 W/K, to the tolerance of the time steps.
-    CHECK(peak == near(20 + 500 / 0.6 * -std::expm1(-300.5 * 0.6 / 3611), 0, 0.1));
+    // One mass of 3611 J/K that loses 0.6 W/K. Its middle is warmer than its mean by up to h L / 2 k = 0.5 % of 40 K,
+    // and the time steps add 0.1 K.
+    CHECK(peak == near(20 + 500 / 0.6 * -std::expm1(-300.5 * 0.6 / 3611), 0, 0.3));
 }
 
 TEST_CASE("a face that jumps by table or by formula warms the slab as in closed form")
@@ -93,8 +94,10 @@ TEST_CASE("a jump by the same time twice is that of a ramp, and a formula in pla
 
 TEST_CASE("a formula that acts for minutes between two long steps is seen")
 {
+    // The run ends while some of the heat is still there, which the balance is relative to.
     const auto solved =
-        solve("step-formula", {"surfaces.hot.temperature_formula=t > 7920 && t < 8220 ? 393.15 : 293.15"});
+        solve("step-formula", {"surfaces.hot.temperature_formula=t > 7920 && t < 8220 ? 393.15 : 293.15",
+                               "operation.0.duration=8400 s"});
     CHECK(solved.probe("middle", 8220) > 60);
 }
 
@@ -106,13 +109,15 @@ TEST_CASE("dense tables of heat, flux and air cost few steps, and their energy i
     casefile::Surface flux;
     flux.parts = {"block"};
     flux.select = casefile::Surface::Select::plane;
+    flux.axis = deadpoint::Axis::x;
+    flux.position = 0;
     flux.heat_flux = logged(300, 100, 50);
     input.surfaces["plate"] = flux;
     const auto solved = solve(input);
     const auto& energy = solved.history().energy;
     CHECK(energy.generated == near(integral_of(*input.heat_sources.at("motor").power->table), summed));
     CHECK(energy.from_surfaces == near(0.01 * integral_of(*flux.heat_flux->table), summed));
-    CHECK(solved.history().time.size() < 500);  // of 1440 points
+    CHECK(solved.history().time.size() < 720);  // half of the 1440 points of each table
 }
 
 TEST_CASE("a break of 0 rpm is no change of the process force, a stroke without force is one")
