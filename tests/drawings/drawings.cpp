@@ -2,6 +2,7 @@
 /// as someone needs who knows the mesher and the part.
 #include "../scratch_folder.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/exchange/solid_print.hpp"
 #include "deadpoint/machine/assembly/build.hpp"
 #include "deadpoint/machine/assembly/limits.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
@@ -101,7 +102,8 @@ void mesh_at_three_sizes(const Drawing& drawing)
     for (const double cells : {8.0, 16.0, 32.0}) {
         CAPTURE(cells);
         const double size = longest_side(solid.bounds) / cells;
-        const MeshPart part = meshed(path, solid.name, size);
+        const MeshPart part =
+            meshed(path, text_of(SolidReference{name_in_case(solid), text_of(solid.fingerprint)}), size);
         MESSAGE(drawing.name, " ", cells, ": ", part.cell_count, " cells, quality ", part.min_quality);
         CHECK(part.min_quality >= machine::least_quality);
         // Holes and roundings of a third of the size are left out, and circles have corners.
