@@ -66,7 +66,14 @@ std::string said_plainly(const CLI::ParseError& error)
     if (kind == "RequiredError" && text.ends_with(" is required")) {
         return fmt::format("{} is missing", text.substr(0, text.find(" is required")));
     }
-    if (kind == "ExtrasError" && text.find(": ") != std::string::npos) {
+    if (kind == "ValidationError" && text.find(": Value ") != std::string::npos &&
+        text.find(" not in range ") != std::string::npos) {
+        const auto value = after(": Value ");
+        return fmt::format("'{}' is no value that {} takes, which lies between {}",
+                           value.substr(0, value.find(" not in range ")), text.substr(0, text.find(": ")),
+                           after(" not in range ").replace(after(" not in range ").find(" to "), 4, " and "));
+    }
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && text.find(": ") != std::string::npos) {
         return fmt::format("there is no room for '{}' in this command", after(": "));
     }
     if (kind == "ExcludesError" && text.find(" excludes ") != std::string::npos) {

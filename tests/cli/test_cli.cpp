@@ -179,8 +179,8 @@ TEST_CASE("check prints the plan and warns of a mass that does not fit")
     CHECK(has(result.out, "0.1000  convection 10.0 W/m2/K"));  // ten faces of 100 mm x 100 mm
     CHECK(has(result.out, "16 hexahedra"));                    // 2 x 2 x 2 cells of 50 mm in each block
     CHECK(has(result.out, "no errors, 1 warning\n"));
-    CHECK(has(result.err,
-              "bodies.frame.mass\n  body 'frame' has 15.60 kg by its parts, but 16.00 kg are stated (-2.5 %)\n"));
+    CHECK(
+        has(result.err, "bodies.frame.mass\n  body 'frame' has 15.6 kg by its parts, but 16 kg are stated (-2.5 %)\n"));
     CHECK(has(result.err, "mesh\n"));
     const auto quiet = deadpoint("check --quiet " + two_blocks);
     CHECK(quiet.out == two_blocks + ": no errors, 1 warning\n");
@@ -206,7 +206,7 @@ TEST_CASE("mesh writes a new folder, refuses an old one and replaces it on reque
     CHECK(has(content(target + "/mesh.vtu"), "NumberOfPoints=\"54\" NumberOfCells=\"16\""));  // 3 x 3 x 3 nodes each
     CHECK(has(content(target + "/mesh.vtu"), "hash "));
     CHECK(has(content(target + "/surfaces.vtu"), "NumberOfCells=\"48\""));  // 6 x 4 faces each
-    CHECK(has(content(target + "/names.csv"), "body 'frame' has 15.60 kg by its parts"));
+    CHECK(has(content(target + "/names.csv"), "body 'frame' has 15.6 kg by its parts"));
     CHECK(has(content(target + "/names.csv"), "surface,0,air\n"));
 
     std::ofstream(target + "/mine.txt") << "mine";
@@ -248,7 +248,7 @@ TEST_CASE("run writes every file with version, hash and warnings, and says where
     const auto history = content(target + "/history.csv");
     CHECK(history.find("# deadpoint ") == 0);
     CHECK(has(history, "hash "));
-    CHECK(has(history, "body 'frame' has 15.60 kg by its parts"));
+    CHECK(has(history, "body 'frame' has 15.6 kg by its parts"));
     CHECK(has(history, "time [s],top [degC]"));
     CHECK(has(history, "\n0,30"));  // it starts where it was told to
     CHECK(has(content(target + "/summary.json"), "\"interrupted\": false"));
@@ -559,7 +559,7 @@ TEST_CASE("compare holds a run against a reference file, and writes its tables b
     const auto measured = folder / "measured.toml";
     const auto first = deadpoint("compare " + results + " " + measured);
     REQUIRE(first.code == 0);
-    CHECK(first.err.empty());
+    CHECK(first.err == "reading the results\ncomparison\n");
     CHECK(has(first.out, "starter press against test bench"));
     CHECK(has(first.out, "slide.stroke_mm"));
     CHECK(has(first.out, "+1.3 %"));  // 80 mm against 79 mm
@@ -722,7 +722,16 @@ TEST_CASE("shards of a study that run at once share its points, and a last call 
 
     const auto gathered = deadpoint("sweep " + study + " -o " + shared + " --gather");
     CHECK(gathered.code == 4);
-    CHECK(content(shared + "/sweep.csv") == content(whole + "/sweep.csv"));
+    // Only a call that computes meshes, and says what it finds then.
+    const auto without_mesh_warnings = [](const std::string& text) {
+        std::string result;
+        std::istringstream in(text);
+        for (std::string row; std::getline(in, row);)
+            result += has(row, "warning[mass]") ? "" : row + "\n";
+        return result;
+    };
+    CHECK(without_mesh_warnings(content(shared + "/sweep.csv")) ==
+          without_mesh_warnings(content(whole + "/sweep.csv")));
     CHECK(fs::exists(shared + "/report.html"));
 
     // A shard that is repeated finds its points.
@@ -1072,14 +1081,17 @@ TEST_CASE("reduce makes a model that runs and sweeps like the press, and says wh
         std::string result;
         std::istringstream in(of);
         for (std::string line, cell; std::getline(in, line);) {
-            std::istringstream cells(line.substr(line.find("done,")));  // behind the name, which may hold a comma
+            const auto from = line.find("done,");  // behind the name, which may hold a comma
+            REQUIRE(from != std::string::npos);
+            std::istringstream cells(
+                line.substr(from, line.rfind(',') - from));  // before the checksum, which is of the time too
             for (int column = 0; std::getline(cells, cell, ','); ++column)
                 result += column == 3 ? "" : cell + ",";  // the wall time
             result += '\n';
         }
         return result;
     };
-    const auto rows = [](const std::string& of) { return of.substr(of.rfind("reason\n") + 7); };
+    const auto rows = [](const std::string& of) { return of.substr(of.rfind("reason,checksum\n") + 16); };
     CHECK(without_times(rows(content(folder / "map/points.csv"))) == without_times(rows(points)));
 }
 

@@ -140,7 +140,7 @@ class Folders(unittest.TestCase):
         with self.assertRaises(deadpoint.IoError) as caught:
             deadpoint.open(FILES / "none")
         self.assertIsInstance(caught.exception, OSError)
-        self.assertIn("deadpoint run", caught.exception.help)
+        self.assertIn("a folder that deadpoint has written", caught.exception.help)
         with self.assertRaisesRegex(deadpoint.InputError, "there is no deadpoint.json"):
             deadpoint.open(FILES)
         with tempfile.TemporaryDirectory() as folder:
