@@ -369,8 +369,8 @@ private:
              in_words(first.clearance));
         line(
             "# TO DO: spherical faces of a drawing make no contact: no heat passes here and none arises. Draw ball and "
-            "socket as a cylinder\n# about z, and give the joint its interface and friction (docs/guide.md, ball "
-            "joints).");
+            "socket as a cylinder\n# about z, and give the joint its interface and friction "
+            "(docs/how-to/ball-joints.md).");
         line("[joints.{}]\nkind = \"ball\"\nbodies = [\"{}\", \"{}\"]\ncentre = [{}, {}]\nball = {{ diameter = {} "
              "}}\n",
              joint.name, body(joint.body_a), body(joint.body_b), mm(first.point[0]), mm(first.point[1]),
