@@ -9,13 +9,24 @@ export OMPI_ALLOW_RUN_AS_ROOT = 1
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
 export OMP_NUM_THREADS = 1
 
-.PHONY: run test sanitize gates validate program build dependencies format clean
+.PHONY: run test quick docs sanitize gates validate program build dependencies format clean
 
 run: program
 	build/$(PRESET)/app/deadpoint run cases/$(CASE)/case.toml -o results/$(CASE) --force
 
 test: build
 	ctest --preset $(PRESET) --parallel $(JOBS)
+
+# Unit tests, bad cases and include rules: two minutes, once they are built.
+quick: dependencies
+	@cmake --preset $(PRESET) --log-level=WARNING
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target fast_tests
+	ctest --preset $(PRESET) --parallel $(JOBS) -L fast
+
+# The documentation as a site without network: build/docs/index.html.
+docs:
+	@command -v mkdocs >/dev/null || { echo "error: there is no mkdocs; help: apt-get install mkdocs mkdocs-material" >&2; exit 1; }
+	mkdocs build --strict --quiet
 
 # All tests with address and undefined-behaviour sanitizers.
 sanitize:

@@ -34,6 +34,22 @@ install(FILES ${manual}/deadpoint.bash RENAME deadpoint
 install(FILES ${manual}/_deadpoint DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 install(FILES ${manual}/deadpoint.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
+# The documentation as a site, where MkDocs is there with its theme (mkdocs.yml).
+find_program(MKDOCS mkdocs)
+if(MKDOCS)
+    execute_process(COMMAND ${MKDOCS} build --help OUTPUT_VARIABLE themes ERROR_QUIET)
+endif()
+if("${themes}" MATCHES "material" AND NOT DEADPOINT_SANITIZE AND NOT DEADPOINT_COVERAGE AND NOT DEADPOINT_FUZZ)
+    set(mkdocs ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${MKDOCS} build --quiet --config-file ${PROJECT_SOURCE_DIR}/mkdocs.yml)
+    set(site ${PROJECT_BINARY_DIR}/docs)
+    file(GLOB_RECURSE pages CONFIGURE_DEPENDS *.md docs/*.md docs/images/* cases/*.md benchmarks/*.md scripts/site/*)
+    list(FILTER pages EXCLUDE REGEX "/build/|/__pycache__/")
+    add_custom_command(OUTPUT ${site}.stamp COMMAND ${mkdocs} --site-dir ${site} COMMAND ${CMAKE_COMMAND} -E touch ${site}.stamp
+        DEPENDS ${pages} mkdocs.yml scripts/check_links.py COMMENT "Writing the documentation as a site")
+    add_custom_target(docs ALL DEPENDS ${site}.stamp)
+    install(DIRECTORY ${site}/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html OPTIONAL)
+endif()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME deadpoint)
 set(CPACK_PACKAGE_CONTACT "deadpoint <deadpoint@localhost>")
