@@ -42,7 +42,7 @@ endif()
 if("${themes}" MATCHES "material" AND NOT DEADPOINT_SANITIZE AND NOT DEADPOINT_COVERAGE AND NOT DEADPOINT_FUZZ)
     set(mkdocs ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${MKDOCS} build --quiet --config-file ${PROJECT_SOURCE_DIR}/mkdocs.yml)
     set(site ${PROJECT_BINARY_DIR}/docs)
-    file(GLOB_RECURSE pages CONFIGURE_DEPENDS *.md docs/*.md docs/images/* cases/*.md benchmarks/*.md scripts/site/*)
+    file(GLOB_RECURSE pages CONFIGURE_DEPENDS *.md docs/*.md docs/images/* cases/*.md scripts/site/*)
     list(FILTER pages EXCLUDE REGEX "/build/|/__pycache__/")
     add_custom_command(OUTPUT ${site}.stamp COMMAND ${mkdocs} --site-dir ${site} COMMAND ${CMAKE_COMMAND} -E touch ${site}.stamp
         DEPENDS ${pages} mkdocs.yml scripts/check_links.py COMMENT "Writing the documentation as a site")

@@ -13,7 +13,7 @@ import urllib.parse
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = ("*.md", "docs/**/*.md", "cases/**/*.md", "benchmarks/**/*.md", "examples/**/*.md", "changes/*.md")
+PAGES = ("*.md", "docs/**/*.md", "cases/**/*.md", "examples/**/*.md", "changes/*.md")
 
 
 def prose(text):

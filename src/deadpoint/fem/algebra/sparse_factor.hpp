@@ -10,7 +10,7 @@ namespace deadpoint::fem {
 /// L D L^T = A of a symmetric positive definite matrix (MUMPS), in an order of nested dissection (METIS).
 ///
 /// MUMPS is called without PETSc, which hands it no order, and no matrix without copies. METIS' order of a press takes
-/// a tenth fewer entries and a quarter fewer operations than MUMPS' own (benchmarks/README.md).
+/// a tenth fewer entries and a quarter fewer operations than MUMPS' own.
 class SparseFactor {
 public:
     /// @param pattern  its values do not matter
