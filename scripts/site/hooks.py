@@ -1,6 +1,7 @@
 """Hooks of MkDocs (mkdocs.yml). The site holds the pages of the whole repository under the paths that they have there, so that one
 link serves the site and the repository, and each file that a page links. Its search works without a server."""
 import json
+import logging
 import re
 import sys
 from pathlib import Path
@@ -27,6 +28,13 @@ def on_files(files, config):
     names = sorted(str(path.relative_to(ROOT)) for path in pages | others)
     theme = [file for file in files if not Path(file.abs_src_path).is_relative_to(config["docs_dir"])]
     return Files([File(name, str(ROOT), config["site_dir"], config["use_directory_urls"]) for name in names] + theme)
+
+
+def on_nav(nav, config, files):
+    """A page that the menu lacks is a mistake, which --strict refuses."""
+    for file in files.documentation_pages():
+        if file.page is None or file.page not in nav.pages:
+            logging.getLogger("mkdocs.hooks").warning("%s is not in the menu of mkdocs.yml", file.src_uri)
 
 
 def on_page_markdown(markdown, page, config, files):
