@@ -14,10 +14,8 @@ struct Foundation;
 
 namespace deadpoint {
 
-class Observer;
 struct PartStress;
 struct Machine;
-struct ThermalHistory;
 }  // namespace deadpoint
 namespace deadpoint::casefile {
 struct Case;
@@ -73,12 +71,5 @@ private:
     std::optional<fem::Displacement> at_rest_;
     std::vector<fem::Adjoint> adjoints_;
 };
-
-/// Reads the courses of rods and bonds from the history's functionals from index `first` on.
-void read_courses(const ThermalHistory& history, std::size_t first, FrameResult& result);
-
-/// Warns of rods whose force is too small and of closed bonds that would open.
-void warn_about_frame(const casefile::Case& input, const ThermalHistory& history, const FrameResult& result,
-                      Observer& observer);
 
 }  // namespace deadpoint::study

@@ -2,7 +2,6 @@
 
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/fem/conduction/checkpoint.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -26,22 +25,22 @@ FieldTimes::FieldTimes(const HeatProblem& problem, bool view, const std::vector<
       kept(kept_times), all(united(united(written, viewed), kept))
 {}
 
-void FieldTimes::continue_from(const fem::CheckpointHead& former)
+void FieldTimes::continue_from(double reached, const std::vector<double>& former_written,
+                               std::vector<double> former_viewed)
 {
     const auto later = [&](std::vector<double> times) {
-        std::erase_if(times, [&](double time) { return time <= former.time; });
+        std::erase_if(times, [&](double time) { return time <= reached; });
         return times;
     };
     for (const double time : written)
-        if (time <= former.time && !std::ranges::binary_search(former.fields.written, time))
+        if (time <= reached && !std::ranges::binary_search(former_written, time))
             throw mistake("output.field_times",
                           fmt::format("{:.2f} h have passed, and the field of {:.2f} h was not kept",
-                                      former.time / 3600, time / 3600),
+                                      reached / 3600, time / 3600),
                           "add times after that, or compute the run anew without --resume");
-    auto seen = former.fields.viewed;
-    std::erase_if(seen, [&](double time) { return time > former.time; });
-    written = united(former.fields.written, later(written));
-    viewed = united(seen, later(viewed));
+    std::erase_if(former_viewed, [&](double time) { return time > reached; });
+    written = united(former_written, later(written));
+    viewed = united(former_viewed, later(viewed));
     all = united(united(written, viewed), kept);
 }
 

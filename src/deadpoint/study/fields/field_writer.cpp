@@ -7,6 +7,7 @@
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/io/vtu.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/chain_on_mesh.hpp"
 #include "deadpoint/study/drift/chain_series.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"

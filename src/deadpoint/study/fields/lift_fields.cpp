@@ -6,10 +6,12 @@
 #include "deadpoint/fem/reduction/field_file.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/frame_courses.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/fields/run_fields.hpp"
 #include "deadpoint/study/pipeline/model_parts.hpp"
 #include "deadpoint/study/pipeline/stopwatch.hpp"
+#include "deadpoint/study/reduce/reduced_states.hpp"
 #include "deadpoint/study/result/run_result.hpp"
 
 #include <algorithm>

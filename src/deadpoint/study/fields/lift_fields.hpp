@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace deadpoint {
 class Observer;
@@ -15,20 +14,8 @@ namespace deadpoint::study {
 
 struct FieldOptions;
 struct ModelParts;
+struct ReducedStates;
 struct RunResult;
-
-/// States of a run at the time of a field.
-struct StatesAt {
-    double time = 0;  ///< [s]
-    std::vector<double> states;
-};
-
-/// A run on a reduced model that is over, as far as its fields need it.
-struct ReducedStates {
-    std::string model;             ///< reduce::mark_of() its terms
-    std::size_t count = 0;         ///< number of states
-    std::vector<StatesAt> states;  ///< at FieldTimes::all of the run, up to its end
-};
 
 /// Lifts the temperature of a run from its states and does with it what a full run does with its own: field files with
 /// the deformation, stress and openings, and the page's view. Collective.

@@ -5,6 +5,7 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/chain_on_mesh.hpp"
 #include "deadpoint/study/drift/chain_series.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
 #include "deadpoint/study/pipeline/model_parts.hpp"

@@ -9,7 +9,6 @@
 #include "deadpoint/crankshaft/response/periodic.hpp"
 #include "deadpoint/crankshaft/system.hpp"
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/fem/model.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
 #include "deadpoint/mechanism/force_tip.hpp"

@@ -10,9 +10,11 @@
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/chain_on_mesh.hpp"
 #include "deadpoint/study/drift/chain_series.hpp"
 #include "deadpoint/study/drift/crank_play.hpp"
 #include "deadpoint/study/drift/drift_causes.hpp"
+#include "deadpoint/study/drift/frame_courses.hpp"
 #include "deadpoint/study/drift/frame_state.hpp"
 #include "deadpoint/study/drift/gap_model.hpp"
 #include "deadpoint/study/fields/lift_fields.hpp"
@@ -82,8 +84,10 @@ private:
     void choose_times()
     {
         FieldTimes times(problem_, options_.view, options_.kept_times);
-        if (!options_.resume_from.empty())
-            times.continue_from(fem::checkpoint_head(options_.resume_from, mark_));
+        if (!options_.resume_from.empty()) {
+            const auto former = fem::checkpoint_head(options_.resume_from, mark_);
+            times.continue_from(former.time, former.fields.written, former.fields.viewed);
+        }
         problem_.field_times = times.all;
         planned_ = {times.written, times.viewed};
         fields_.emplace(input_, parts_, std::move(times),

@@ -5,6 +5,7 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/study/drift/chain_model.hpp"
+#include "deadpoint/study/drift/chain_on_mesh.hpp"
 #include "deadpoint/study/pipeline/run.hpp"
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include "deadpoint/crankshaft/shaft.hpp"
 #include "deadpoint/crankshaft/shaft_loads.hpp"
 #include "deadpoint/exchange/cycle.hpp"
-#include "deadpoint/fem/model.hpp"
 #include "deadpoint/mechanism/cycle.hpp"
 #include "deadpoint/mechanism/force_tip.hpp"
 #include "deadpoint/tribology/friction/duty.hpp"

@@ -4,7 +4,6 @@
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/fem/elastic/expansion.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,6 +1,9 @@
+#include "deadpoint/study/drift/frame_courses.hpp"
+
 #include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/drift/frame_state.hpp"
+#include "deadpoint/study/result/frame_result.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
