@@ -6,15 +6,15 @@
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/full/model/sketch.hpp"
 #include "deadpoint/machine/parts/meshed_parts.hpp"
-#include "deadpoint/report/files/loads_files.hpp"
+#include "deadpoint/press/loads/loads.hpp"
+#include "deadpoint/press/result/loads_result.hpp"
 #include "deadpoint/report/folder/folder_claim.hpp"
+#include "deadpoint/report/loads/loads_files.hpp"
+#include "deadpoint/report/mesh/plan_text.hpp"
 #include "deadpoint/report/page/check_page.hpp"
 #include "deadpoint/report/page/named_things.hpp"
-#include "deadpoint/report/text/plan_text.hpp"
-#include "deadpoint/study/check/sketch.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/result/loads_result.hpp"
 #include "options/case_options.hpp"
 #include "output.hpp"
 #include "results/open_page.hpp"
@@ -78,7 +78,7 @@ private:
 
 /// @param meshed  becomes the machine as soon as it is there
 /// @param kept    gets the meshes of parts; may be null
-void check_press(const CaseOptions& options, study::Press& press, const Machine*& meshed, MeshedParts* kept,
+void check_press(const CaseOptions& options, full::Press& press, const Machine*& meshed, MeshedParts* kept,
                  Console& console)
 {
     const auto& description = press.input();
@@ -98,7 +98,7 @@ void check_press(const CaseOptions& options, study::Press& press, const Machine*
 void check(const CaseOptions& options)
 {
     Console console(options.console);
-    study::Press press(read_case(options, console).value, options.size_scale);
+    full::Press press(read_case(options, console).value, options.size_scale);
     const Machine* meshed = nullptr;
     check_press(options, press, meshed, nullptr, console);
 }
@@ -139,21 +139,21 @@ std::vector<Diagnostic> diagnostics_of(const Error& error)
 }
 
 /// All that can be drawn of a case, which is meshed already or has mistakes.
-study::CaseSketch sketch(const CaseOptions& options, const casefile::Case& input, const Machine* meshed,
+press::CaseSketch sketch(const CaseOptions& options, const casefile::Case& input, const Machine* meshed,
                          MeshedParts& kept, Console& console)
 {
     if (meshed != nullptr) {
-        return study::sketch_of(*meshed);
+        return full::sketch_of(*meshed);
     }
     Progress progress(console);
-    auto result = study::sketch_case(input, options.size_scale, progress, kept);
+    auto result = full::sketch_case(input, options.size_scale, progress, kept);
     console.finish();
     return result;
 }
 
 /// Writes and opens the page.
 /// @param found  besides the warnings of the console
-void draw(const CheckOptions& options, const casefile::Case& input, const study::CaseSketch& sketch,
+void draw(const CheckOptions& options, const casefile::Case& input, const press::CaseSketch& sketch,
           std::vector<Diagnostic> found, const Console& console)
 {
     for (const auto& warning : console.warnings()) {
@@ -169,11 +169,11 @@ void check_and_draw(const CheckOptions& all)
     const auto& options = all.input;
     (void)page_there(all);  // refused before anything is meshed
     Console console(options.console);
-    std::unique_ptr<study::Press> press;
+    std::unique_ptr<full::Press> press;
     const Machine* meshed = nullptr;
     MeshedParts kept;
     try {
-        press = std::make_unique<study::Press>(read_case(options, console).value, options.size_scale);
+        press = std::make_unique<full::Press>(read_case(options, console).value, options.size_scale);
         check_press(options, *press, meshed, &kept, console);
     } catch (const IoError&) {
         throw;

@@ -1,15 +1,15 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/casefile/files/reference_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/casefile/studies/reference_file.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/report/files/compare_files.hpp"
+#include "deadpoint/press/compare/compare.hpp"
+#include "deadpoint/press/run/run_record.hpp"
+#include "deadpoint/report/compare/compare_files.hpp"
 #include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
-#include "deadpoint/study/compare/compare.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 
@@ -34,7 +34,7 @@ struct CompareOptions {
 };
 
 /// Whether the result was computed at the operating point: its settings must not change the case of the result.
-std::optional<std::string> point_warning(const study::RunRecord& run, const casefile::ReferencePoint& point,
+std::optional<std::string> point_warning(const press::RunRecord& run, const casefile::ReferencePoint& point,
                                          const std::string& name)
 {
     const fs::path file = fs::path(run.folder) / "case.toml";
@@ -90,16 +90,16 @@ void compare(const CompareOptions& options)
     const auto claim = claim_folder_of(stem, console);  // no other run may change the folder between reading and adding
     console.stage("reading the results");
     const auto run = report::read_result(options.folder);
-    const auto contents = study::contents(run);
+    const auto contents = press::contents(run);
     const auto reference = casefile::read_reference(options.reference, options.point, &contents);
-    std::optional<study::RunRecord> baseline;
+    std::optional<press::RunRecord> baseline;
     if (!options.baseline.empty()) {
         baseline = report::read_result(options.baseline);
-        const auto offered = study::contents(*baseline);
+        const auto offered = press::contents(*baseline);
         (void)casefile::read_reference(options.reference, options.point, &offered);
     }
     console.stage("comparison");
-    auto comparison = study::compare(run, reference, options.point, baseline ? &*baseline : nullptr);
+    auto comparison = press::compare(run, reference, options.point, baseline ? &*baseline : nullptr);
     if (!options.point.empty()) {
         if (auto warning = point_warning(run, reference.points.at(options.point), options.point)) {
             comparison.warnings.push_back(std::move(*warning));

@@ -1,8 +1,8 @@
 #include "commands.hpp"
-#include "deadpoint/report/files/heat_files.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/result/heat_tables.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/press/loads/loads.hpp"
+#include "deadpoint/press/problem/heat_tables.hpp"
+#include "deadpoint/report/heat/heat_files.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 
@@ -17,9 +17,9 @@ void compute(const SegmentOptions& options)
 {
     Console console(options.console);
     const auto read = read_case(options, console);
-    study::Press press(read.value, options.size_scale);
+    full::Press press(read.value, options.size_scale);
     const auto& input = press.input();
-    const int segment = options.segment >= 0 ? options.segment : std::max(0, study::first_running_segment(input));
+    const int segment = options.segment >= 0 ? options.segment : std::max(0, press::first_running_segment(input));
     const auto folder = start_folder(options, read, console);
     const auto tables = press.heat_tables(segment, console);
     console.finish();

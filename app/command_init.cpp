@@ -1,13 +1,13 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "deadpoint/casefile/files/shipped.hpp"
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/full/draft/draft.hpp"
 #include "deadpoint/io/read_file.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/machine/cad/read_cad.hpp"
 #include "deadpoint/report/schema/input_schema.hpp"
-#include "deadpoint/study/draft/draft.hpp"
 #include "output.hpp"
 
 #include <algorithm>
@@ -149,7 +149,7 @@ void copy_into(const fs::path& drawing, const fs::path& copy, NewFiles& files)
     }
 }
 
-void say_what_was_found(const deadpoint::study::Draft& draft)
+void say_what_was_found(const deadpoint::full::Draft& draft)
 {
     const auto in_joints = [&] {
         std::size_t sum = 0;
@@ -172,12 +172,12 @@ void say_what_was_found(const deadpoint::study::Draft& draft)
         print_out("  {}: {}\n", body.name, names);
     }
     for (const auto& joint : draft.joints) {
-        if (joint.kind == deadpoint::study::DraftJoint::Kind::ball) {
+        if (joint.kind == deadpoint::full::DraftJoint::Kind::ball) {
             print_out("  joint {} is a ball, whose spherical faces make no contact: see its TO DO in the case\n",
                       joint.name);
         }
     }
-    for (const auto& doubt : deadpoint::study::doubts_about(draft)) {
+    for (const auto& doubt : deadpoint::full::doubts_about(draft)) {
         print_out("{}.\n", doubt);
     }
     print_out("Is a solid in the wrong body? Begin again in another folder with --body NAME=SOLID,SOLID.\n"
@@ -185,11 +185,11 @@ void say_what_was_found(const deadpoint::study::Draft& draft)
 }
 
 /// "name=solid,solid" @throws InputError
-deadpoint::study::WantedBody wanted_body(const std::string& text)
+deadpoint::full::WantedBody wanted_body(const std::string& text)
 {
     constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     const auto equals = text.find('=');
-    deadpoint::study::WantedBody body{text.substr(0, equals), {}};
+    deadpoint::full::WantedBody body{text.substr(0, equals), {}};
     std::istringstream solids(equals == std::string::npos ? "" : text.substr(equals + 1));
     for (std::string solid; std::getline(solids, solid, ',');) {
         body.solids.push_back(solid);
@@ -203,7 +203,7 @@ deadpoint::study::WantedBody wanted_body(const std::string& text)
 }
 
 /// Reading and comparing solids takes a minute for hundreds of them, so it tells how far it is.
-deadpoint::study::Draft draft_from(const fs::path& drawing, const std::vector<deadpoint::study::WantedBody>& wanted)
+deadpoint::full::Draft draft_from(const fs::path& drawing, const std::vector<deadpoint::full::WantedBody>& wanted)
 {
     Console console({});
     console.stage("drawing");
@@ -212,12 +212,12 @@ deadpoint::study::Draft draft_from(const fs::path& drawing, const std::vector<de
             console.progress(0, fmt::format("reading solids and finding where they touch, {:.0f} s", seconds));
         });
     console.stage("bodies and joints");
-    return deadpoint::study::draft_of(std::move(model), wanted);
+    return deadpoint::full::draft_of(std::move(model), wanted);
 }
 
 void write_draft(const InitOptions& options)
 {
-    std::vector<deadpoint::study::WantedBody> wanted;
+    std::vector<deadpoint::full::WantedBody> wanted;
     for (const auto& text : options.bodies) {
         wanted.push_back(wanted_body(text));
     }
@@ -237,7 +237,7 @@ void write_draft(const InitOptions& options)
     NewFiles files;
     files.create(folder);
     copy_into(drawing, folder / name, files);
-    write_case(file, deadpoint::study::draft_text(draft, name), files);
+    write_case(file, deadpoint::full::draft_text(draft, name), files);
     files.keep();
     say_what_was_found(draft);
     say_next(file);

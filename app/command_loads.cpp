@@ -1,9 +1,9 @@
 #include "commands.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/report/files/loads_files.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/press/loads/loads.hpp"
+#include "deadpoint/press/result/loads_result.hpp"
+#include "deadpoint/report/loads/loads_files.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
 
@@ -18,7 +18,7 @@ int segment_of(const SegmentOptions& options, const casefile::Case& input)
     if (options.segment >= 0) {
         return options.segment;
     }
-    const int first = study::first_running_segment(input);
+    const int first = press::first_running_segment(input);
     if (first < 0) {
         throw InputError("the press runs in no segment of [[operation]]\n  help: give one a speed");
     }
@@ -29,7 +29,7 @@ void compute(const SegmentOptions& options)
 {
     Console console(options.console);
     const auto read = read_case(options, console);
-    study::Press press(read.value, options.size_scale);
+    full::Press press(read.value, options.size_scale);
     const auto& input = press.input();
     const int segment = segment_of(options, input);
     const auto folder = start_folder(options, read, console);

@@ -44,7 +44,7 @@ void write_mesh(const MeshOptions& options)
     const auto read = read_case(options, console);
     const auto& description = read.value;
     const auto folder = start_folder(options, read, console);
-    study::Press press(description, options.size_scale);
+    full::Press press(description, options.size_scale);
     const auto& machine = mesh_parts(press, console);
     console.stage("files");
     report::write_mesh_files(folder->path(), machine, file_comments(description, console));

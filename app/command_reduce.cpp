@@ -1,7 +1,7 @@
 #include "commands.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/reduce/certificate_file.hpp"
-#include "deadpoint/study/reduce/reduce.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/reduce.hpp"
+#include "deadpoint/twin/model/certificate_file.hpp"
 #include "options/build_folder.hpp"
 #include "options/case_options.hpp"
 #include "ranks/ranks.hpp"
@@ -30,14 +30,14 @@ int reduce_case(const ReduceOptions& options, Ranks& ranks)
         ranks.stay_alone("a certificate");
     }
     const BuildFolder folder(options.file, stopped_build(options.resume, options.force), read.value, ranks);
-    study::Press press(read.value, options.size_scale);
+    full::Press press(read.value, options.size_scale);
     press.mesh(ranks.console);
     ranks.spread([&] { return press.machine(ranks.console).cells.size(); });
     ranks.agree = false;
     auto wanted = wanted_reduction(press.input(), options.full_runs);
     wanted.checkpoint = folder.checkpoint();
     if (options.fields) {
-        wanted.fields_file = study::fields_file(options.file).string();
+        wanted.fields_file = twin::fields_file(options.file).string();
     }
     wanted.build.certificate = options.certify;
     return folder.finish(press.reduce(wanted, ranks.console), wanted, "the same command with --resume", ranks);

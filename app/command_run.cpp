@@ -1,20 +1,20 @@
 #include "commands.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/full/refine/refine.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/reduce.hpp"
+#include "deadpoint/full/run/run.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/press/run/field_options.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/run_folder.hpp"
-#include "deadpoint/report/text/run_text.hpp"
-#include "deadpoint/study/fields/field_options.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/reduce/certificate_file.hpp"
-#include "deadpoint/study/reduce/reduce.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "deadpoint/study/reduce/reduced_states.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
-#include "deadpoint/study/reduce/run_sensitivities.hpp"
-#include "deadpoint/study/refine/refine.hpp"
+#include "deadpoint/report/run/run_text.hpp"
+#include "deadpoint/twin/model/certificate_file.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
+#include "deadpoint/twin/run/reduced_states.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
+#include "deadpoint/twin/run/run_sensitivities.hpp"
 #include "interrupt.hpp"
 #include "options/build_folder.hpp"
 #include "options/checkpoint_options.hpp"
@@ -46,7 +46,7 @@ struct RunOptions : ResultOptions {
 
 /// Writes and names the folder of a finished run, and says where it is.
 void show_results(ResultFolder& folder, const RunOptions& options, const casefile::Case& input, const Machine& machine,
-                  const study::RunResult& result, Console& console)
+                  const press::RunResult& result, Console& console)
 {
     const auto problem = report::finish_run_folder(folder, input, machine, result, console.warnings(), options.tables);
     for (const auto& note : folder.take_notes()) {
@@ -66,15 +66,15 @@ void show_results(ResultFolder& folder, const RunOptions& options, const casefil
 
 /// On as many meshes as the case's accuracy takes. `ranks.agree` is false from here on, and the folder of the first
 /// rank alone.
-study::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOptions& options,
-                                      const study::RunOptions& wanted, Ranks& ranks,
-                                      std::unique_ptr<ResultFolder>& folder)
+full::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOptions& options,
+                                     const full::RunOptions& wanted, Ranks& ranks,
+                                     std::unique_ptr<ResultFolder>& folder)
 {
     constexpr std::size_t growth = 4;  // of the meshes that follow, about
-    ranks.spread([&] { return growth * study::Press(input, options.size_scale).machine(ranks.console).cells.size(); });
+    ranks.spread([&] { return growth * full::Press(input, options.size_scale).machine(ranks.console).cells.size(); });
     leave_to_first(ranks, folder);
     ranks.agree = false;
-    auto run = study::run_to_accuracy(
+    auto run = full::run_to_accuracy(
         input, options.size_scale,
         [&](const casefile::Case& refined) {
             auto of_last = wanted;
@@ -86,28 +86,28 @@ study::RefinedRun compute_to_accuracy(const casefile::Case& input, const RunOpti
 }
 
 std::shared_ptr<const reduce::ResidualTerms> certificate_of(const std::filesystem::path& press,
-                                                            const study::ReducedPress& large)
+                                                            const twin::ReducedPress& large)
 {
-    const auto file = study::certificate_file(press);
+    const auto file = twin::certificate_file(press);
     if (!std::filesystem::exists(file)) {
         throw InputError(fmt::format("there is no certificate '{}' of this reduced press\n  help: make it with "
                                      "'deadpoint reduce CASE -o {} --certify'",
                                      file.string(), press.string()));
     }
-    return study::read_certificate(file, large);
+    return twin::read_certificate(file, large);
 }
 
 /// Without a mesh. The large model beside the file tells the error.
-study::RunResult compute_reduced(const casefile::Case& input, const study::ReducedPress& press,
-                                 const RunOptions& options, study::ReducedStates* states, Console& console)
+press::RunResult compute_reduced(const casefile::Case& input, const twin::ReducedPress& press,
+                                 const RunOptions& options, twin::ReducedStates* states, Console& console)
 {
     const std::filesystem::path file = options.reduced;
     const auto large = file.parent_path() / press.large_file;
-    std::optional<study::ReducedPress> other;
+    std::optional<twin::ReducedPress> other;
     if (press.large_file.empty()) {
         console.warn("this is the large model itself, so the error of this run is not estimated");
     } else if (std::filesystem::exists(large)) {
-        other = study::read_reduced_for_few_runs(large);
+        other = twin::read_reduced_for_few_runs(large);
     } else {
         console.warn(fmt::format("'{}' is missing, so the error of this run is not estimated", large.string()));
     }
@@ -119,19 +119,19 @@ study::RunResult compute_reduced(const casefile::Case& input, const study::Reduc
         residual = certificate_of(file, *other);
     }
     auto result = casefile::with_places(input, [&] {
-        return study::run_reduced(input, press, {other ? &*other : nullptr, residual.get()}, study::ReducedDetail::all,
-                                  console, states);
+        return twin::run_reduced(input, press, {other ? &*other : nullptr, residual.get()}, twin::ReducedDetail::all,
+                                 console, states);
     });
     result.reduced->file = file.filename().string();
     return result;
 }
 
 /// On one mesh. `ranks.agree` is false after meshing. @param folder  from then on of the first rank alone
-study::RefinedRun compute_once(const casefile::Case& input, const RunOptions& options, const study::RunOptions& wanted,
-                               Ranks& ranks, std::unique_ptr<ResultFolder>& folder)
+full::RefinedRun compute_once(const casefile::Case& input, const RunOptions& options, const full::RunOptions& wanted,
+                              Ranks& ranks, std::unique_ptr<ResultFolder>& folder)
 {
     auto& console = ranks.console;
-    study::Press press(input, options.size_scale);
+    full::Press press(input, options.size_scale);
     press.mesh(console);
     console.finish();
     ranks.spread([&] { return press.machine(console).cells.size(); });
@@ -142,7 +142,7 @@ study::RefinedRun compute_once(const casefile::Case& input, const RunOptions& op
         press.drop_model();
     }
     result.timings.insert(result.timings.begin(), {"mesh", press.mesh_seconds()});
-    return {std::make_unique<study::Press>(std::move(press)), std::move(result)};
+    return {std::make_unique<full::Press>(std::move(press)), std::move(result)};
 }
 
 /// The checkpoint of a run that is over is of no use.
@@ -168,12 +168,12 @@ void refuse_beside_reduced(const RunOptions& options)
 bool wants_fields(const casefile::Case& input) { return input.output.fields || !input.output.stress.empty(); }
 
 /// Lifts the fields of a reduced run onto the mesh of its press.
-void lift_fields(const RunOptions& options, study::Press& press, const study::ReducedStates& states,
-                 const std::string& folder, study::RunResult& result, Console& console)
+void lift_fields(const RunOptions& options, full::Press& press, const twin::ReducedStates& states,
+                 const std::string& folder, press::RunResult& result, Console& console)
 {
     const auto& input = press.input();
-    const study::FieldOptions wanted{input.output.fields ? folder : std::string{}, file_comments(input, console)};
-    press.lift(study::fields_file(options.reduced).string(), states, wanted, result, console);
+    const press::FieldOptions wanted{input.output.fields ? folder : std::string{}, file_comments(input, console)};
+    press.lift(twin::fields_file(options.reduced).string(), states, wanted, result, console);
 }
 
 /// Passes progress on, but no warnings: the reduced run has given them.
@@ -189,7 +189,7 @@ private:
 };
 
 /// Computes the case in full and states how far the reduced run is off.
-void compare_with_full(study::Press& press, study::RunResult& result, Console& console)
+void compare_with_full(full::Press& press, press::RunResult& result, Console& console)
 {
     auto bare = press.input();
     bare.output.fields = bare.output.causes = false;
@@ -200,17 +200,17 @@ void compare_with_full(study::Press& press, study::RunResult& result, Console& c
         console.warn("the full run was stopped, so the error of this run to it is not known");
         return;
     }
-    result.reduced->full_run = study::difference_to_full(result, full);
+    result.reduced->full_run = twin::difference_to_full(result, full);
 }
 
 /// What a reduced run asks of the mesh. `ranks.agree` is false after meshing.
-std::unique_ptr<study::Press> use_mesh(const casefile::Case& input, const RunOptions& options,
-                                       const study::ReducedPress& reduced, const study::ReducedStates* states,
-                                       std::unique_ptr<ResultFolder>& result_folder, const std::string& folder,
-                                       study::RunResult& result, Ranks& ranks)
+std::unique_ptr<full::Press> use_mesh(const casefile::Case& input, const RunOptions& options,
+                                      const twin::ReducedPress& reduced, const twin::ReducedStates* states,
+                                      std::unique_ptr<ResultFolder>& result_folder, const std::string& folder,
+                                      press::RunResult& result, Ranks& ranks)
 {
     auto& console = ranks.console;
-    auto press = std::make_unique<study::Press>(input, reduced.size_scale);
+    auto press = std::make_unique<full::Press>(input, reduced.size_scale);
     press->mesh(console);
     result.timings.emplace_back("mesh", press->mesh_seconds());
     ranks.spread([&] { return press->machine(console).cells.size(); });
@@ -232,19 +232,19 @@ int run_reduced_case(const RunOptions& options, Ranks& ranks)
     refuse_beside_reduced(options);
     auto& console = ranks.console;
     const auto read = read_case(options, console);
-    const auto press = study::read_reduced(options.reduced);
-    const bool lifts = wants_fields(read.value) && std::filesystem::exists(study::fields_file(options.reduced));
+    const auto press = twin::read_reduced(options.reduced);
+    const bool lifts = wants_fields(read.value) && std::filesystem::exists(twin::fields_file(options.reduced));
     std::unique_ptr<ResultFolder> folder;
     const auto path = start_folder(
         ranks.first, [&] { return start_folder(options, read, console); }, folder);
-    study::ReducedStates states;
+    twin::ReducedStates states;
     auto result = compute_reduced(read.value, press, options, lifts ? &states : nullptr, console);
     if (options.sensitivities && !result.thermal.interrupted) {
         console.stage("sensitivities");
         result.sensitivities =
-            casefile::with_places(read.value, [&] { return study::run_sensitivities(read.value, press, console); });
+            casefile::with_places(read.value, [&] { return twin::run_sensitivities(read.value, press, console); });
     }
-    std::unique_ptr<study::Press> meshed;
+    std::unique_ptr<full::Press> meshed;
     if (lifts || options.full_run) {
         meshed = use_mesh(read.value, options, press, lifts ? &states : nullptr, folder, path, result, ranks);
     }
@@ -255,7 +255,7 @@ int run_reduced_case(const RunOptions& options, Ranks& ranks)
     show_results(*folder, options, read.value, meshed ? meshed->machine(console) : press.machine, result, console);
     if (wants_fields(read.value) && !lifts) {
         print_out("there are no fields, since '{}' is missing; 'deadpoint reduce --fields' writes it\n",
-                  study::fields_file(options.reduced).string());
+                  twin::fields_file(options.reduced).string());
     }
     return result.thermal.interrupted ? interrupted_exit_code : 0;
 }
@@ -280,14 +280,14 @@ std::optional<BuildFolder> start_build(const RunOptions& options, const casefile
 }
 
 /// On the mesh of the run, and with its functionals. A run from the start of the case is one of the full runs.
-int build_after(study::RefinedRun& run, const BuildFolder& build, const RunOptions& options, Ranks& ranks)
+int build_after(full::RefinedRun& run, const BuildFolder& build, const RunOptions& options, Ranks& ranks)
 {
     auto wanted = wanted_reduction(run.press->input(), usual_full_runs);
     wanted.checkpoint = build.checkpoint();
     wanted.run = options.from.empty() ? &run.result.thermal : nullptr;
     wanted.build.certificate = options.certify;
     if (options.fields) {
-        wanted.fields_file = study::fields_file(options.reduce).string();
+        wanted.fields_file = twin::fields_file(options.reduce).string();
     }
     const auto again = fmt::format("'deadpoint reduce' of this case with -o {} --resume", options.reduce);
     return build.finish(run.press->reduce(wanted, ranks.console), wanted, again, ranks);
@@ -314,7 +314,7 @@ int run_case(RunOptions options, Ranks& ranks)
     const auto build = start_build(options, input, ranks);
     std::optional<report::FolderClaim> claim;  // taken before files beside the folder are trusted
     on_first_rank(ranks.first, [&] { claim.emplace(claim_folder(options.folder, console)); });
-    study::RunOptions wanted;
+    full::RunOptions wanted;
     const bool continues =
         plan_checkpoints(options.checkpoints, options.folder, options.force, input, ranks.first, wanted);
     const bool replaces = options.force || continues;

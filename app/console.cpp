@@ -1,6 +1,6 @@
 #include "console.hpp"
 
-#include "deadpoint/report/text/table.hpp"
+#include "deadpoint/report/tables/table.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 

@@ -1,6 +1,6 @@
 #include "interrupt.hpp"
 
-#include "deadpoint/study/sweep/sweep.hpp"
+#include "deadpoint/full/sweep/sweep.hpp"
 
 #include <csignal>
 #include <initializer_list>
@@ -81,7 +81,7 @@ void catch_interrupts()
     if (!is_ignored(SIGHUP)) {  // nohup
         handle(SIGHUP, on_hangup);
     }
-    handle(deadpoint::study::stop_signal, on_quiet_signal);
+    handle(deadpoint::full::stop_signal, on_quiet_signal);
 }
 
 void leave_interrupts_to_parent()
@@ -90,7 +90,7 @@ void leave_interrupts_to_parent()
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         handle(signal, SIG_IGN);
     }
-    handle(deadpoint::study::stop_signal, on_quiet_signal);
+    handle(deadpoint::full::stop_signal, on_quiet_signal);
 }
 
 bool interrupted() { return stop_wanted != 0; }

@@ -6,7 +6,7 @@ void outlast_failing_writes();
 /// From now on SIGINT (Ctrl-C), SIGTERM, SIGHUP (unless nohup ignores it) and a SIGPIPE from
 /// another process request a clean stop. A second SIGINT or SIGTERM ends the program at once.
 void catch_interrupts();
-/// From now on only the parent process asks for a stop, by study::stop_signal; it gets the signals of the user.
+/// From now on only the parent process asks for a stop, by full::stop_signal; it gets the signals of the user.
 void leave_interrupts_to_parent();
 /// True after a stop was requested.
 bool interrupted();

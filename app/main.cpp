@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "deadpoint/core/suggest.hpp"
+#include "deadpoint/core/names/suggest.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/fem/algebra/product_kernels.hpp"
 #include "errors.hpp"

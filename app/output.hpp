@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 
 #include <fmt/format.h>
 #include <string_view>

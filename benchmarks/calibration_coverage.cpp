@@ -1,10 +1,10 @@
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/studies/calibration_file.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/learn/calibrate.hpp"
-#include "deadpoint/study/learn/forward.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/twin/calibrate/calibrate.hpp"
+#include "deadpoint/twin/calibrate/forward.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ casefile::CalibrationParameter unknown(const casefile::Case& input, const std::s
 {
     casefile::CalibrationParameter result;
     result.name = name;
-    result.keys = study::keys_of(input, {keys}, name);
+    result.keys = twin::keys_of(input, {keys}, name);
     result.prior = prior;
     result.place = "coverage";
     if (name == "room") {
@@ -120,7 +120,7 @@ struct Tally {
     int temperatures = 0, gaps = 0;          ///< how many curves
 };
 
-constexpr study::ForwardOptions steps{120, 1, nullptr};
+constexpr twin::ForwardOptions steps{120, 1, nullptr};
 
 std::vector<std::string> joined(std::vector<std::string> some, const std::vector<std::string>& more)
 {
@@ -130,8 +130,8 @@ std::vector<std::string> joined(std::vector<std::string> some, const std::vector
 
 class Study {
 public:
-    Study(std::string path, const study::ReducedPress& model, std::shared_ptr<const study::ReducedPress> coarser,
-          const std::vector<study::ReducedPress>& truths)
+    Study(std::string path, const twin::ReducedPress& model, std::shared_ptr<const twin::ReducedPress> coarser,
+          const std::vector<twin::ReducedPress>& truths)
         : path_(std::move(path)), input_(read({})), model_(model), coarser_(std::move(coarser)), truths_(truths)
     {}
 
@@ -140,18 +140,18 @@ public:
         auto file = file_of(input_);
         for (auto& sensor : file.sensors)
             sensor.model_sigma = sensor.dimension == Dimension::length ? 1e-5 * line.model_error : line.model_error;
-        study::OtherPresses others;
+        twin::OtherPresses others;
         for (const auto& name : line.alternatives) {
             file.alternatives.push_back({name, "", sets_of_alternatives.at(name), 0, "coverage"});
             others.push_back(name == "mesh" ? coarser_ : nullptr);
         }
-        std::vector<study::CaseParameter> parameters;
+        std::vector<twin::CaseParameter> parameters;
         for (const auto& p : file.parameters)
             if (line.films_known || p.name != "films")
                 parameters.push_back(
                     {p.name, p.keys,
-                     p.name == "room" ? study::CaseParameter::Kind::shift : study::CaseParameter::Kind::factor});
-        std::vector<study::ForwardModel> warm_up, cycle;
+                     p.name == "room" ? twin::CaseParameter::Kind::shift : twin::CaseParameter::Kind::factor});
+        std::vector<twin::ForwardModel> warm_up, cycle;
         for (const auto& press : truths_) {
             warm_up.emplace_back(read(line.laws), press, parameters, steps);
             cycle.emplace_back(read(joined(line.laws, {duty_cycle})), press, parameters, steps);
@@ -200,8 +200,8 @@ private:
         return run;
     }
 
-    void one(CalibrationFile file, const study::OtherPresses& others, const study::ForwardModel& warm_up,
-             const study::ForwardModel& cycle, Tally& tally)
+    void one(CalibrationFile file, const twin::OtherPresses& others, const twin::ForwardModel& warm_up,
+             const twin::ForwardModel& cycle, Tally& tally)
     {
         std::mt19937 random(static_cast<unsigned>(tally.draws));
         std::normal_distribution<double> normal;
@@ -215,7 +215,7 @@ private:
                      with_alternatives(measured("duty cycle", read({duty_cycle}), file, cycle, theta, exact), file,
                                        {duty_cycle})};
         file.runs.back().hold_out = true;
-        const auto result = study::calibrate(file, model_, others, 1, observer_).value();
+        const auto result = twin::calibrate(file, model_, others, 1, observer_).value();
         for (std::size_t k = 0; k < theta.size(); ++k) {
             const auto& p = result.parameters[k];
             const double off = (theta[k] - p.theta) / p.deviation;
@@ -231,7 +231,7 @@ private:
             trace(result, theta);
     }
 
-    static void trace(const study::Calibration& result, const std::vector<double>& theta)
+    static void trace(const twin::Calibration& result, const std::vector<double>& theta)
     {
         std::fprintf(stderr, "p %.2g:", result.model_probability);
         for (std::size_t k = 0; k < result.parameters.size(); ++k) {
@@ -245,7 +245,7 @@ private:
         std::fprintf(stderr, "\n");
     }
 
-    static void add(const study::FittedCurve& curve, Tally& tally)
+    static void add(const twin::FittedCurve& curve, Tally& tally)
     {
         if (!curve.of_gap) {
             tally.temperature += curve.rms * curve.rms;
@@ -261,7 +261,7 @@ private:
     /// @param noise_of    a draw of noise of a standard deviation
     template <class Noise>
     [[nodiscard]] casefile::CalibrationRun measured(const char* name, const casefile::Case& input,
-                                                    const CalibrationFile& file, const study::ForwardModel& truth,
+                                                    const CalibrationFile& file, const twin::ForwardModel& truth,
                                                     const std::vector<double>& theta, const Noise& noise_of)
     {
         const auto found = truth.run(
@@ -272,7 +272,7 @@ private:
         const std::vector<std::pair<std::string, std::size_t>> sensors{
             {"bearing_front", 1}, {"slide", 0}, {"upright", 0}, {"E_SW", 2}};
         for (const auto& [output, sensor] : sensors) {
-            const auto at = std::ranges::find(truth.outputs(), output, &study::ForwardOutput::name);
+            const auto at = std::ranges::find(truth.outputs(), output, &twin::ForwardOutput::name);
             const auto& values = found.value[static_cast<std::size_t>(at - truth.outputs().begin())];
             casefile::MeasuredCurve curve{output, output, sensor == 2, false, sensor, {}, {}, "data"};
             for (std::size_t row = 3; row < found.time.size(); row += 3) {
@@ -287,9 +287,9 @@ private:
 
     std::string path_;
     casefile::Case input_;
-    const study::ReducedPress& model_;
-    std::shared_ptr<const study::ReducedPress> coarser_;
-    const std::vector<study::ReducedPress>& truths_;
+    const twin::ReducedPress& model_;
+    std::shared_ptr<const twin::ReducedPress> coarser_;
+    const std::vector<twin::ReducedPress>& truths_;
     Observer observer_;
 };
 
@@ -306,11 +306,11 @@ int main(int argc, char** argv)
             std::fprintf(stderr, "LINE %d: %s\n", k + 1, lines[static_cast<std::size_t>(k)].name);
         return 2;
     }
-    const auto model = study::read_reduced(argv[2]);
-    auto coarser = std::make_shared<study::ReducedPress>(study::read_reduced(argv[3]));
-    std::vector<study::ReducedPress> truths;
+    const auto model = twin::read_reduced(argv[2]);
+    auto coarser = std::make_shared<twin::ReducedPress>(twin::read_reduced(argv[3]));
+    std::vector<twin::ReducedPress> truths;
     for (int k = 6; k < argc; ++k)
-        truths.push_back(study::read_reduced(argv[k]));
+        truths.push_back(twin::read_reduced(argv[k]));
     Study(argv[1], model, std::move(coarser), truths)
         .run(lines[static_cast<std::size_t>(line - 1)], std::atoi(argv[4]));
     return 0;

@@ -1,10 +1,10 @@
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/studies/calibration_file.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/learn/calibrate.hpp"
-#include "deadpoint/study/learn/forward.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/twin/calibrate/calibrate.hpp"
+#include "deadpoint/twin/calibrate/forward.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -32,7 +32,7 @@ casefile::CalibrationFile file_of(const casefile::Case& input)
           "surfaces.crank_system.film.coefficient", "surfaces.frame_and_sliders.film.coefficient"}) {
         casefile::CalibrationParameter parameter;
         parameter.name = keys;
-        parameter.keys = study::keys_of(input, {keys}, keys);
+        parameter.keys = twin::keys_of(input, {keys}, keys);
         parameter.prior = std::log(1.5);
         file.parameters.push_back(std::move(parameter));
     }
@@ -43,20 +43,20 @@ casefile::CalibrationFile file_of(const casefile::Case& input)
 }
 
 casefile::CalibrationRun measured(const casefile::Case& input, const casefile::CalibrationFile& file,
-                                  const study::ReducedPress& press, std::mt19937& random)
+                                  const twin::ReducedPress& press, std::mt19937& random)
 {
     std::normal_distribution<double> normal;
-    std::vector<study::CaseParameter> parameters;
+    std::vector<twin::CaseParameter> parameters;
     for (const auto& p : file.parameters)
         parameters.push_back({p.name, p.keys});
     Observer silent;
-    const study::ForwardModel model(input, press, parameters, {file.options.fixed_step, 1, nullptr});
+    const twin::ForwardModel model(input, press, parameters, {file.options.fixed_step, 1, nullptr});
     const auto found = model.run(std::vector<double>(parameters.size(), 0.2), false, silent);
     casefile::CalibrationRun run;
     run.name = std::to_string(input.operation.front().speed);
     run.input = std::make_shared<casefile::Case>(input);
     for (std::size_t o = 0; o < model.outputs().size(); ++o) {
-        if (model.outputs()[o].kind != study::ForwardOutput::Kind::probe)
+        if (model.outputs()[o].kind != twin::ForwardOutput::Kind::probe)
             continue;
         casefile::MeasuredCurve curve{
             model.outputs()[o].name, model.outputs()[o].name, false, false, 0, {}, {}, "data"};
@@ -77,7 +77,7 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "usage: benchmark_calibration_speed CASE PRESS.rom THREADS PROFILES SAMPLES\n");
         return 2;
     }
-    const auto press = study::read_reduced(argv[2]);
+    const auto press = twin::read_reduced(argv[2]);
     std::mt19937 random(1);
     auto file = file_of(casefile::read_case(argv[1]).value);
     for (const char* speed : {"200 rpm", "300 rpm", "400 rpm"})
@@ -87,7 +87,7 @@ int main(int argc, char** argv)
     file.options.samples = std::atoi(argv[5]);
     Observer silent;
     const auto start = std::chrono::steady_clock::now();
-    const auto found = study::calibrate(file, press, {}, std::atoi(argv[3]), silent).value();
+    const auto found = twin::calibrate(file, press, {}, std::atoi(argv[3]), silent).value();
     const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::printf("%zu states, %zu unknowns, %zu curves: fit %.2f s (%d runs of all cases with derivatives, %zu starts), "
                 "all with "

@@ -1,8 +1,8 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/reduce.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/reduce/reduce.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -45,14 +45,14 @@ int main(int count, char** arguments)
 {
     fem::Session session(count, arguments);
     Printed observer;
-    study::ReduceOptions options;
+    full::ReduceOptions options;
     options.full_runs = static_cast<int>(number(count, arguments, 3, 4));
     options.build.largest = static_cast<std::size_t>(number(count, arguments, 4, 300));
     options.build.sets = static_cast<int>(number(count, arguments, 5, options.build.sets));
     options.build.training_runs = static_cast<int>(number(count, arguments, 6, options.build.training_runs));
     options.build.temperature = options.build.gap = 0;
     options.build.threads = 2;
-    study::Press press(casefile::read_case(arguments[1]).value, number(count, arguments, 2, 1));
+    full::Press press(casefile::read_case(arguments[1]).value, number(count, arguments, 2, 1));
     const auto built = press.reduce(options, observer).value();
     observer.stage("end");
     std::printf("%zu free coefficients, large model %zu states, small model %zu states\n", built.small.box.size(),

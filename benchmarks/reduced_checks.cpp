@@ -1,27 +1,27 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/core/stopwatch.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/full/model/model_parts.hpp"
+#include "deadpoint/full/run/press.hpp"
 #include "deadpoint/heat/run_state.hpp"
 #include "deadpoint/io/binary_file.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/press/drift/chain_model.hpp"
+#include "deadpoint/press/result/run_result.hpp"
 #include "deadpoint/reduce/certificate/certificate.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
 #include "deadpoint/reduce/offline/difference.hpp"
 #include "deadpoint/reduce/offline/training.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
-#include "deadpoint/study/drift/chain_model.hpp"
-#include "deadpoint/study/pipeline/model_parts.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/pipeline/stopwatch.hpp"
-#include "deadpoint/study/reduce/certificate_file.hpp"
-#include "deadpoint/study/reduce/free_coefficients.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "deadpoint/study/reduce/split.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/twin/model/certificate_file.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
+#include "deadpoint/twin/run/films_by_part.hpp"
+#include "deadpoint/twin/run/free_coefficients.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -85,20 +85,20 @@ class Checks {
 public:
     Checks(const casefile::Case& input, const Machine& machine, const std::filesystem::path& file, bool with_full,
            Observer& observer)
-        : parts_(machine, nullptr), small_(study::read_reduced(file)),
-          large_(study::read_reduced(file.parent_path() / small_.large_file))
+        : parts_(machine, nullptr), small_(twin::read_reduced(file)),
+          large_(twin::read_reduced(file.parent_path() / small_.large_file))
     {
-        if (const auto certificate = study::certificate_file(file); std::filesystem::exists(certificate))
-            residual_ = study::read_certificate(certificate, large_);
-        study::Stopwatch watch(observer);
-        study::RunResult unused;
+        if (const auto certificate = twin::certificate_file(file); std::filesystem::exists(certificate))
+            residual_ = twin::read_certificate(certificate, large_);
+        deadpoint::Stopwatch watch(observer);
+        press::RunResult unused;
         const auto problem = parts_.translate(input, watch, unused, observer);
         if (with_full)
             parts_.need_model(input, watch, observer);
         mark_ = casefile::case_hash(input) + " " + std::to_string(small_.unknowns);
-        auto split = study::split_by_part(problem, machine);
+        auto split = twin::split_by_part(problem, machine);
         split.problem.field_times.clear();
-        nominal_ = study::with_nominal_films(split.problem, input.machine.initial_temperature);
+        nominal_ = twin::with_nominal_films(split.problem, input.machine.initial_temperature);
     }
 
     void keep_in(const std::filesystem::path& folder)
@@ -172,7 +172,7 @@ private:
         parts_.model->release_heat();
         return history;
     }
-    [[nodiscard]] static ThermalHistory reduced_run(const study::ReducedPress& press, const HeatProblem& problem)
+    [[nodiscard]] static ThermalHistory reduced_run(const twin::ReducedPress& press, const HeatProblem& problem)
     {
         Silent observer;
         return reduce::ReducedRun(press.terms, problem, press.adjoints, press.reference).go({}, observer);
@@ -190,8 +190,8 @@ private:
         return found.refused.empty() ? std::to_string(1e6 * found.bounds[0]) : found.refused;
     }
 
-    study::ModelParts parts_;
-    study::ReducedPress small_, large_;
+    full::ModelParts parts_;
+    twin::ReducedPress small_, large_;
     std::shared_ptr<const reduce::ResidualTerms> residual_;
     HeatProblem nominal_;
     std::string mark_;  ///< of the case and its mesh
@@ -213,7 +213,7 @@ int main(int count, char** arguments)
     const bool bounds = std::ranges::find(more, "bounds") != more.end();
     fem::Session session(count, arguments);
     Silent observer;
-    study::Press press(casefile::read_case(arguments[1]).value, std::atof(arguments[3]));
+    full::Press press(casefile::read_case(arguments[1]).value, std::atof(arguments[3]));
     press.mesh(observer);
     Checks checks(press.input(), press.machine(observer), arguments[2], !bounds, observer);
     const int first = std::atoi(arguments[4]);

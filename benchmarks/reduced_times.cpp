@@ -3,25 +3,25 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/casefile/syntax/case_bytes.hpp"
+#include "deadpoint/core/stopwatch.hpp"
 #include "deadpoint/exchange/heat_causes.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/press/drift/chain_model.hpp"
+#include "deadpoint/press/loads/loads.hpp"
+#include "deadpoint/press/loads/loads_cache.hpp"
+#include "deadpoint/press/problem/run_laws.hpp"
+#include "deadpoint/press/result/loads_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
 #include "deadpoint/reduce/certificate/certificate.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
 #include "deadpoint/report/folder/point_table.hpp"
 #include "deadpoint/report/folder/record_of_run.hpp"
-#include "deadpoint/study/drift/chain_model.hpp"
-#include "deadpoint/study/laws/run_laws.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/loads_cache.hpp"
-#include "deadpoint/study/pipeline/stopwatch.hpp"
-#include "deadpoint/study/reduce/certificate_file.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
-#include "deadpoint/study/reduce/split.hpp"
-#include "deadpoint/study/result/loads_result.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/twin/model/certificate_file.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
+#include "deadpoint/twin/run/films_by_part.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -61,8 +61,7 @@ void measure(const char* what, int count, const std::function<void(int)>& work)
 class Stages {
 public:
     Stages(const std::string& file, const std::filesystem::path& rom, int count)
-        : file_(file), case_(casefile::read_case(file).value), press_(study::read_reduced(rom)), rom_(rom),
-          count_(count)
+        : file_(file), case_(casefile::read_case(file).value), press_(twin::read_reduced(rom)), rom_(rom), count_(count)
     {
         problem_ = split(heat_problem(case_, nullptr));
     }
@@ -70,11 +69,11 @@ public:
     void loads()
     {
         measure("loads, nothing known", count_,
-                [&](int) { study::compute_loads(case_, &press_.machine, 0, study::Vibration::left_out); });
-        study::LoadsCache cache;
+                [&](int) { press::compute_loads(case_, &press_.machine, 0, press::Vibration::left_out); });
+        press::LoadsCache cache;
         measure("loads at another speed and force each", count_,
-                [&](int k) { cache.get(at(k), &press_.machine, 0, study::Vibration::left_out); });
-        cache.get(at(count_), &press_.machine, 0, study::Vibration::left_out);
+                [&](int k) { cache.get(at(k), &press_.machine, 0, press::Vibration::left_out); });
+        cache.get(at(count_), &press_.machine, 0, press::Vibration::left_out);
         measure("laws and heat problem, loads known", count_, [&](int) { heat_problem(at(count_), &cache); });
     }
 
@@ -90,9 +89,9 @@ public:
             run(problem);
         });
         measure("run of a heat problem, coefficients as before", count_, [&](int) { run(problem_); });
-        study::SharedParts shared;
+        twin::SharedParts shared;
         measure("run of a case for a study, another speed and force each", count_, [&](int k) {
-            study::run_reduced(at(k), press_, {}, study::ReducedDetail::figures, observer_, nullptr, &shared);
+            twin::run_reduced(at(k), press_, {}, twin::ReducedDetail::figures, observer_, nullptr, &shared);
         });
     }
 
@@ -105,22 +104,22 @@ public:
                                             "friction.crank_pin.scale=" + std::to_string(1 + 1e-3 * k)};
         };
         casefile::CaseTexts texts;
-        study::SharedParts shared;
+        twin::SharedParts shared;
         const auto point = base.with(settings(0));
         texts.hash(point);
-        study::RunResult run;
+        press::RunResult run;
         measure("point: case", count_, [&](int k) { (void)base.with(settings(k)); });
         measure("point: hash of its text", count_, [&](int k) { texts.hash(base.with(settings(k))); });
-        measure("point: its fixed part as bytes", count_, [&](int) { casefile::case_bytes(study::fixed_case(point)); });
+        measure("point: its fixed part as bytes", count_, [&](int) { casefile::case_bytes(twin::fixed_case(point)); });
         measure("point: known loads", count_,
-                [&](int) { shared.loads.get(point, &press_.machine, 0, study::Vibration::left_out); });
+                [&](int) { shared.loads.get(point, &press_.machine, 0, press::Vibration::left_out); });
         measure("point: laws and heat problem", count_, [&](int) { heat_problem(point, &shared.loads); });
         const auto problem = heat_problem(point, &shared.loads);
         measure("point: heat problem by part", count_, [&](int) { (void)split(problem); });
         measure("point: time steps", count_, [&](int) { this->run(problem_); });
         measure("point: run with all of these but case and text", count_, [&](int k) {
-            run = study::run_reduced(base.with(settings(k)), press_, {}, study::ReducedDetail::figures, observer_,
-                                     nullptr, &shared);
+            run = twin::run_reduced(base.with(settings(k)), press_, {}, twin::ReducedDetail::figures, observer_,
+                                    nullptr, &shared);
         });
         measure("point: record", count_, [&](int) { (void)report::brief(report::record_of(point, "hash", run)); });
     }
@@ -141,14 +140,14 @@ public:
 
     void certificate()
     {
-        const auto file = study::certificate_file(rom_);
+        const auto file = twin::certificate_file(rom_);
         if (!std::filesystem::exists(file))
             return;
-        study::ReducedPress large;
+        twin::ReducedPress large;
         measure("reading the large model", 3,
-                [&](int) { large = study::read_reduced(rom_.parent_path() / press_.large_file); });
+                [&](int) { large = twin::read_reduced(rom_.parent_path() / press_.large_file); });
         std::shared_ptr<const reduce::ResidualTerms> residual;
-        measure("reading the certificate", 3, [&](int) { residual = study::read_certificate(file, large); });
+        measure("reading the certificate", 3, [&](int) { residual = twin::read_certificate(file, large); });
         ThermalHistory history;
         measure("run of the large model", 3, [&](int) {
             history = reduce::ReducedRun(large.terms, problem_, large.adjoints, large.reference).go({}, observer_);
@@ -169,15 +168,15 @@ private:
         }
         return result;
     }
-    HeatProblem heat_problem(const casefile::Case& input, study::LoadsCache* cache)
+    HeatProblem heat_problem(const casefile::Case& input, press::LoadsCache* cache)
     {
-        study::Stopwatch watch(observer_);
-        study::RunResult unused;
-        return study::run_laws(input, press_.machine, study::Vibration::left_out, watch, unused, observer_, cache);
+        deadpoint::Stopwatch watch(observer_);
+        press::RunResult unused;
+        return press::run_laws(input, press_.machine, press::Vibration::left_out, watch, unused, observer_, cache);
     }
     [[nodiscard]] HeatProblem split(const HeatProblem& problem) const
     {
-        auto result = study::split_by_part(problem, press_.machine).problem;
+        auto result = twin::split_by_part(problem, press_.machine).problem;
         result.field_times.clear();
         return result;
     }
@@ -196,7 +195,7 @@ private:
     Silent observer_;
     std::string file_;
     casefile::Case case_;
-    study::ReducedPress press_;
+    twin::ReducedPress press_;
     std::filesystem::path rom_;
     int count_;
     HeatProblem problem_;

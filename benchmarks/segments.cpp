@@ -4,11 +4,11 @@
 #include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/fem/conduction/heat_system.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/full/model/prepare.hpp"
 #include "deadpoint/heat/sources.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -63,16 +63,16 @@ int main(int argc, char** argv)
     const std::string path = argc > 1 ? argv[1] : "cases/jl75g-60/case.toml";
     const auto input = casefile::read_case(path, {}, casefile::FileAccess::anywhere).value;
     Observer quiet;
-    const auto machine = study::prepare_machine(input, 1, quiet);
-    auto problem = study::describe_heat(input, machine, quiet);
+    const auto machine = full::prepare_machine(input, 1, quiet);
+    auto problem = press::describe_heat(input, machine, quiet);
     const auto first = problem.segments.front();
     problem.segments.clear();
     for (int k = 0; k < 10; ++k) {
         problem.segments.push_back(first);
         problem.segments.back() = at_speed(problem, 1 + 0.5 * k);
     }
-    const fem::Discretisation space(machine, study::describe_orders(input, machine));
-    const auto materials = study::describe_materials(input, machine);
+    const fem::Discretisation space(machine, press::describe_orders(input, machine));
+    const auto materials = press::describe_materials(input, machine);
     std::printf("%zu cells, %lld unknowns\n", machine.cells.size(), static_cast<long long>(space.total));
     print_integration(space, materials, problem);
     fem::HeatSystem system(space, materials, problem);

@@ -3,14 +3,14 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/core/stopwatch.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/press/problem/run_laws.hpp"
+#include "deadpoint/press/result/run_result.hpp"
 #include "deadpoint/reduce/online/reduced_run.hpp"
-#include "deadpoint/study/laws/run_laws.hpp"
-#include "deadpoint/study/pipeline/stopwatch.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "deadpoint/study/reduce/split.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
+#include "deadpoint/twin/run/films_by_part.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -47,12 +47,12 @@ int main(int count, char** arguments)
     fem::Session session(count, arguments);
     Silent observer;
     const auto input = casefile::read_case(arguments[1]).value;
-    const auto press = study::read_reduced(arguments[2]);
-    study::RunResult unused;
-    study::Stopwatch watch(observer);
+    const auto press = twin::read_reduced(arguments[2]);
+    press::RunResult unused;
+    deadpoint::Stopwatch watch(observer);
     const auto problem =
-        study::split_by_part(study::run_laws(input, press.machine, study::Vibration::left_out, watch, unused, observer),
-                             press.machine)
+        twin::split_by_part(press::run_laws(input, press.machine, press::Vibration::left_out, watch, unused, observer),
+                            press.machine)
             .problem;
     auto fixed = problem;
     fixed.field_times.clear();

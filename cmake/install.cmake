@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME deadpoint)
 
 install(TARGETS deadpoint RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS deadpoint_shared deadpoint_reduced EXPORT deadpointTargets
+install(TARGETS deadpoint_shared deadpoint_twin_shared EXPORT deadpointTargets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/deadpoint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/deadpoint)

@@ -45,8 +45,11 @@ endif()
 
 # deadpoint_folder(NAME DEPENDS target...): the library of one folder below src/deadpoint, from all sources in and below it.
 function(deadpoint_folder name)
-    cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE" ${ARGN})
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+    cmake_parse_arguments(ARG "" "PATH" "DEPENDS;PRIVATE" ${ARGN})
+    if(NOT ARG_PATH)
+        set(ARG_PATH ${name})
+    endif()
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_PATH}/*.cpp)
     if(sources)
         add_library(deadpoint_${name} STATIC ${sources})
         target_include_directories(deadpoint_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)

@@ -214,17 +214,17 @@ EQUATIONS = """| equation of the paper | what | here |
 | 1 | belt pull Pm d1 / v | replaced by power over belt speed (`crankshaft.belt`): the printed product has the dimension of a force only if v is a speed of rotation |
 | 2 | bearing loads of the rigid shaft | `crankshaft/cycle` (`rigid_cycle`), with the weight and unbalance of the crank, which Eq. 2 leaves out |
 | 3 | rectangular pulse | `mechanism/process_force` (`rectangle`) about bottom dead point; at crank angle 0, as printed, the slide is far from the die |
-| 4-6 | position and energy of the disk | `crankshaft/system`: Eq. 6 in its linear form; Eq. 5 drops terms that cancel |
-| 7 | rigid disk | `crankshaft/system`; the unbalance acts on v and w, not on u and v |
-| 8-10 | Timoshenko kinematics and strains | `crankshaft/element` |
-| 11 | energy of the beam | `crankshaft/element`: the axial load enters as P (v'^2 + w'^2) / 2, the program leaves out the printed quartic terms |
+| 4-6 | position and energy of the disk | `crankshaft/shaft/system`: Eq. 6 in its linear form; Eq. 5 drops terms that cancel |
+| 7 | rigid disk | `crankshaft/shaft/system`; the unbalance acts on v and w, not on u and v |
+| 8-10 | Timoshenko kinematics and strains | `crankshaft/shaft/element` |
+| 11 | energy of the beam | `crankshaft/shaft/element`: the axial load enters as P (v'^2 + w'^2) / 2, the program leaves out the printed quartic terms |
 | 12, 14b, 14c, 15 | term with omega^2 | left out: in a frame at rest, M q'' already contains the whirl's inertia; with the term, the first critical speed falls to 0.71 of its value |
-| 13 | Hamilton's principle | the basis of `crankshaft/element` |
+| 13 | Hamilton's principle | the basis of `crankshaft/shaft/element` |
 | 14a | axial motion | left out: it is not coupled to the others |
-| 14b-14e | motion of the beam | `crankshaft/element`, with the signs of shear and axial force corrected |
-| 15 | element matrices | `crankshaft/element` (`beam_matrices`): G(8,5) = -m7, K_P over (1 + Phi)^2; checked against quadrature and another code |
-| 16 | bearing with housing | `crankshaft/system`: optional housing mass and support |
-| 17 | system | `crankshaft/system` with C = C_s - omega G; solved by `crankshaft/response/periodic` with explicit modal damping, without which no periodic answer exists |
+| 14b-14e | motion of the beam | `crankshaft/shaft/element`, with the signs of shear and axial force corrected |
+| 15 | element matrices | `crankshaft/shaft/element` (`beam_matrices`): G(8,5) = -m7, K_P over (1 + Phi)^2; checked against quadrature and another code |
+| 16 | bearing with housing | `crankshaft/shaft/system`: optional housing mass and support |
+| 17 | system | `crankshaft/shaft/system` with C = C_s - omega G; solved by `crankshaft/response/periodic` with explicit modal damping, without which no periodic answer exists |
 | A.1-A.24 | positions, velocities, accelerations | replaced by the constraint equations of `mechanism/planar_system`, for any linkage; A.3 (sign of phi3), A.6b, A.9, A.11-A.13, A.15, A.18a and A.23 are wrong as printed |
 | A.25-A.46 | joint forces, body by body | replaced by J^T lambda = Q - M q'' in `mechanism/cycle`; wrong as printed are the inertias m l^2 / 3 beside centroidal terms (A.27-A.43), A.32 (weight), A.33 and A.37 (moment of link 11 missing), A.38-A.40 (signs, 0/0 for l5a = l6) and A.45 (no torque) |
 """

@@ -4,7 +4,7 @@
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/exchange/bare_machine.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
 
 #include <cmath>
 #include <memory>
@@ -28,7 +28,7 @@ public:
         press_.terms = std::make_shared<const deadpoint::reduce::PreparedTerms>(std::move(terms_));
         press_.states = static_cast<std::size_t>(parts_);
     }
-    [[nodiscard]] deadpoint::study::ReducedPress press() const { return press_; }
+    [[nodiscard]] deadpoint::twin::ReducedPress press() const { return press_; }
 
 private:
     using Vector = Eigen::VectorXd;
@@ -38,7 +38,7 @@ private:
         press_.version = "test";
         press_.name = input.machine.name;
         press_.case_hash = "of the test";
-        press_.fixed_part = deadpoint::study::fixed_part(input);
+        press_.fixed_part = deadpoint::twin::fixed_part(input);
         press_.cells = press_.unknowns = 100;
         press_.reference = input.machine.initial_temperature;
         press_.box = {{"ambient", deadpoint::reduce::FreeCoefficient::Kind::ambient, {0}, {press_.reference}, -10, 10}};
@@ -142,5 +142,5 @@ private:
     Eigen::Index parts_;
     deadpoint::reduce::DenseTerms terms_;
     std::vector<std::pair<std::size_t, double>> pieces_;  ///< part and area [m2]
-    deadpoint::study::ReducedPress press_;
+    deadpoint::twin::ReducedPress press_;
 };

@@ -1,18 +1,18 @@
 #include "commands.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/casefile/studies/calibration_file.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/run.hpp"
 #include "deadpoint/io/resources.hpp"
+#include "deadpoint/press/result/reduced_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
 #include "deadpoint/report/calibration/calibration_files.hpp"
-#include "deadpoint/study/learn/calibrate.hpp"
-#include "deadpoint/study/learn/parameter.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
-#include "deadpoint/study/result/reduced_result.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/twin/calibrate/calibrate.hpp"
+#include "deadpoint/twin/calibrate/parameter.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
 #include "interrupt.hpp"
 #include "options/result_options.hpp"
 #include "output.hpp"
@@ -42,7 +42,7 @@ casefile::CalibrationFile read_file(const CalibrateOptions& options)
     of.overrides = options.overrides;
     of.files = options.files;
     of.keys_of = [](const casefile::Case& input, const std::vector<std::string>& patterns) {
-        return study::keys_of(input, patterns, "keys");
+        return twin::keys_of(input, patterns, "keys");
     };
     auto file = casefile::read_calibration(options.calibration, of, options.plan);
     if (!options.reduced.empty())
@@ -53,19 +53,19 @@ casefile::CalibrationFile read_file(const CalibrateOptions& options)
     return file;
 }
 
-study::OtherPresses read_others(const casefile::CalibrationFile& file)
+twin::OtherPresses read_others(const casefile::CalibrationFile& file)
 {
-    study::OtherPresses result;
+    twin::OtherPresses result;
     for (const auto& alternative : file.alternatives)
         result.push_back(alternative.reduced.empty()
                              ? nullptr
-                             : std::make_shared<study::ReducedPress>(study::read_reduced(alternative.reduced)));
+                             : std::make_shared<twin::ReducedPress>(twin::read_reduced(alternative.reduced)));
     return result;
 }
 
 /// On all ranks: a full run of the first fitted run with the calibrated values, against the reduced one.
 std::pair<double, double> check_by_full_run(const CalibrateOptions& options, const casefile::CalibrationFile& file,
-                                            const study::ReducedPress& reduced, const study::Calibration& result,
+                                            const twin::ReducedPress& reduced, const twin::Calibration& result,
                                             Ranks& ranks, report::ResultFolder& folder)
 {
     auto& console = ranks.console;
@@ -75,15 +75,15 @@ std::pair<double, double> check_by_full_run(const CalibrateOptions& options, con
     overrides.insert(overrides.end(), result.settings.begin(), result.settings.end());
     overrides.emplace_back("output.fields=false");
     const auto input = casefile::read_case(options.path, overrides, options.files).value;
-    study::Press press(input, reduced.size_scale);
+    full::Press press(input, reduced.size_scale);
     press.mesh(console);
     ranks.spread([&] { return press.machine(console).cells.size(); });
     if (!ranks.first)
         folder.disown();
     ranks.agree = false;
     const auto full = press.run({}, console);
-    const auto quick = study::run_reduced(input, reduced, {}, study::ReducedDetail::figures, console);
-    const auto error = study::difference_to_full(quick, full);
+    const auto quick = twin::run_reduced(input, reduced, {}, twin::ReducedDetail::figures, console);
+    const auto error = twin::difference_to_full(quick, full);
     return {error.temperature, error.gap};
 }
 
@@ -95,7 +95,7 @@ int calibrate(const CalibrateOptions& options, Ranks& ranks)
     auto& console = ranks.console;
     const auto read = read_case(options, console);
     const auto file = read_file(options);
-    const auto press = study::read_reduced(file.options.reduced);
+    const auto press = twin::read_reduced(file.options.reduced);
     const auto others = read_others(file);
     const int threads = options.jobs > 0 ? options.jobs : usable_cores();
     auto inputs = input_files(read);
@@ -107,7 +107,7 @@ int calibrate(const CalibrateOptions& options, Ranks& ranks)
     report::ResultFolder folder(claim_folder(options.folder, console), options.force ? replace : refuse, inputs);
     const auto model = fs::path(file.options.reduced).filename().string();
     if (options.plan) {
-        auto plan = study::plan_calibration(file, press, others, threads, console);
+        auto plan = twin::plan_calibration(file, press, others, threads, console);
         console.finish();
         if (!plan)
             return interrupted_exit_code;
@@ -120,7 +120,7 @@ int calibrate(const CalibrateOptions& options, Ranks& ranks)
                   page.string());
         return 0;
     }
-    auto result = study::calibrate(file, press, others, threads, console);
+    auto result = twin::calibrate(file, press, others, threads, console);
     if (result && options.full_run)
         result->full_run = check_by_full_run(options, file, press, *result, ranks, folder);
     if (!result || console.cancelled()) {

@@ -1,14 +1,14 @@
 #include "commands.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/run.hpp"
+#include "deadpoint/press/result/run_result.hpp"
 #include "deadpoint/report/design/optimise_files.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
-#include "deadpoint/study/design/optimise.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/twin/explore/optimise.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
 #include "interrupt.hpp"
 #include "learn/design_study.hpp"
 #include "options/result_options.hpp"
@@ -39,14 +39,14 @@ casefile::StudyFile read_section(const OptimiseOptions& options)
 }
 
 /// The optimum on the mesh of the reduced model. @param folder  afterwards of the first rank alone
-std::optional<study::FullDesign> run_in_full(const study::OptimiseResult& result, double size_scale,
-                                             const casefile::OptimiseSection& section, Ranks& ranks,
-                                             std::unique_ptr<report::ResultFolder>& folder)
+std::optional<twin::FullDesign> run_in_full(const twin::OptimiseResult& result, double size_scale,
+                                            const casefile::OptimiseSection& section, Ranks& ranks,
+                                            std::unique_ptr<report::ResultFolder>& folder)
 {
     auto optimum = result.optimum;
     optimum.output.fields = false;
     optimum.output.causes = false;
-    study::Press press(std::move(optimum), size_scale);
+    full::Press press(std::move(optimum), size_scale);
     press.mesh(ranks.console);
     ranks.spread([&] { return press.machine(ranks.console).cells.size(); });
     leave_to_first(ranks, folder);
@@ -55,7 +55,7 @@ std::optional<study::FullDesign> run_in_full(const study::OptimiseResult& result
     if (run.thermal.interrupted) {
         return std::nullopt;
     }
-    return study::full_design(press.input(), run, section);
+    return twin::full_design(press.input(), run, section);
 }
 
 int optimise(const OptimiseOptions& options, Ranks& ranks)
@@ -65,11 +65,11 @@ int optimise(const OptimiseOptions& options, Ranks& ranks)
     const auto start = std::chrono::steady_clock::now();
     const auto study = read_section(options);
     const auto base = read_base(options, study, console);
-    const auto press = study::read_reduced(options.reduced);
+    const auto press = twin::read_reduced(options.reduced);
     auto folder = begin_folder(options, base, console);
     const auto& section = *study.optimise;
-    const auto result = study::run_optimise(base.value, press, section, options.threads(), console);
-    std::optional<study::FullDesign> full;
+    const auto result = twin::run_optimise(base.value, press, section, options.threads(), console);
+    std::optional<twin::FullDesign> full;
     if (result && !options.no_full_run) {
         full = run_in_full(*result, press.size_scale, section, ranks, folder);
     }

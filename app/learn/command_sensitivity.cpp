@@ -1,11 +1,11 @@
 #include "commands.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
-#include "deadpoint/study/design/sensitivity.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/twin/explore/sensitivity.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
 #include "interrupt.hpp"
 #include "learn/design_study.hpp"
 #include "options/result_options.hpp"
@@ -36,9 +36,9 @@ int sensitivity(const DesignOptions& options)
     const auto start = std::chrono::steady_clock::now();
     const auto study = read_section(options);
     const auto base = read_base(options, study, console);
-    const auto press = study::read_reduced(options.reduced);
+    const auto press = twin::read_reduced(options.reduced);
     const auto folder = begin_folder(options, base, console);
-    const auto result = study::run_sensitivity(base.value, press, *study.sensitivity, options.threads(), console);
+    const auto result = twin::run_sensitivity(base.value, press, *study.sensitivity, options.threads(), console);
     if (!result) {
         console.finish();
         return interrupted_exit_code;

@@ -1,7 +1,7 @@
 #include "learn/design_study.hpp"
 
-#include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/io/resources.hpp"
 #include "deadpoint/report/design/studied_case.hpp"
 #include "options/result_options.hpp"

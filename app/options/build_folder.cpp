@@ -3,11 +3,11 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/full/run/reduce.hpp"
 #include "deadpoint/io/resources.hpp"
 #include "deadpoint/reduce/kept/build_checkpoint.hpp"
-#include "deadpoint/report/text/reduce_text.hpp"
-#include "deadpoint/study/reduce/certificate_file.hpp"
-#include "deadpoint/study/reduce/reduce.hpp"
+#include "deadpoint/report/run/reduce_text.hpp"
+#include "deadpoint/twin/model/certificate_file.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 
@@ -49,7 +49,7 @@ bool is_of_reduced_press(const fs::path& file)
 /// @throws IoError if a file of the press is there that must stay
 void require_replaceable(const fs::path& file, bool wanted)
 {
-    for (const auto& one : {file, large_file(file), study::certificate_file(file), study::fields_file(file)}) {
+    for (const auto& one : {file, large_file(file), twin::certificate_file(file), twin::fields_file(file)}) {
         if (!fs::exists(fs::symlink_status(one))) {
             continue;
         }
@@ -78,7 +78,7 @@ void make_folder(const fs::path& folder)
 
 reduce::BuildCheckpoint pieces_before_mesh(const fs::path& folder, const casefile::Case& input, Ranks& ranks)
 {
-    return {folder, study::build_text(input), ranks.first, [&](const std::string& text) { ranks.console.warn(text); }};
+    return {folder, full::build_text(input), ranks.first, [&](const std::string& text) { ranks.console.warn(text); }};
 }
 
 /// Whether a folder holds nothing but what begins a build.
@@ -142,18 +142,18 @@ void require_build(const fs::path& folder, const reduce::BuildCheckpoint& pieces
     }
 }
 
-void write(const fs::path& file, study::Reduction& reduction)
+void write(const fs::path& file, twin::Reduction& reduction)
 {
     const auto large = large_file(file);
     reduction.small.large_file = large.filename().string();
-    study::write_reduced(large, reduction.large);
-    const auto certificate = study::certificate_file(file);
+    twin::write_reduced(large, reduction.large);
+    const auto certificate = twin::certificate_file(file);
     if (reduction.residual) {
-        study::write_certificate(certificate, reduction.large, *reduction.residual);
+        twin::write_certificate(certificate, reduction.large, *reduction.residual);
     } else {
         fs::remove(certificate);
     }
-    study::write_reduced(file, reduction.small);
+    twin::write_reduced(file, reduction.small);
 }
 
 std::string text_of_fields(const std::string& file)
@@ -197,7 +197,7 @@ BuildFolder::BuildFolder(const std::string& file, StoppedBuild stopped, const ca
     });
 }
 
-int BuildFolder::finish(std::optional<study::Reduction> reduction, const study::ReduceOptions& options,
+int BuildFolder::finish(std::optional<twin::Reduction> reduction, const full::ReduceOptions& options,
                         const std::string& command, Ranks& ranks) const
 {
     ranks.console.finish();
@@ -220,9 +220,9 @@ int BuildFolder::finish(std::optional<study::Reduction> reduction, const study::
     return 0;
 }
 
-study::ReduceOptions wanted_reduction(const casefile::Case& input, int full_runs)
+full::ReduceOptions wanted_reduction(const casefile::Case& input, int full_runs)
 {
-    auto wanted = study::reduce_options(input);
+    auto wanted = full::reduce_options(input);
     wanted.build.threads = std::max(1, usable_cores() / fem::ranks());
     wanted.full_runs = full_runs;
     return wanted;

@@ -10,10 +10,12 @@
 namespace deadpoint::casefile {
 struct Case;
 }
-namespace deadpoint::study {
+namespace deadpoint::full {
 struct ReduceOptions;
+}
+namespace deadpoint::twin {
 struct Reduction;
-}  // namespace deadpoint::study
+}
 
 /// Behaviour if a build of the same file was stopped before.
 enum class StoppedBuild { refuse, resume, discard };
@@ -33,7 +35,7 @@ public:
     [[nodiscard]] std::string checkpoint() const { return checkpoint_.string(); }
     /// Writes the reduced press, tells about it and removes the folder; without one, says how to go on.
     /// @param command  that continues the build  @return exit code
-    int finish(std::optional<deadpoint::study::Reduction> reduction, const deadpoint::study::ReduceOptions& options,
+    int finish(std::optional<deadpoint::twin::Reduction> reduction, const deadpoint::full::ReduceOptions& options,
                const std::string& command, Ranks& ranks) const;
 
 private:
@@ -45,4 +47,4 @@ private:
 inline constexpr int usual_full_runs = 2;
 
 /// What to ask the library for: as the case says, with all processors.
-deadpoint::study::ReduceOptions wanted_reduction(const deadpoint::casefile::Case& input, int full_runs);
+deadpoint::full::ReduceOptions wanted_reduction(const deadpoint::casefile::Case& input, int full_runs);

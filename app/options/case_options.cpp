@@ -1,6 +1,6 @@
 #include "options/case_options.hpp"
 
-#include "deadpoint/report/files/run_files.hpp"
+#include "deadpoint/report/run/run_files.hpp"
 
 #include <langinfo.h>
 #include <locale.h>
@@ -86,7 +86,7 @@ std::vector<std::filesystem::path> input_files(const casefile::ReadResult& read)
     return files;
 }
 
-const Machine& mesh_parts(study::Press& press, Console& console, MeshedParts* kept)
+const Machine& mesh_parts(full::Press& press, Console& console, MeshedParts* kept)
 {
     const auto& machine = press.machine(console, kept);
     console.finish();

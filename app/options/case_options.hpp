@@ -4,8 +4,8 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/syntax/file_access.hpp"
+#include "deadpoint/full/run/press.hpp"
 #include "deadpoint/io/csv_style.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -40,8 +40,8 @@ deadpoint::casefile::ReadResult read_case(const CaseOptions& options, Console& c
 std::vector<std::filesystem::path> input_files(const deadpoint::casefile::ReadResult& read);
 
 /// The mesh of a press, the stage "mesh" on the console.
-/// @param kept  as study::Press::machine()
-const deadpoint::Machine& mesh_parts(deadpoint::study::Press& press, Console& console,
+/// @param kept  as full::Press::machine()
+const deadpoint::Machine& mesh_parts(deadpoint::full::Press& press, Console& console,
                                      deadpoint::MeshedParts* kept = nullptr);
 
 /// Lines for the head of every result file: version, case and hash, warnings.

@@ -5,12 +5,12 @@
 #include "deadpoint/core/quantity.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/conduction/checkpoint.hpp"
+#include "deadpoint/full/run/run_mark.hpp"
+#include "deadpoint/press/run/run_record.hpp"
 #include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/page/run_folder.hpp"
-#include "deadpoint/study/pipeline/run_mark.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
 #include "output.hpp"
 
 #include <cmath>
@@ -157,7 +157,7 @@ fs::path checkpoint_of(const fs::path& folder)
 }
 
 bool plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, bool force, const casefile::Case& input,
-                      bool first, study::RunOptions& wanted)
+                      bool first, full::RunOptions& wanted)
 {
     const double interval = interval_of(options.interval);
     if (casefile::wanted_accuracy(input)) {
@@ -179,7 +179,7 @@ bool plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, 
     if (!options.resume) {
         return false;
     }
-    const auto run = study::run_mark(input);
+    const auto run = full::run_mark(input);
     if (there) {
         wanted.resume_from = file.string();
     } else if (is_result(folder) && !holds_stopped(folder, run)) {
@@ -194,7 +194,7 @@ bool plan_checkpoints(const CheckpointOptions& options, const fs::path& folder, 
     return replaces;
 }
 
-bool keeps_checkpoints(const study::RunOptions& wanted)
+bool keeps_checkpoints(const full::RunOptions& wanted)
 {
     return !wanted.checkpoint_file.empty() && std::isfinite(wanted.checkpoint_interval);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/full/run/run.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -26,7 +26,7 @@ std::filesystem::path checkpoint_of(const std::filesystem::path& folder);
 /// finished run with a shorter operation, whose history begins with it
 /// @throws InputError, IoError on all ranks alike
 bool plan_checkpoints(const CheckpointOptions& options, const std::filesystem::path& folder, bool force,
-                      const deadpoint::casefile::Case& input, bool first, deadpoint::study::RunOptions& wanted);
+                      const deadpoint::casefile::Case& input, bool first, deadpoint::full::RunOptions& wanted);
 
 /// Whether a run saves its state as plan_checkpoints() has set it.
-bool keeps_checkpoints(const deadpoint::study::RunOptions& wanted);
+bool keeps_checkpoints(const deadpoint::full::RunOptions& wanted);

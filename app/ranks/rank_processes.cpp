@@ -1,7 +1,7 @@
 #include "ranks/rank_processes.hpp"
 
 #include "deadpoint/error.hpp"
-#include "deadpoint/study/sweep/sweep.hpp"
+#include "deadpoint/full/sweep/sweep.hpp"
 #include "interrupt.hpp"
 
 #include <algorithm>
@@ -145,7 +145,7 @@ RanksEnd RankProcesses::wait(const std::function<bool()>& can_go_on)
             kill_all();
         } else if (!told && interrupted()) {
             told = true;
-            tell_all(deadpoint::study::stop_signal);
+            tell_all(deadpoint::full::stop_signal);
         }
         std::this_thread::sleep_for(10ms);
     }

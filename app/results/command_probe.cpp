@@ -2,10 +2,10 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/write_file.hpp"
-#include "deadpoint/report/charts/svg_chart.hpp"
 #include "deadpoint/report/folder/folder_claim.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/probe/probe_fields.hpp"
+#include "deadpoint/report/tables/svg_chart.hpp"
 #include "options/case_options.hpp"
 #include "output.hpp"
 

@@ -2,17 +2,17 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/full/run/run.hpp"
+#include "deadpoint/full/sweep/sweep.hpp"
 #include "deadpoint/io/resources.hpp"
-#include "deadpoint/report/charts/sweep_figures.hpp"
-#include "deadpoint/report/files/run_files.hpp"
-#include "deadpoint/report/files/sweep_files.hpp"
+#include "deadpoint/press/result/run_result.hpp"
+#include "deadpoint/press/run/run_record.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
-#include "deadpoint/report/text/table.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
-#include "deadpoint/study/result/run_result.hpp"
-#include "deadpoint/study/sweep/point_observer.hpp"
-#include "deadpoint/study/sweep/sweep.hpp"
+#include "deadpoint/report/run/run_files.hpp"
+#include "deadpoint/report/sweep/sweep_files.hpp"
+#include "deadpoint/report/tables/sweep_figures.hpp"
+#include "deadpoint/report/tables/table.hpp"
+#include "deadpoint/twin/map/point_observer.hpp"
 #include "interrupt.hpp"
 #include "options/case_options.hpp"
 #include "options/result_options.hpp"
@@ -35,7 +35,7 @@ namespace {
 /// A point of the shipped press takes about this; only to tell a long study from a short one beforehand [s].
 constexpr double seconds_per_cell = 2e-4;
 
-std::vector<casefile::Case> read_cases(const std::vector<study::SweepPoint>& points, const SweepOptions& options,
+std::vector<casefile::Case> read_cases(const std::vector<twin::SweepPoint>& points, const SweepOptions& options,
                                        const std::string& base)
 {
     std::vector<casefile::Case> cases;
@@ -43,18 +43,18 @@ std::vector<casefile::Case> read_cases(const std::vector<study::SweepPoint>& poi
         cases.push_back(casefile::read_case(base, point.overrides, options.files).value);
         auto& input = cases.back();
         input.output.fields = options.fields;
-        study::scale_sizes(input, options.size_scale);
+        full::scale_sizes(input, options.size_scale);
     }
     return cases;
 }
 
-fs::path folder_of(const SweepOptions& options, const study::SweepPoint& point)
+fs::path folder_of(const SweepOptions& options, const twin::SweepPoint& point)
 {
     return fs::path(options.folder) / "points" / point.name;
 }
 
 /// What an earlier call finished of this very case.
-std::optional<study::RunRecord> finished(const fs::path& folder, const casefile::Case& input)
+std::optional<press::RunRecord> finished(const fs::path& folder, const casefile::Case& input)
 {
     if (!fs::exists(folder / "summary.json")) {
         return std::nullopt;
@@ -65,10 +65,10 @@ std::optional<study::RunRecord> finished(const fs::path& folder, const casefile:
 }
 
 /// @param inputs  files of the user that no point replaces
-study::PointAction action_of(const SweepOptions& options, const std::vector<fs::path>& inputs, Ranks& ranks)
+full::PointAction action_of(const SweepOptions& options, const std::vector<fs::path>& inputs, Ranks& ranks)
 {
-    return [&options, &inputs, &ranks](const study::SweepPoint& point, study::Press& press) {
-        study::PointObserver observer(ranks.console);
+    return [&options, &inputs, &ranks](const twin::SweepPoint& point, full::Press& press) {
+        twin::PointObserver observer(ranks.console);
         const auto& input = press.input();
         const auto& machine = press.machine(observer);
         std::unique_ptr<ResultFolder> folder;
@@ -77,7 +77,7 @@ study::PointAction action_of(const SweepOptions& options, const std::vector<fs::
                                                   ResultFolder::IfExists::replace, inputs);
         };
         const auto path = start_folder(ranks.first, start, folder);
-        study::RunOptions wanted;
+        full::RunOptions wanted;
         wanted.field_folder = options.fields ? path : std::string{};
         const auto result = press.run(wanted, observer);
         if (!result.thermal.interrupted && folder) {
@@ -103,10 +103,10 @@ std::vector<std::size_t> find_pending(const SweepOptions& options, const std::ve
 }
 
 /// Tells the points that were there already, and reads those that are done.
-void collect(const SweepOptions& options, const std::vector<std::optional<study::RunRecord>>& kept,
+void collect(const SweepOptions& options, const std::vector<std::optional<press::RunRecord>>& kept,
              report::SweepResult& result)
 {
-    using State = study::PointOutcome::State;
+    using State = twin::PointOutcome::State;
     for (std::size_t p = 0; p < result.points.size(); ++p) {
         if (kept[p]) {
             result.outcomes[p].state = State::kept;
@@ -135,7 +135,7 @@ int gather(const SweepOptions& options, const report::StudyFolder& folder, const
     std::vector<std::size_t> missing;
     for (const auto point : pending) {
         if (const auto failure = failures.find(marks[point]); failure != failures.end()) {
-            result.outcomes[point] = {study::PointOutcome::State::failed, failure->second, 0};
+            result.outcomes[point] = {twin::PointOutcome::State::failed, failure->second, 0};
             console.warn(fmt::format("point {} failed: {}", result.points[point].name, failure->second));
         } else {
             missing.push_back(point);
@@ -150,7 +150,7 @@ int gather(const SweepOptions& options, const report::StudyFolder& folder, const
 /// The points that this call is for.
 std::vector<std::size_t> own_points(const SweepOptions& options, const std::vector<casefile::Case>& cases)
 {
-    return study::points_of(options.shard.value_or(study::Shard{}), study::order_by_model(cases));
+    return twin::points_of(options.shard.value_or(twin::Shard{}), twin::order_by_model(cases));
 }
 
 int sweep(const SweepOptions& options, Ranks& ranks)
@@ -162,7 +162,7 @@ int sweep(const SweepOptions& options, Ranks& ranks)
     const auto study = read_sweep(options);
     report::SweepResult result;
     result.study = study;
-    result.points = study::sweep_points(study, study::base_values(study));
+    result.points = twin::sweep_points(study, twin::base_values(study));
     const auto cases = read_cases(result.points, options, study.base);
     if (ranks.first) {
         print_out("{}", report::sweep_plan_text(study, result.points));
@@ -186,11 +186,11 @@ int sweep(const SweepOptions& options, Ranks& ranks)
     flush_out();
 
     ranks.agree = false;
-    study::SweepOptions how;
+    full::SweepOptions how;
     how.workers = options.jobs;
     // Points side by side need no word between them; ranks are for points that are few, or too large for that.
     const bool side_by_side =
-        options.jobs > 0 || study::most_alike(cases, pending) >= static_cast<std::size_t>(usable_cores());
+        options.jobs > 0 || full::most_alike(cases, pending) >= static_cast<std::size_t>(usable_cores());
     how.on_meshed = [&](const Machine& machine) {
         if (side_by_side) {
             ranks.spread_if_wanted();
@@ -208,7 +208,7 @@ int sweep(const SweepOptions& options, Ranks& ranks)
     };
     const auto kept = result.records;
     const std::vector<fs::path> inputs{options.study, study.base};
-    result.outcomes = study::run_points(result.points, cases, pending, how, action_of(options, inputs, ranks), console);
+    result.outcomes = full::run_points(result.points, cases, pending, how, action_of(options, inputs, ranks), console);
     console.finish();
     if (!ranks.first) {
         return console.cancelled() ? interrupted_exit_code : 0;
@@ -242,7 +242,7 @@ void add_sweep(CLI::App& app, int& exit_code)
     auto* shard =
         command
             ->add_option_function<std::string>(
-                "--shard", [options](const std::string& text) { options->shard = study::read_shard(text); },
+                "--shard", [options](const std::string& text) { options->shard = twin::read_shard(text); },
                 "compute one share of the points, such as 2/4: other calls compute the others at the same time, "
                 "into the same folder")
             ->type_name("I/N");

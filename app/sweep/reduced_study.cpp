@@ -5,14 +5,14 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 #include "deadpoint/io/resources.hpp"
-#include "deadpoint/report/charts/sweep_charts.hpp"
-#include "deadpoint/report/charts/sweep_figures.hpp"
-#include "deadpoint/report/files/sweep_files.hpp"
+#include "deadpoint/press/result/run_result.hpp"
 #include "deadpoint/report/folder/point_table.hpp"
 #include "deadpoint/report/folder/record_of_run.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "deadpoint/study/reduce/reduced_sweep.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/report/sweep/sweep_charts.hpp"
+#include "deadpoint/report/sweep/sweep_files.hpp"
+#include "deadpoint/report/tables/sweep_figures.hpp"
+#include "deadpoint/twin/map/reduced_sweep.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
 #include "output.hpp"
 #include "sweep/sweep_study.hpp"
 
@@ -30,14 +30,14 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A mark of all that the points of a study on a reduced model have in common.
-std::string mark_of_study(const SweepOptions& options, const study::SweepStudy& study)
+std::string mark_of_study(const SweepOptions& options, const twin::SweepStudy& study)
 {
     const auto base = casefile::read_case(study.base, study.overrides, options.files).value;
     return stable_hash(read_file(options.reduced, largest_result).value_or("") + casefile::case_hash(base));
 }
 
 /// A mark of what a point sets.
-std::string mark_of(const study::SweepPoint& point) { return stable_hash(fmt::format("{}", point.overrides)); }
+std::string mark_of(const twin::SweepPoint& point) { return stable_hash(fmt::format("{}", point.overrides)); }
 
 /// Takes over what an earlier call finished, but for points whose course over time is drawn. @return the others
 std::vector<std::size_t> take_kept(std::vector<report::PointRow> rows, const std::set<std::size_t>& drawn,
@@ -55,7 +55,7 @@ std::vector<std::size_t> take_kept(std::vector<report::PointRow> rows, const std
             continue;
         }
         result.records[p] = std::move(found->second->record);
-        result.outcomes[p] = {study::PointOutcome::State::kept, {}, found->second->outcome.seconds};
+        result.outcomes[p] = {twin::PointOutcome::State::kept, {}, found->second->outcome.seconds};
     }
     return pending;
 }
@@ -63,8 +63,8 @@ std::vector<std::size_t> take_kept(std::vector<report::PointRow> rows, const std
 report::PointRow row_of(const report::SweepResult& result, std::size_t point)
 {
     auto outcome = result.outcomes[point];
-    if (outcome.state == study::PointOutcome::State::kept) {
-        outcome.state = study::PointOutcome::State::done;
+    if (outcome.state == twin::PointOutcome::State::kept) {
+        outcome.state = twin::PointOutcome::State::done;
     }
     return {result.points[point].name, mark_of(result.points[point]), std::move(outcome), result.records[point]};
 }
@@ -74,7 +74,7 @@ std::vector<report::PointRow> rows_of(const report::SweepResult& result, const s
 {
     std::vector<report::PointRow> rows;
     for (const auto point : points) {
-        if (result.outcomes[point].state != study::PointOutcome::State::left) {
+        if (result.outcomes[point].state != twin::PointOutcome::State::left) {
             rows.push_back(row_of(result, point));
         }
     }
@@ -122,7 +122,7 @@ std::vector<std::size_t> require_all(const std::vector<report::PointRow>& rows, 
         const auto row = known.find(mark_of(result.points[point]));
         if (row == known.end()) {
             missing.push_back(point);
-        } else if (row->second->outcome.state == study::PointOutcome::State::failed) {
+        } else if (row->second->outcome.state == twin::PointOutcome::State::failed) {
             result.outcomes[point] = row->second->outcome;
         } else {
             drawn.push_back(point);
@@ -137,11 +137,11 @@ std::vector<std::size_t> own_points(const SweepOptions& options, const report::S
 {
     std::vector<std::size_t> all(result.points.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return options.shard ? study::points_of(*options.shard, all) : all;
+    return options.shard ? twin::points_of(*options.shard, all) : all;
 }
 
 /// Runs the points of this call that are not there yet. Their numbers stand in the tables only.
-void run_on_model(const SweepOptions& options, const study::ReducedPress& press, const Tables& tables,
+void run_on_model(const SweepOptions& options, const twin::ReducedPress& press, const Tables& tables,
                   report::SweepResult& result, Console& console)
 {
     // A shard draws nothing.
@@ -159,21 +159,21 @@ void run_on_model(const SweepOptions& options, const study::ReducedPress& press,
     const auto known = rows_of(result, own);
     report::PointTable table(tables.own, tables.mark, known);
     flush_out();
-    study::ReducedSweep how;
+    twin::ReducedSweep how;
     how.threads = options.jobs > 0 ? options.jobs : usable_cores();
     const casefile::CaseBase base(result.study.base, options.files);
-    how.read = [&](const study::SweepPoint& point) { return base.with(point.overrides); };
+    how.read = [&](const twin::SweepPoint& point) { return base.with(point.overrides); };
     casefile::CaseTexts texts;
-    how.record = [&](std::size_t point, const casefile::Case& input, const study::RunResult& run) {
+    how.record = [&](std::size_t point, const casefile::Case& input, const press::RunResult& run) {
         const auto record = report::record_of(input, texts.hash(input), run);
         return drawn.contains(point) ? record : report::brief(record);
     };
-    how.take = [&](std::size_t point, study::EndedPoint ended) {
+    how.take = [&](std::size_t point, twin::EndedPoint ended) {
         result.outcomes[point] = std::move(ended.outcome);
         result.records[point] = std::move(ended.record);
         table.add(row_of(result, point));
     };
-    study::run_points_reduced(result.points, pending, press, how, console);
+    twin::run_points_reduced(result.points, pending, press, how, console);
     if (!known.empty()) {
         table.replace(rows_of(result, own));
     }
@@ -190,10 +190,10 @@ int sweep_reduced(const SweepOptions& options, Ranks& ranks)
         return 0;
     }
     auto& console = ranks.console;
-    const auto press = study::read_reduced(options.reduced);
+    const auto press = twin::read_reduced(options.reduced);
     report::SweepResult result;
     result.study = read_sweep(options);
-    result.points = study::sweep_points(result.study, study::base_values(result.study));
+    result.points = twin::sweep_points(result.study, twin::base_values(result.study));
     result.records.resize(result.points.size());
     result.outcomes.resize(result.points.size());
     result.reduced_model = fs::path(options.reduced).filename().string();

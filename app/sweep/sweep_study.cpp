@@ -1,11 +1,11 @@
 #include "sweep/sweep_study.hpp"
 
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/report/charts/sweep_figures.hpp"
-#include "deadpoint/report/files/sweep_files.hpp"
 #include "deadpoint/report/folder/table_style.hpp"
 #include "deadpoint/report/page/sweep_page.hpp"
+#include "deadpoint/report/sweep/sweep_files.hpp"
+#include "deadpoint/report/tables/sweep_figures.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 
@@ -23,13 +23,13 @@ int exit_code_of_points(const report::SweepResult& result, const Console& consol
         return interrupted_exit_code;
     }
     const auto failed =
-        std::ranges::count(result.outcomes, study::PointOutcome::State::failed, &study::PointOutcome::state);
+        std::ranges::count(result.outcomes, twin::PointOutcome::State::failed, &twin::PointOutcome::state);
     return failed > 0 ? static_cast<int>(ErrorKind::convergence) : 0;
 }
 
 }  // namespace
 
-study::SweepStudy read_sweep(const SweepOptions& options)
+twin::SweepStudy read_sweep(const SweepOptions& options)
 {
     const auto file = casefile::read_study(options.study, options.files);
     if (file.sets.empty()) {
@@ -37,7 +37,7 @@ study::SweepStudy read_sweep(const SweepOptions& options)
                                      "'deadpoint sensitivity'",
                                      options.study));
     }
-    return study::translate_study(file);
+    return twin::translate_study(file);
 }
 
 report::StudyFolder open_study(const SweepOptions& options, const std::vector<std::string>& marks, Console& console)
@@ -70,7 +70,7 @@ int finish(const SweepOptions& options, const report::SweepResult& result, Conso
 int finish_shard(const SweepOptions& options, const std::vector<std::size_t>& own, const report::SweepResult& result,
                  const report::StudyFolder& folder, Console& console)
 {
-    using State = study::PointOutcome::State;
+    using State = twin::PointOutcome::State;
     const auto count = [&](State state) {
         return std::ranges::count(own, state, [&](std::size_t point) { return result.outcomes[point].state; });
     };

@@ -4,8 +4,8 @@
 #include "deadpoint/casefile/syntax/file_access.hpp"
 #include "deadpoint/io/csv_style.hpp"
 #include "deadpoint/report/shards/study_folder.hpp"
-#include "deadpoint/study/sweep/shard.hpp"
-#include "deadpoint/study/sweep/sweep_plan.hpp"
+#include "deadpoint/twin/map/shard.hpp"
+#include "deadpoint/twin/map/sweep_plan.hpp"
 #include "ranks/ranks.hpp"
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct SweepOptions {
     int jobs = 0;
     bool fields = false;
     std::string reduced;  ///< file of a reduced model to compute with
-    std::optional<deadpoint::study::Shard> shard;
+    std::optional<deadpoint::twin::Shard> shard;
     bool gather = false;  ///< computes nothing
     deadpoint::casefile::FileAccess files = deadpoint::casefile::FileAccess::below;
     deadpoint::CsvStyle tables = deadpoint::CsvStyle::comments;
@@ -33,7 +33,7 @@ struct SweepOptions {
 };
 
 /// The study of the options. @throws InputError also if it has no sets
-deadpoint::study::SweepStudy read_sweep(const SweepOptions& options);
+deadpoint::twin::SweepStudy read_sweep(const SweepOptions& options);
 
 /// Its folder; shows notes. @throws as StudyFolder
 deadpoint::report::StudyFolder open_study(const SweepOptions& options, const std::vector<std::string>& marks,

@@ -2,6 +2,7 @@
 
 #include "deadpoint/diagnostic.hpp"
 #include "deadpoint/observer.hpp"
+#include "deadpoint/read_options.hpp"
 #include "deadpoint/result.hpp"
 
 #include <filesystem>
@@ -16,13 +17,6 @@
 /// IoError for files. Messages state the error, its place and its remedy. An observer may be null;
 /// warnings are then in the results only.
 namespace deadpoint {
-
-/// How a case file is read.
-struct ReadOptions {
-    std::vector<std::string> overrides = {};  ///< "path=value", as --set: "operation.0.speed=400 rpm"
-    double size_scale = 1;                    ///< factor on all cell sizes, 0.01..100: 2 is coarser and faster
-    bool allow_outside = false;               ///< the case may name files outside its own folder
-};
 
 /// Where a run starts, and where it writes files.
 struct RunOptions {

@@ -1,16 +1,17 @@
 /// deadpoint._field: meshes, loads, heat and full runs for Python. It brings PETSc, MPI and Gmsh.
-#include "deadpoint/api/listener.hpp"
-#include "deadpoint/api/result_writer.hpp"
-#include "deadpoint/api/results.hpp"
+#include "deadpoint/api/full/press_parts.hpp"
+#include "deadpoint/api/full/result_writer.hpp"
+#include "deadpoint/api/twin/listener.hpp"
+#include "deadpoint/api/twin/results.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/bare_machine.hpp"
 #include "deadpoint/fem/algebra/product_kernels.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/result/heat_tables.hpp"
-#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/press/loads/loads.hpp"
+#include "deadpoint/press/problem/heat_tables.hpp"
+#include "deadpoint/press/result/loads_result.hpp"
 #include "run_data.hpp"
 #include "support.hpp"
 
@@ -67,7 +68,7 @@ struct FieldPress {
     }
 
     CasePointer of;
-    study::Press press;
+    full::Press press;
 };
 
 /// At the end of the interpreter, which may destroy objects later.
@@ -89,7 +90,7 @@ py::list check(const CasePointer& of, double size)
     require_scale(size);
     PythonObserver observer{py::none()};
     const auto found = compute(*of, [&] {
-        study::Press press(of->value(), size);
+        full::Press press(of->value(), size);
         return check_press(of->read, press, observer);
     });
     observer.raise_or_stop();

@@ -5,18 +5,18 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/report/files/run_files.hpp"
+#include "deadpoint/press/run/run_summary.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/folder/result_folder.hpp"
 #include "deadpoint/report/page/run_folder.hpp"
 #include "deadpoint/report/probe/field_files.hpp"
+#include "deadpoint/report/run/run_files.hpp"
 #include "deadpoint/report/schema/schema.hpp"
-#include "deadpoint/study/learn/forward.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "deadpoint/study/reduce/reduced_sweep.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
-#include "deadpoint/study/reduce/run_sensitivities.hpp"
-#include "deadpoint/study/result/run_summary.hpp"
+#include "deadpoint/twin/calibrate/forward.hpp"
+#include "deadpoint/twin/map/reduced_sweep.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
+#include "deadpoint/twin/run/run_sensitivities.hpp"
 #include "run_data.hpp"
 #include "support.hpp"
 
@@ -195,11 +195,11 @@ std::vector<std::pair<double, std::string>> times_of_fields(const report::Result
 
 /// A reduced press with what its runs share. Any number of threads may use it.
 struct Rom {
-    explicit Rom(const fs::path& file_) : file(file_), press(study::read_reduced(file_)) {}
+    explicit Rom(const fs::path& file_) : file(file_), press(twin::read_reduced(file_)) {}
 
     fs::path file;
-    study::ReducedPress press;
-    study::SharedParts shared;
+    twin::ReducedPress press;
+    twin::SharedParts shared;
 };
 
 std::shared_ptr<RunData> run_reduced(const std::shared_ptr<Rom>& rom, const CasePointer& of,
@@ -214,10 +214,10 @@ std::shared_ptr<RunData> run_reduced(const std::shared_ptr<Rom>& rom, const Case
         for (const auto& warning : of->read.warnings)
             observer.warn(warning);
         const auto start = std::chrono::steady_clock::now();
-        const auto detail = figures_only ? study::ReducedDetail::figures : study::ReducedDetail::all;
+        const auto detail = figures_only ? twin::ReducedDetail::figures : twin::ReducedDetail::all;
         run->result = casefile::with_places(of->value(), [&] {
-            return study::run_reduced(of->value(), rom->press, {large ? &large->press : nullptr, nullptr}, detail,
-                                      observer, nullptr, &rom->shared);
+            return twin::run_reduced(of->value(), rom->press, {large ? &large->press : nullptr, nullptr}, detail,
+                                     observer, nullptr, &rom->shared);
         });
         run->result.reduced->file = rom->file.filename().string();
         run->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -257,23 +257,23 @@ py::dict info_of(const Rom& rom)
 
 py::list outputs_of(const Rom& rom, const CasePointer& of)
 {
-    study::require_fit(of->value(), rom.press);
+    twin::require_fit(of->value(), rom.press);
     py::list result;
-    for (const auto& output : study::forward_outputs(of->value(), rom.press))
+    for (const auto& output : twin::forward_outputs(of->value(), rom.press))
         result.append(
-            py::make_tuple(output.kind == study::ForwardOutput::Kind::probe ? "probe" : "dimension", output.name));
+            py::make_tuple(output.kind == twin::ForwardOutput::Kind::probe ? "probe" : "dimension", output.name));
     return result;
 }
 
 py::dict sensitivities_of(const Rom& rom, const CasePointer& of, py::object receiver)
 {
     PythonObserver observer(std::move(receiver));
-    study::Sensitivities found;
+    press::Sensitivities found;
     {
         const py::gil_scoped_release unlocked;
         found = casefile::with_places(of->value(), [&] {
-            study::require_fit(of->value(), rom.press);
-            return study::run_sensitivities(of->value(), rom.press, observer);
+            twin::require_fit(of->value(), rom.press);
+            return twin::run_sensitivities(of->value(), rom.press, observer);
         });
     }
     observer.raise_or_stop();
@@ -291,28 +291,28 @@ py::dict sensitivities_of(const Rom& rom, const CasePointer& of, py::object rece
 /// Keys that change together, by a factor or (shift) by a difference.
 using Keys = std::tuple<std::string, std::vector<std::string>, bool>;
 
-std::vector<study::CaseParameter> parameters_of(const casefile::Case& input, const std::vector<Keys>& keys)
+std::vector<twin::CaseParameter> parameters_of(const casefile::Case& input, const std::vector<Keys>& keys)
 {
-    using Kind = study::CaseParameter::Kind;
-    std::vector<study::CaseParameter> result;
+    using Kind = twin::CaseParameter::Kind;
+    std::vector<twin::CaseParameter> result;
     for (const auto& [name, patterns, shifts] : keys)
-        result.push_back({name, study::keys_of(input, patterns, name), shifts ? Kind::shift : Kind::factor});
+        result.push_back({name, twin::keys_of(input, patterns, name), shifts ? Kind::shift : Kind::factor});
     return result;
 }
 
 /// Outputs over time, and their derivatives by the logarithms of factors and by shifts.
 py::tuple derivatives_of(const Rom& rom, const CasePointer& of, const std::vector<Keys>& keys, int threads)
 {
-    study::Forecast forecast;
+    twin::Forecast forecast;
     PythonObserver observer{py::none()};
     try {
         const py::gil_scoped_release unlocked;
         forecast = casefile::with_places(of->value(), [&] {
-            const study::ForwardModel model(of->value(), rom.press, parameters_of(of->value(), keys),
-                                            {0, threads, nullptr});
+            const twin::ForwardModel model(of->value(), rom.press, parameters_of(of->value(), keys),
+                                           {0, threads, nullptr});
             return model.run(std::vector<double>(keys.size(), 0.0), true, observer);
         });
-    } catch (const study::Stopped&) {
+    } catch (const twin::Stopped&) {
         observer.raise_or_stop();
     }
     py::list values, slopes;
@@ -342,13 +342,13 @@ public:
     }
 
     /// By any thread.
-    void keep(std::size_t point, const casefile::Case& input, const study::RunResult& result)
+    void keep(std::size_t point, const casefile::Case& input, const press::RunResult& result)
     {
         for (std::size_t p = 0; p < probes_.size(); ++p)
             probes_[p].second[point] = result.thermal.probes[p].value.back();
         if (!result.drift)
             return;
-        const auto summary = study::summarise(input, result);
+        const auto summary = press::summarise(input, result);
         end_[point] = summary.final_gap;
         largest_[point] = summary.largest_gap;
         warm_up_[point] = summary.warm_up_time.value_or(nothing);
@@ -378,7 +378,7 @@ private:
 py::dict map_of(const Rom& rom, const CasePointer& of, const std::vector<std::vector<std::string>>& settings,
                 int threads, py::object receiver)
 {
-    std::vector<study::SweepPoint> points;
+    std::vector<twin::SweepPoint> points;
     std::vector<std::size_t> all;
     for (std::size_t k = 0; k < settings.size(); ++k) {
         auto overrides = of->options.overrides;
@@ -388,22 +388,22 @@ py::dict map_of(const Rom& rom, const CasePointer& of, const std::vector<std::ve
     }
     Figures figures(of->value(), points.size());
     std::optional<casefile::CaseBase> base;  // read once for all points
-    study::ReducedSweep sweep;
+    twin::ReducedSweep sweep;
     sweep.threads = std::max(threads, 1);
-    sweep.read = [&](const study::SweepPoint& point) { return base->with(point.overrides); };
-    sweep.record = [&](std::size_t point, const casefile::Case& input, const study::RunResult& result) {
+    sweep.read = [&](const twin::SweepPoint& point) { return base->with(point.overrides); };
+    sweep.record = [&](std::size_t point, const casefile::Case& input, const press::RunResult& result) {
         figures.keep(point, input, result);
-        return study::RunRecord{};
+        return press::RunRecord{};
     };
-    sweep.take = [&](std::size_t point, study::EndedPoint ended) {
-        if (ended.outcome.state == study::PointOutcome::State::failed)
+    sweep.take = [&](std::size_t point, twin::EndedPoint ended) {
+        if (ended.outcome.state == twin::PointOutcome::State::failed)
             figures.fail(point, ended.outcome.reason);
     };
     PythonObserver observer(std::move(receiver));
     {
         const py::gil_scoped_release unlocked;
         base.emplace(of->file, access_of(of->options));
-        study::run_points_reduced(points, all, rom.press, sweep, observer);
+        twin::run_points_reduced(points, all, rom.press, sweep, observer);
     }
     observer.raise();
     auto result = figures.get();
@@ -459,7 +459,7 @@ PYBIND11_MODULE(_reduced, module)
         .def("info", &info_of)
         .def("outputs", &outputs_of, arg("case"))
         .def(
-            "misfits", [](const Rom& rom, const CasePointer& of) { return study::misfits(of->value(), rom.press); },
+            "misfits", [](const Rom& rom, const CasePointer& of) { return twin::misfits(of->value(), rom.press); },
             arg("case"))
         .def("run", &run_reduced, arg("case"), arg("large"), arg("figures_only"), arg("receiver"))
         .def("sensitivities", &sensitivities_of, arg("case"), arg("receiver"))

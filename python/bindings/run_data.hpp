@@ -1,9 +1,9 @@
 #pragma once
 
-#include "deadpoint/api/diagnostics.hpp"
+#include "deadpoint/api/twin/diagnostics.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/press.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -25,7 +25,7 @@ struct CaseData {
 struct RunData {
     std::shared_ptr<const CaseData> of;
     std::shared_ptr<const Machine> machine;
-    study::RunResult result;
+    press::RunResult result;
     std::vector<std::string> warnings;
     double seconds = 0;  ///< wall time inside the library
 };

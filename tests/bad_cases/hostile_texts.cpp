@@ -2,10 +2,10 @@
 /// that a terminal can show, or it is taken as it is meant. Nothing of it is dropped or understood as something else.
 #include "../scratch_folder.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/casefile/files/reference_file.hpp"
-#include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/casefile/studies/reference_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/casefile/files/calibration_file.hpp"
+#include "deadpoint/casefile/studies/calibration_file.hpp"
 #include "deadpoint/error.hpp"
 #include "input_file.hpp"
 

@@ -1,7 +1,7 @@
 /// Requirement: whatever stands in a measured table, calibrate and compare take finite values at increasing times from
 /// it, each column once, or give an error of ours.
 #include "calibrated_case.hpp"
-#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/casefile/studies/reference_file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 /// Requirement: whatever stands in a reduced model with a right checksum, reading it gives a press whose sizes fit,
 /// which is the same once written and read back, or an error of ours. Small and large models have one format.
 #include "deadpoint/error.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
 #include "input_file.hpp"
 #include "signed_file.hpp"
 
@@ -14,18 +14,18 @@ using namespace deadpoint;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     static const InputFile file(".rom");
-    const auto bytes = signed_file(study::reduced_kind, {reinterpret_cast<const char*>(data), size});
+    const auto bytes = signed_file(twin::reduced_kind, {reinterpret_cast<const char*>(data), size});
     file.write(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    study::ReducedPress press;
+    twin::ReducedPress press;
     try {
-        press = study::read_reduced(file.path());
+        press = twin::read_reduced(file.path());
     } catch (const IoError&) {
         return 0;
     }
     const auto again = file.folder() / "again.rom";
     try {
-        study::write_reduced(again, press);
-        if (study::read_reduced(again).states != press.states)
+        twin::write_reduced(again, press);
+        if (twin::read_reduced(again).states != press.states)
             std::abort();
     } catch (const IoError&) {  // what a uniform temperature does was restored, and may now be too large for 32 bits
     }

@@ -1,5 +1,5 @@
 /// Requirement: whatever stands in a reference file, reading it gives figures or an error of ours.
-#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/casefile/studies/reference_file.hpp"
 
 #include "deadpoint/error.hpp"
 #include "input_file.hpp"

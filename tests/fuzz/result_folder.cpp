@@ -1,9 +1,9 @@
 /// Requirement: whatever stands in summary.json or history.csv of a results folder, reading it gives a record or an
 /// error of ours. The first byte of the input chooses the file; the other one is sound.
 #include "deadpoint/error.hpp"
+#include "deadpoint/press/run/run_record.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
 #include "input_file.hpp"
 
 #include <array>

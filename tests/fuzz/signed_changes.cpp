@@ -9,10 +9,10 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/reduce/certificate_file.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
+#include "deadpoint/twin/model/certificate_file.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
 #include "input_file.hpp"
 #include "signed_file.hpp"
 
@@ -182,19 +182,19 @@ struct Counts {
 
 class Trial {
 public:
-    Trial(const std::string& case_file, std::optional<study::ReducedPress> large)
+    Trial(const std::string& case_file, std::optional<twin::ReducedPress> large)
         : input_(casefile::read_case(case_file, {"operation.0.duration=600 s", "output.causes=false"}).value),
           large_(std::move(large))
     {}
     void operator()(const std::filesystem::path& file, Counts& counts) const
     {
-        std::optional<study::ReducedPress> press;
+        std::optional<twin::ReducedPress> press;
         std::shared_ptr<const reduce::ResidualTerms> residual;
         try {
             if (large_)
-                residual = study::read_certificate(file, *large_);
+                residual = twin::read_certificate(file, *large_);
             else
-                press = study::read_reduced(file);
+                press = twin::read_reduced(file);
         } catch (const Error&) {
             ++counts.refused;
             return;
@@ -202,10 +202,9 @@ public:
         try {
             Impatient observer;
             if (large_)
-                study::run_reduced(input_, *large_, {&*large_, residual.get()}, study::ReducedDetail::figures,
-                                   observer);
+                twin::run_reduced(input_, *large_, {&*large_, residual.get()}, twin::ReducedDetail::figures, observer);
             else
-                study::run_reduced(input_, *press, {}, study::ReducedDetail::figures, observer);
+                twin::run_reduced(input_, *press, {}, twin::ReducedDetail::figures, observer);
             ++counts.run;
         } catch (const Error&) {
             ++counts.refused_later;
@@ -214,7 +213,7 @@ public:
 
 private:
     casefile::Case input_;
-    std::optional<study::ReducedPress> large_;
+    std::optional<twin::ReducedPress> large_;
 };
 
 int try_changes(unsigned long count, const Trial& trial, const std::string& sound, std::string_view kind)
@@ -261,7 +260,7 @@ int main(int argc, char** argv)
     for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGPROF})
         std::signal(signal, keep_signal);
     const bool of_certificate = argc == 6;
-    const Trial trial(argv[2], of_certificate ? std::optional(study::read_reduced(argv[5])) : std::nullopt);
+    const Trial trial(argv[2], of_certificate ? std::optional(twin::read_reduced(argv[5])) : std::nullopt);
     return try_changes(std::strtoul(argv[1], nullptr, 10), trial, content(argv[of_certificate ? 4 : 3]),
-                       of_certificate ? study::certificate_kind : study::reduced_kind);
+                       of_certificate ? twin::certificate_kind : twin::reduced_kind);
 }

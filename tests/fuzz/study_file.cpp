@@ -1,5 +1,5 @@
 /// Requirement: whatever stands in a study file, reading it gives a study or an error of ours.
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 
 #include "deadpoint/error.hpp"
 #include "input_file.hpp"

@@ -2,17 +2,17 @@
 ///     write_sound_press CASE FILE CERTIFICATE
 #include "../lumped_press.hpp"
 #include "deadpoint/casefile/files/read.hpp"
+#include "deadpoint/full/model/prepare.hpp"
 #include "deadpoint/observer.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
-#include "deadpoint/study/reduce/certificate_file.hpp"
+#include "deadpoint/twin/model/certificate_file.hpp"
 
 using namespace deadpoint;
 
 namespace {
 
 /// Of vectors that are orthonormal in K'^-1, for terms that a residual does not see.
-reduce::ResidualTerms residual_of(const study::ReducedPress& press)
+reduce::ResidualTerms residual_of(const twin::ReducedPress& press)
 {
     const auto& terms = press.terms->terms;
     reduce::ResidualTerms residual;
@@ -36,8 +36,8 @@ int main(int argc, char** argv)
         return 2;
     const auto input = casefile::read_case(argv[1]).value;
     Observer quiet;
-    const auto press = LumpedPress(input, study::prepare_machine(input, 3, quiet)).press();
-    study::write_reduced(argv[2], press);
-    study::write_certificate(argv[3], press, residual_of(press));
+    const auto press = LumpedPress(input, full::prepare_machine(input, 3, quiet)).press();
+    twin::write_reduced(argv[2], press);
+    twin::write_certificate(argv[3], press, residual_of(press));
     return 0;
 }

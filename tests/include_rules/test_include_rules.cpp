@@ -46,13 +46,13 @@ TEST_CASE("a tree that keeps the rules passes")
     tree.add("src/deadpoint/fem/c.hpp", "#include <petscvec.h>\n#include <mpi.h>\n");
     tree.add("src/deadpoint/fem/c.cpp", "#include \"deadpoint/fem/c.hpp\"\n#include <petscksp.h>\n");
     tree.add("src/deadpoint/machine/d.cpp", "#include \"deadpoint/exchange/b.hpp\"\n#include <gmsh.h>\n");
-    tree.add("src/deadpoint/study/e.hpp", "#include \"deadpoint/exchange/b.hpp\"\n");
+    tree.add("src/deadpoint/full/e.hpp", "#include \"deadpoint/exchange/b.hpp\"\n");
     tree.add("include/deadpoint/error.hpp", "#include <string>\n");
     tree.add("include/deadpoint/press.hpp", "#include \"deadpoint/error.hpp\"\n");
     tree.add("src/deadpoint/core/f.hpp", "#include \"deadpoint/error.hpp\"\n");
-    tree.add("src/deadpoint/api/g.cpp", "#include \"deadpoint/press.hpp\"\n#include \"deadpoint/study/e.hpp\"\n");
+    tree.add("src/deadpoint/api/g.cpp", "#include \"deadpoint/press.hpp\"\n#include \"deadpoint/full/e.hpp\"\n");
     tree.add("app/console.hpp", "#include <spdlog/spdlog.h>\n");
-    tree.add("app/main.cpp", "#include \"console.hpp\"\n#include \"deadpoint/study/e.hpp\"\n#include <CLI/CLI.hpp>\n");
+    tree.add("app/main.cpp", "#include \"console.hpp\"\n#include \"deadpoint/full/e.hpp\"\n#include <CLI/CLI.hpp>\n");
     CHECK(include_violations(tree.root).empty());
 }
 
@@ -67,8 +67,8 @@ TEST_CASE("each planted violation is found, with file and line")
     CHECK(
         violation("src/deadpoint/report/a.cpp", "#include \"../../../app/console.hpp\"\n").find("write own headers") !=
         std::string::npos);
-    CHECK(violation("src/deadpoint/study/a.cpp", "  #  include <mpi.h>\n") ==
-          "src/deadpoint/study/a.cpp:1: <mpi.h> may be included only in 'fem'");
+    CHECK(violation("src/deadpoint/full/a.cpp", "  #  include <mpi.h>\n") ==
+          "src/deadpoint/full/a.cpp:1: <mpi.h> may be included only in 'fem'");
     CHECK(violation("src/deadpoint/drift/a.cpp", "#include <petscmat.h>\n").find("only in 'fem'") != std::string::npos);
     CHECK(violation("app/a.cpp", "#include <gmsh.h>\n").find("only in 'machine'") != std::string::npos);
     CHECK(violation("src/deadpoint/machine/a.cpp", "#include <toml++/toml.h>\n").find("only in 'casefile'") !=
@@ -85,8 +85,8 @@ TEST_CASE("public headers show nothing but the standard library and themselves")
           "include/deadpoint/a.hpp:1: public headers include the standard library only, not <mpi.h>");
     CHECK(violation("include/deadpoint/a.hpp", "#include \"deadpoint/core/vec.hpp\"\n") ==
           "include/deadpoint/a.hpp:1: 'include' may not include 'core' (deadpoint/core/vec.hpp)");
-    CHECK(violation("src/deadpoint/study/a.cpp", "#include \"deadpoint/press.hpp\"\n") ==
-          "src/deadpoint/study/a.cpp:1: 'study' may not include 'include' (deadpoint/press.hpp)");
+    CHECK(violation("src/deadpoint/full/a.cpp", "#include \"deadpoint/press.hpp\"\n") ==
+          "src/deadpoint/full/a.cpp:1: 'full' may not include 'include' (deadpoint/press.hpp)");
 }
 
 TEST_CASE("a cycle is found, also through a third file")
@@ -113,6 +113,20 @@ TEST_CASE("a cycle through a source is found: units are a header and its source"
                            "src/deadpoint/core/b -> src/deadpoint/core/a");
 }
 
+TEST_CASE("a cycle between rooms is found where no two files form one")
+{
+    const Tree tree;
+    tree.add("src/deadpoint/fem/space/a.hpp", "#include <vector>\n");
+    tree.add("src/deadpoint/fem/space/b.cpp", "#include \"deadpoint/fem/elastic/c.hpp\"\n");
+    tree.add("src/deadpoint/fem/elastic/c.hpp", "#include <vector>\n");
+    CHECK(include_violations(tree.root).empty());
+    tree.add("src/deadpoint/fem/elastic/d.cpp", "#include \"deadpoint/fem/space/a.hpp\"\n");
+    const auto found = include_violations(tree.root);
+    REQUIRE(found.size() == 1);
+    CHECK(found.front() == "src/deadpoint/fem/space/b.cpp:1: cycle of includes: src/deadpoint/fem/elastic -> "
+                           "src/deadpoint/fem/space -> src/deadpoint/fem/elastic");
+}
+
 TEST_CASE("a library seen through a header may not leave its folder")
 {
     const Tree tree;
@@ -120,10 +134,10 @@ TEST_CASE("a library seen through a header may not leave its folder")
     tree.add("src/deadpoint/fem/b.hpp", "#include \"deadpoint/fem/a.hpp\"\n");
     tree.add("src/deadpoint/fem/b.cpp", "#include \"deadpoint/fem/b.hpp\"\n");
     CHECK(include_violations(tree.root).empty());
-    tree.add("src/deadpoint/study/c.cpp", "#include <vector>\n#include \"deadpoint/fem/b.hpp\"\n");
+    tree.add("src/deadpoint/full/c.cpp", "#include <vector>\n#include \"deadpoint/fem/b.hpp\"\n");
     const auto found = include_violations(tree.root);
     REQUIRE(found.size() == 1);
-    CHECK(found.front() == "src/deadpoint/study/c.cpp:2: 'deadpoint/fem/b.hpp' shows a library's header and is "
+    CHECK(found.front() == "src/deadpoint/full/c.cpp:2: 'deadpoint/fem/b.hpp' shows a library's header and is "
                            "therefore internal to 'fem'");
 }
 

@@ -7,7 +7,7 @@ if(NOT package OR NOT python_package)
     fail("cpack made no package")
 endif()
 run(dpkg-deb --contents ${package})
-foreach(path IN ITEMS bin/deadpoint lib/libdeadpoint.so. lib/libdeadpoint_reduced.so. lib/cmake/deadpoint/deadpointConfig.cmake
+foreach(path IN ITEMS bin/deadpoint lib/libdeadpoint.so. lib/libdeadpoint_twin.so. lib/cmake/deadpoint/deadpointConfig.cmake
         include/deadpoint/press.hpp share/man/man1/deadpoint.1 share/bash-completion/completions/deadpoint
         share/zsh/vendor-completions/_deadpoint share/fish/vendor_completions.d/deadpoint.fish
         share/deadpoint/cases/starter/case.toml share/deadpoint/examples/link_deadpoint/drift.cpp)

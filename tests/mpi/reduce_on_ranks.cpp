@@ -1,10 +1,10 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/reduce.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/reduce/reduce.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
 
 #include <exception>
 #include <fstream>
@@ -20,11 +20,11 @@ using namespace deadpoint;
 
 namespace {
 
-study::Reduction reduction_of(const casefile::Case& input, double size, long long largest_factor)
+twin::Reduction reduction_of(const casefile::Case& input, double size, long long largest_factor)
 {
     Observer silent;
-    study::Press press(input, size);
-    auto options = study::reduce_options(input);
+    full::Press press(input, size);
+    auto options = full::reduce_options(input);
     options.full_runs = 1;
     options.largest_factor = largest_factor;
     options.build.sets = 12;
@@ -36,11 +36,11 @@ study::Reduction reduction_of(const casefile::Case& input, double size, long lon
     return press.reduce(options, silent).value();
 }
 
-void write(const std::string& path, const casefile::Case& input, const study::Reduction& reduction)
+void write(const std::string& path, const casefile::Case& input, const twin::Reduction& reduction)
 {
     Observer silent;
     const auto run =
-        study::run_reduced(input, reduction.small, {&reduction.large, nullptr}, study::ReducedDetail::figures, silent);
+        twin::run_reduced(input, reduction.small, {&reduction.large, nullptr}, twin::ReducedDetail::figures, silent);
     std::ofstream file(path);
     file.precision(17);
     file << fem::ranks() << '\n' << reduction.large.states << '\n' << reduction.small.states << '\n';

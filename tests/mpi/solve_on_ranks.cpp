@@ -1,10 +1,10 @@
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/exchange/stress.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/full/refine/refine.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/run.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/refine/refine.hpp"
 
 #include <exception>
 #include <fstream>
@@ -54,20 +54,20 @@ private:
     int left_;
 };
 
-study::RunResult solve(const casefile::Case& input, const Interruption& interruption)
+press::RunResult solve(const casefile::Case& input, const Interruption& interruption)
 {
     StoppingObserver silent(interruption.stop);
     if (casefile::wanted_accuracy(input))
-        return study::run_to_accuracy(input, 1, {}, silent).result;
-    study::RunOptions options;
+        return full::run_to_accuracy(input, 1, {}, silent).result;
+    full::RunOptions options;
     options.causes = true;
     options.checkpoint_file = interruption.checkpoint;
     options.checkpoint_interval = 0;
     options.resume_from = interruption.resume ? interruption.checkpoint : std::string{};
-    return study::Press(input).run(options, silent);
+    return full::Press(input).run(options, silent);
 }
 
-void write(const std::string& path, const study::RunResult& result)
+void write(const std::string& path, const press::RunResult& result)
 {
     std::ofstream file(path);
     file.precision(17);
@@ -84,7 +84,7 @@ void write(const std::string& path, const study::RunResult& result)
     for (const double highest : history.part_highest)
         file << highest << '\n';
     // forces in kN and stress in MPa, of the size of the temperatures
-    const auto frame = result.frame.value_or(study::FrameResult{});
+    const auto frame = result.frame.value_or(press::FrameResult{});
     for (const auto& rod : frame.rods)
         file << 1e-3 * rod.start << '\n' << 1e-3 * rod.change.value.back() << '\n';
     for (const auto& bond : frame.bonds)

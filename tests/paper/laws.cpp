@@ -1,9 +1,9 @@
 /// Tables 3, 4 and 5 of the paper: contact resistance, static factors and joint heat by the program's laws.
+#include "deadpoint/full/model/prepare.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/laws/friction.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
-#include "deadpoint/study/result/friction_summary.hpp"
-#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/press/laws/friction.hpp"
+#include "deadpoint/press/result/friction_summary.hpp"
+#include "deadpoint/press/result/loads_result.hpp"
 #include "deadpoint/tribology/conductance/conductance.hpp"
 #include "deadpoint/tribology/conductance/fractal_contact.hpp"
 #include "deadpoint/tribology/friction/rolling_bearing.hpp"
@@ -77,8 +77,8 @@ TEST_CASE("Table 5: the shipped press at its reference has the printed heat of e
 {
     const auto& table = printed("table_5");
     Observer quiet;
-    const auto machine = study::prepare_machine(paper::press(), 2.5, quiet);  // coarse: heat does not depend on it
-    study::FrictionLaws laws(paper::press(), &machine, nullptr);
+    const auto machine = full::prepare_machine(paper::press(), 2.5, quiet);  // coarse: heat does not depend on it
+    press::FrictionLaws laws(paper::press(), &machine, nullptr);
     casefile::Segment segment;
     segment.speed = 200 * rpm;
     segment.force = 3e5;

@@ -2,10 +2,10 @@
 /// tests that need a model but not a good one.
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/reduce.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/reduce/reduce.hpp"
-#include "deadpoint/study/reduce/reduced_press.hpp"
+#include "deadpoint/twin/model/reduced_press.hpp"
 
 #include <filesystem>
 
@@ -17,8 +17,8 @@ int main(int argc, char** argv)
         return 2;
     const fem::Session session(argc, argv);
     const std::filesystem::path file = argv[2];
-    study::Press press(casefile::read_case(argv[1]).value, 4);
-    auto options = study::reduce_options(press.input());
+    full::Press press(casefile::read_case(argv[1]).value, 4);
+    auto options = full::reduce_options(press.input());
     options.build.sets = 12;
     options.build.training_runs = 16;
     options.build.test_runs = 2;
@@ -28,6 +28,6 @@ int main(int argc, char** argv)
     Observer silent;
     auto reduction = press.reduce(options, silent);
     reduction->small.large_file = file.stem().string() + ".large.rom";
-    study::write_reduced(file.parent_path() / reduction->small.large_file, reduction->large);
-    study::write_reduced(file, reduction->small);
+    twin::write_reduced(file.parent_path() / reduction->small.large_file, reduction->large);
+    twin::write_reduced(file, reduction->small);
 }

@@ -1,7 +1,7 @@
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>
@@ -24,11 +24,11 @@ struct Bent {
 Bent bent(int order, double scale)
 {
     const auto input = verification::read("bar");
-    const auto machine = study::prepare_machine(input, scale, silent);
-    fem::Model model(machine, study::describe_materials(input, machine), order, silent);
+    const auto machine = full::prepare_machine(input, scale, silent);
+    fem::Model model(machine, press::describe_materials(input, machine), order, silent);
     const auto side = verification::mean_over(machine, "right_side", 0);
     const auto field = model.interpolate_field([](const Vec3& x) { return 293.15 + 4000 * x[0] * x[1]; });
-    model.support(study::surface_index(machine, "bottom"));
+    model.support(press::surface_index(machine, "bottom"));
     const auto u = model.displacement(field, 293.15);
     const auto parts = model.deformation_errors(u, {model.deformation_adjoint(side)}).front();
     return {model.evaluate({side}, u)[0], std::accumulate(parts.begin(), parts.end(), 0.0)};

@@ -1,8 +1,9 @@
 #include "../record.hpp"
+#include "deadpoint/full/frame/chain_on_mesh.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
-#include "deadpoint/study/drift/chain_model.hpp"
-#include "deadpoint/study/translate/linkage.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/press/drift/chain_model.hpp"
+#include "deadpoint/press/translate/linkage.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>
@@ -43,16 +44,16 @@ Closed closed_press(const std::string& name, const std::vector<double>& shares)
     auto input = shipped(name);
     input.numerics.size *= 1.6;
     Elastic press(input);
-    const study::ChainModel chain(input, press.machine);
+    const press::ChainModel chain(input, press.machine);
     REQUIRE(static_cast<std::size_t>(chain.bearings()) == shares.size());
-    press.model.support(study::surface_index(press.machine, input.chain->ground_surface));
+    press.model.support(press::surface_index(press.machine, input.chain->ground_surface));
     const auto adjoints = press.model.adjoints(chain.dimensions);
     const auto field = press.model.interpolate_field([](const Vec3& x) {
         return 293.15 + 20 * std::exp(-std::abs(x[1] + 0.1) / 0.4) + 8 * std::sin(4 * x[0] + 1) + 5 * x[2];
     });
     const auto displacement = press.model.displacement(field, 293.15);
-    const auto closing = study::close_joints(press.machine, press.model, chain, displacement, shares);
-    return {press.model.apply(study::gap_adjoint(chain, adjoints, shares), field, 293.15),
+    const auto closing = full::close_joints(press.machine, press.model, chain, displacement, shares);
+    return {press.model.apply(full::gap_adjoint(chain, adjoints, shares), field, 293.15),
             rise_of(press, input.chain->slide_surface, displacement, closing.motions) -
                 rise_of(press, input.chain->table_surface, displacement, closing.motions),
             closing.opening};
@@ -84,7 +85,7 @@ TEST_CASE("the closed half of a press has the adjoint's gap where one bearing's 
 
 TEST_CASE("shifts of the frame's pivots move the slide by as much in the sum")
 {
-    const auto linkage = study::describe_linkage(shipped("jl75g-60"));
+    const auto linkage = press::describe_linkage(shipped("jl75g-60"));
     const auto bottom = mechanism::bottom_dead_point(linkage);
     Vec2 sum{};
     for (std::size_t j = 0; j < linkage.joints.size(); ++j) {

@@ -2,10 +2,10 @@
 #include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/fem/estimate/pod.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/fields/view_recorder.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/full/fields/view_recorder.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -47,7 +47,7 @@ Functional mean_height(const Machine& machine, const std::string& surface, doubl
 {
     Functional result{"height", {}};
     double area = 0;
-    for (const auto& entry : machine.surfaces[study::surface_index(machine, surface)].faces)
+    for (const auto& entry : machine.surfaces[press::surface_index(machine, surface)].faces)
         for (const auto& point : face_points(machine, machine.faces[entry.face])) {
             result.points.push_back({entry.face, point.position, {0, sign * point.weight, 0}});
             area += point.weight;
@@ -64,8 +64,8 @@ struct Bar {
     Functional stretch;
 
     explicit Bar(const casefile::Case& c)
-        : input(c), machine(study::prepare_machine(input, 1, silent)),
-          model(machine, study::describe_materials(input, machine), 1, silent), stretch(mean_height(machine, "top", 1))
+        : input(c), machine(full::prepare_machine(input, 1, silent)),
+          model(machine, press::describe_materials(input, machine), 1, silent), stretch(mean_height(machine, "top", 1))
     {
         const auto bottom = mean_height(machine, "bottom", -1);
         stretch.points.insert(stretch.points.end(), bottom.points.begin(), bottom.points.end());
@@ -145,7 +145,7 @@ TEST_CASE("a run that starts at 40 degC: the history's functional, its rate and 
     input.machine.initial_temperature = reference + 20;
     input.heat_sources["heater"] = {{"lower"}, "", casefile::Course{400, {}, {}}, true};
     Bar bar(input);
-    auto problem = study::describe_heat(input, bar.machine, silent);
+    auto problem = press::describe_heat(input, bar.machine, silent);
     const auto adjoints = bar.model.adjoints({bar.stretch});
     bar.model.assemble_heat(problem);
     double at_end = 0;
@@ -171,7 +171,7 @@ TEST_CASE("a run that starts at 40 degC: the history's functional, its rate and 
 TEST_CASE("the page's deformation by modes, where it does not follow the temperature linearly")
 {
     Bar bar(with_table("instantaneous"));
-    study::ViewRecorder recorder;
+    full::ViewRecorder recorder;
     const std::vector<double> times{0, 0.3, 0.6, 1};
     const auto field = [&](double t) {
         return bar.model.interpolate_field([&](const Vec3& x) { return reference + 100 * t * x[1] + 20 * t * t; });
@@ -193,5 +193,5 @@ TEST_CASE("the page's deformation by modes, where it does not follow the tempera
         CHECK(t == near(reference + 100 * view.surface.positions[v][1] + 20, 1e-4));
     }
     // The modes that are solved leave out 2.5 % of the rise at most.
-    CHECK(largest < study::view_deformation_tolerance * strain(reference + 120) * length);
+    CHECK(largest < full::view_deformation_tolerance * strain(reference + 120) * length);
 }

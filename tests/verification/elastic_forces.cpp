@@ -1,10 +1,10 @@
-#include "deadpoint/fem/estimate/tighten.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/drift/frame_state.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/fem/tighten.hpp"
+#include "deadpoint/full/frame/frame_state.hpp"
+#include "deadpoint/full/run/run.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -39,15 +39,15 @@ struct Tube {
     explicit Tube(bool half = false, Feet kind = Feet::free)
         : input(verification::read("rods-in-tube", half ? std::vector<std::string>{"machine.half_model=true"}
                                                         : std::vector<std::string>{})),
-          machine(study::prepare_machine(input, 1, silent)),
-          model(machine, study::describe_materials(input, machine), 1, silent)
+          machine(full::prepare_machine(input, 1, silent)),
+          model(machine, press::describe_materials(input, machine), 1, silent)
     {
         input.foundation->kind = kind;
         if (kind == Feet::elastic)
             input.foundation->vertical_stiffness = input.foundation->horizontal_stiffness = 1e10;
-        model.support(study::describe_foundation(input, machine));
+        model.support(full::describe_foundation(input, machine));
         for (const char* name : {"rod_left", "rod_right"})
-            if (const int part = study::part_index(machine, name); part >= 0)
+            if (const int part = press::part_index(machine, name); part >= 0)
                 rods.push_back({name, ForceGauge::Kind::rod, part, Axis::y});
         for (int b = 0; b < static_cast<int>(machine.bonds.size()); ++b)
             bonds.push_back({machine.bonds[b].name, ForceGauge::Kind::bond, b, Axis::y});
@@ -124,11 +124,11 @@ TEST_CASE("forces: rods get the preload that is stated, weights acting")
         double weight = 0;
         for (const auto& part : tube.machine.parts)
             weight += 9.81 * part.volume *
-                      study::describe_materials(tube.input, tube.machine)[&part - tube.machine.parts.data()].density;
+                      press::describe_materials(tube.input, tube.machine)[&part - tube.machine.parts.data()].density;
         const auto feet = tube.model.forces({{"feet", ForceGauge::Kind::feet, 0, Axis::y}}, loads, u);
         CHECK(feet[0] == near(weight, 1e-7));
         // 60 kN on 900 mm2 in the mean; the plates tilt under unequal forces and bend the rods
-        const auto stress = tube.model.stress({study::part_index(tube.machine, "rod_left")}, u, loads).front();
+        const auto stress = tube.model.stress({press::part_index(tube.machine, "rod_left")}, u, loads).front();
         double sum = 0, count = 0;
         for (std::size_t i = 0; i < stress.nodes.size(); ++i)
             if (std::abs(tube.machine.nodes[stress.nodes[i]][1] - 0.2) < 0.1) {
@@ -160,7 +160,7 @@ TEST_CASE("forces: very stiff pads clamp")
 {
     const auto lift = [](const Foundation::Kind kind, double stiffness) {
         Tube tube;
-        tube.model.support({study::surface_index(tube.machine, "feet"), kind, stiffness, stiffness});
+        tube.model.support({press::surface_index(tube.machine, "feet"), kind, stiffness, stiffness});
         Functional side{"side", {}};
         for (const auto& point : tube.machine.bonds.front().points)
             side.points.push_back({point.face_a, point.position_a, {1, 0.5, 0}});
@@ -175,13 +175,13 @@ TEST_CASE("forces: very stiff pads clamp")
 TEST_CASE("forces: a run reports its rods, and warns when they come loose")
 {
     auto input = verification::read("rods-in-tube");
-    const auto machine = study::prepare_machine(input, 1, silent);
+    const auto machine = full::prepare_machine(input, 1, silent);
     const auto run = [&](double force, double share, double process) {
         input.preload.at("rods").force = force;
         input.preload.at("rods").process_share = share;
         input.operation[0].force = process;
         Listener listener;
-        auto result = study::run_case(input, machine, {}, listener);
+        auto result = full::run_case(input, machine, {}, listener);
         return std::pair{std::move(result), listener};
     };
     const auto [held, quiet] = run(120e3, 0, 0);
@@ -194,8 +194,8 @@ TEST_CASE("forces: a run reports its rods, and warns when they come loose")
     // The mean temperatures of the last step, by the two springs; parts of the tube are warmer than others, which bends
     // it
     const auto& means = held.thermal.part_means;
-    const double expected = two_springs(means[study::part_index(machine, "rod_left")].value.back() - start,
-                                        means[study::part_index(machine, "tube")].value.back() - start);
+    const double expected = two_springs(means[press::part_index(machine, "rod_left")].value.back() - start,
+                                        means[press::part_index(machine, "tube")].value.back() - start);
     CHECK(rod.change.value.back() == near(expected, 0.01));
     CHECK(rod.change.value.back() < -50e3);
     CHECK_FALSE(quiet.heard("preload"));
@@ -223,11 +223,11 @@ TEST_CASE("forces: weights change stress and support, never the drift")
         casefile::read_case(std::string(DEADPOINT_VERIFICATION_CASES) + "/../../../cases/starter/case.toml", {}).value;
     for (auto& segment : input.operation)
         segment.duration = 600;
-    const auto machine = study::prepare_machine(input, 2.5, silent);
-    const auto plain = study::run_case(input, machine, {}, silent);
+    const auto machine = full::prepare_machine(input, 2.5, silent);
+    const auto plain = full::run_case(input, machine, {}, silent);
     input.foundation.emplace();
     input.foundation->gravity = 9.81;
-    const auto heavy = study::run_case(input, machine, {}, silent);
+    const auto heavy = full::run_case(input, machine, {}, silent);
     REQUIRE(plain.drift);
     REQUIRE(heavy.drift);
     REQUIRE(plain.drift->time.size() == heavy.drift->time.size());

@@ -1,10 +1,10 @@
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/drift/chain_model.hpp"
-#include "deadpoint/study/drift/gap_model.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/press/drift/chain_model.hpp"
+#include "deadpoint/press/drift/gap_model.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -26,18 +26,18 @@ const std::string cases = std::string(DEADPOINT_VERIFICATION_CASES) + "/../../..
 struct Press {
     casefile::Case input;
     Machine machine;
-    study::ChainModel chain;
-    study::GapModel gaps;
+    press::ChainModel chain;
+    press::GapModel gaps;
     fem::Model model;
     std::vector<fem::Adjoint> adjoints;
 
     Press(const std::string& file, double size, int order, const std::vector<std::string>& overrides)
         : input(casefile::read_case(cases + file, overrides).value),
-          machine(study::prepare_machine(input, size, silent)), chain(input, machine),
-          gaps(study::describe_gaps(input, machine, chain)),
-          model(machine, study::describe_materials(input, machine), order, silent)
+          machine(full::prepare_machine(input, size, silent)), chain(input, machine),
+          gaps(press::describe_gaps(input, machine, chain)),
+          model(machine, press::describe_materials(input, machine), order, silent)
     {
-        model.support(study::surface_index(machine, input.chain->ground_surface));
+        model.support(press::surface_index(machine, input.chain->ground_surface));
         adjoints = model.adjoints(gaps.functionals);
     }
 
@@ -78,9 +78,9 @@ TEST_CASE("corners and clearances do not feel how bodies stand")
     for (const char* file : {"starter/case.toml", "knuckle-joint/case.toml"}) {
         CAPTURE(file);
         const auto input = casefile::read_case(cases + file).value;
-        const auto machine = study::prepare_machine(input, 2, silent);
-        const study::ChainModel chain(input, machine);
-        const auto gaps = study::describe_gaps(input, machine, chain);
+        const auto machine = full::prepare_machine(input, 2, silent);
+        const press::ChainModel chain(input, machine);
+        const auto gaps = press::describe_gaps(input, machine, chain);
         REQUIRE(gaps.corners.size() == (machine.half_model ? 2 : 4));
         for (int motion = 0; motion < 6; ++motion) {
             // Half models: only what keeps the plane x = 0.

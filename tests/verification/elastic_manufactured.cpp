@@ -1,8 +1,8 @@
 #include "../record.hpp"
 #include "../scratch_folder.hpp"
 #include "brick_elements.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "elastic_model.hpp"
 #include "grid_mesh.hpp"
 #include "near.hpp"
@@ -124,15 +124,15 @@ std::vector<std::vector<Vec3>> displacement_at_nodes(const Mesh& mesh)
 {
     const ScratchFolder folder, sampled_folder;
     Elastic solved(box(folder.path, mesh, mesh.tetrahedra, 1));
-    solved.model.support({study::surface_index(solved.machine, "feet"), Foundation::Kind::clamped});
+    solved.model.support({press::surface_index(solved.machine, "feet"), Foundation::Kind::clamped});
     const auto displacement = solved.model.displacement(solved.model.interpolate_field(warmth), start);
 
     // Its nodes are the corners of hexahedra that divide each brick's edge by the order.
     const auto input = box(sampled_folder.path, mesh, false, mesh.order);
     Observer silent;
-    const auto machine = study::prepare_machine(input, 1, silent);
+    const auto machine = full::prepare_machine(input, 1, silent);
     const auto nodes = nodes_of(mesh);
-    const fem::Model samples(machine, study::describe_materials(input, machine), std::vector<int>(nodes.size(), 1),
+    const fem::Model samples(machine, press::describe_materials(input, machine), std::vector<int>(nodes.size(), 1),
                              silent, &solved.machine, std::vector<int>(nodes.size(), mesh.order));
     std::vector<std::vector<Vec3>> values;
     for (std::size_t part = 0; part < nodes.size(); ++part) {

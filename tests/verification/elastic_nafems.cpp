@@ -1,6 +1,6 @@
 #include "../record.hpp"
 #include "../scratch_folder.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
 #include "elastic_model.hpp"
 #include "grid_mesh.hpp"
 
@@ -70,7 +70,7 @@ AtA at_a(const Le11& mesh)
     Elastic body(verification::read(
         "imported", {"parts.solid.mesh=" + file.string(), "parts.solid.order=" + std::to_string(mesh.order)}));
     const auto& machine = body.machine;
-    body.model.support(study::surface_index(machine, "feet"));
+    body.model.support(press::surface_index(machine, "feet"));
     const auto field = body.model.interpolate_field([](const Vec3& x) { return std::hypot(x[0], x[2]) + x[1]; });
     const auto displacement = body.model.displacement(field, 0);
 

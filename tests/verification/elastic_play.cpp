@@ -1,5 +1,5 @@
-#include "deadpoint/study/drift/chain_model.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/full/run/run.hpp"
+#include "deadpoint/press/drift/chain_model.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -38,13 +38,13 @@ Case starter(const std::vector<std::string>& more = {})
 
 struct Runs {
     Warnings observer;
-    Machine machine = study::prepare_machine(starter(), 3, observer);
-    study::SharedModel model{machine};
+    Machine machine = full::prepare_machine(starter(), 3, observer);
+    full::SharedModel model{machine};
 
-    study::RunResult run(const Case& input)
+    press::RunResult run(const Case& input)
     {
         observer.texts.clear();
-        study::RunOptions options;
+        full::RunOptions options;
         options.causes = true;
         return model.run(input, options, observer);
     }
@@ -96,7 +96,7 @@ TEST_CASE("play of the crank's bearings: none, all of it, or until it is used up
     CHECK(drift.clearance.rate.back() == 0);
     CHECK(drift.play.value.back() == near(-0.5 * closed, 1e-9));
     // all corners go with the slide
-    const auto corner = [](const study::RunResult& result) {
+    const auto corner = [](const press::RunResult& result) {
         return result.gaps.parallelism->corners[2].gap.value.back();
     };
     CHECK(corner(limited) - corner(none) == near(-0.5 * closed, 1e-6));

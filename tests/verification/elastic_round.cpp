@@ -1,6 +1,6 @@
 #include "../record.hpp"
 #include "deadpoint/exchange/stress.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
 #include "elastic_model.hpp"
 
 #include <cmath>
@@ -46,7 +46,7 @@ Functional mean_growth(const Machine& machine, const std::string& surface)
 {
     Functional result;
     double area = 0;
-    for (const auto& entry : machine.surfaces[study::surface_index(machine, surface)].faces)
+    for (const auto& entry : machine.surfaces[press::surface_index(machine, surface)].faces)
         for (const auto& point : face_points(machine, machine.faces[entry.face])) {
             const double r = std::hypot(point.position[0], point.position[2]);
             result.points.push_back({entry.face,
@@ -100,17 +100,17 @@ std::array<double, 3> errors_of_rings(double outer_size, double inner_size, bool
     Elastic rings(input);
     const Machine& machine = rings.machine;
     // both ends are one surface of feet, which keeps its height
-    auto& all = rings.machine.surfaces[static_cast<std::size_t>(study::surface_index(machine, "ends"))].faces;
-    const auto& lower = machine.surfaces[static_cast<std::size_t>(study::surface_index(machine, "lower_ends"))].faces;
+    auto& all = rings.machine.surfaces[static_cast<std::size_t>(press::surface_index(machine, "ends"))].faces;
+    const auto& lower = machine.surfaces[static_cast<std::size_t>(press::surface_index(machine, "lower_ends"))].faces;
     all.insert(all.end(), lower.begin(), lower.end());
     std::erase_if(all, [](const SurfaceFace& face) { return !face.central; });
-    rings.model.support(study::surface_index(machine, "ends"));
+    rings.model.support(press::surface_index(machine, "ends"));
     const auto field = rings.model.constant_field(293.15 + warm);
     const auto displacement = rings.model.displacement(field, 293.15);
     const auto grown =
         rings.model.evaluate({mean_growth(machine, "bore"), mean_growth(machine, "outside")}, displacement);
     const auto stress =
-        rings.model.stress({study::part_index(machine, "outer_ring")}, displacement, field, 293.15).front();
+        rings.model.stress({press::part_index(machine, "outer_ring")}, displacement, field, 293.15).front();
     const auto exact = lame_growths();
     return {std::abs(grown[0] / exact[0] - 1), std::abs(grown[1] / exact[1] - 1), stress_error(stress)};
 }

@@ -1,9 +1,9 @@
 #include "../record.hpp"
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
-#include "deadpoint/study/translate/linkage.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/press/translate/linkage.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "elastic_model.hpp"
 #include "near.hpp"
 
@@ -97,13 +97,13 @@ TEST_CASE("warming the whole press evenly opens the gap by alpha dT L_SW")
     const auto input =
         casefile::read_case(std::string(DEADPOINT_VERIFICATION_CASES) + "/../../../cases/jl75g-60/case.toml", overrides)
             .value;
-    const auto machine = study::prepare_machine(input, 2.5, silent);
-    const auto linkage = study::describe_linkage(input);
+    const auto machine = full::prepare_machine(input, 2.5, silent);
+    const auto linkage = press::describe_linkage(input);
     const auto sensitivity = mechanism::bottom_dead_point(linkage);
-    const auto chain = study::describe_chain(input, machine, linkage);
+    const auto chain = press::describe_chain(input, machine, linkage);
     const auto dimensions = drift::chain_functionals(machine, linkage, sensitivity, chain);
-    fem::Model model(machine, study::describe_materials(input, machine), 1, silent);
-    model.support(study::surface_index(machine, input.chain->ground_surface));
+    fem::Model model(machine, press::describe_materials(input, machine), 1, silent);
+    model.support(press::surface_index(machine, input.chain->ground_surface));
     const auto adjoints = model.adjoints(dimensions);
     const auto warm = model.constant_field(293.15 + 10);
     const auto value = [&](drift::Dimension d) { return model.apply(adjoints[d], warm, 293.15); };

@@ -2,11 +2,11 @@
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/drift/chain_model.hpp"
-#include "deadpoint/study/drift/gap_model.hpp"
-#include "deadpoint/study/drift/press_compliance.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/full/frame/press_compliance.hpp"
+#include "deadpoint/press/drift/chain_model.hpp"
+#include "deadpoint/press/drift/gap_model.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -23,17 +23,17 @@ casefile::Case starter()
     return casefile::read_case(DEADPOINT_VERIFICATION_CASES "/../../../cases/starter/case.toml").value;
 }
 
-study::PressCompliance compliance_of(const casefile::Case& input)
+press::PressCompliance compliance_of(const casefile::Case& input)
 {
-    const auto machine = study::prepare_machine(input, 2, silent);
-    const study::ChainModel chain(input, machine);
-    const auto gaps = study::describe_gaps(input, machine, chain);
-    fem::Model model(machine, study::describe_materials(input, machine), 1, silent);
-    model.support(study::surface_index(machine, input.chain->ground_surface));
-    return study::press_compliance(model, chain, gaps, machine.half_model);
+    const auto machine = full::prepare_machine(input, 2, silent);
+    const press::ChainModel chain(input, machine);
+    const auto gaps = press::describe_gaps(input, machine, chain);
+    fem::Model model(machine, press::describe_materials(input, machine), 1, silent);
+    model.support(press::surface_index(machine, input.chain->ground_surface));
+    return full::press_compliance(model, chain, gaps, machine.half_model);
 }
 
-const study::PressCompliance& of_starter()
+const press::PressCompliance& of_starter()
 {
     static const auto result = compliance_of(starter());
     return result;

@@ -1,10 +1,10 @@
 #include "../record.hpp"
 #include "deadpoint/exchange/stress.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/drift/frame_state.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/full/frame/frame_state.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -22,11 +22,11 @@ struct Solid {
     fem::Model model;
 
     explicit Solid(const casefile::Case& input, double size = 1)
-        : machine(study::prepare_machine(input, size, silent)),
-          model(machine, study::describe_materials(input, machine), study::describe_orders(input, machine), silent)
+        : machine(full::prepare_machine(input, size, silent)),
+          model(machine, press::describe_materials(input, machine), press::describe_orders(input, machine), silent)
     {}
-    [[nodiscard]] int surface(const std::string& name) const { return study::surface_index(machine, name); }
-    [[nodiscard]] int part(const std::string& name) const { return study::part_index(machine, name); }
+    [[nodiscard]] int surface(const std::string& name) const { return press::surface_index(machine, name); }
+    [[nodiscard]] int part(const std::string& name) const { return press::part_index(machine, name); }
     PartStress thermal(const std::string& name, const fem::Field& field)
     {
         return model.stress({part(name)}, model.displacement(field, start), field, start).front();
@@ -185,7 +185,7 @@ TEST_CASE("stress: a block on its feet carries its own weight")
             CAPTURE(order);
             const auto input = on_feet({"materials.steel.poissons_ratio=0", order}, kind);
             Solid solid(input);
-            solid.model.support(study::describe_foundation(input, solid.machine));
+            solid.model.support(full::describe_foundation(input, solid.machine));
             const RestLoads weight{{0, -gravity, 0}, {}};
             const auto u = solid.model.displacement(weight);
             const auto force = solid.model.forces({{"feet", ForceGauge::Kind::feet, 0, Axis::y}}, weight, u);
@@ -264,7 +264,7 @@ TEST_CASE("stress: turning machine and gravity in space changes nothing")
 {
     const auto solve = [](const casefile::Case& input) {
         Solid solid(input);
-        solid.model.support(study::describe_foundation(input, solid.machine));
+        solid.model.support(full::describe_foundation(input, solid.machine));
         const RestLoads weight{input.foundation->gravity * input.machine.gravity_direction, {}};
         const auto stress = solid.model.stress({0}, solid.model.displacement(weight), weight).front();
         std::map<std::array<long, 3>, double> by_place;

@@ -3,10 +3,11 @@
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/mechanism/bottom_dead_point.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/linkage.hpp"
-#include "deadpoint/study/translate/lookup.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/press/problem/deformation_mesh.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/linkage.hpp"
+#include "deadpoint/press/translate/lookup.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -26,10 +27,10 @@ struct TwoMeshes {
     std::unique_ptr<fem::Model> model, alone;
 
     TwoMeshes(const casefile::Case& input, double heat_size, double deformed_size)
-        : heat(study::prepare_machine(input, heat_size, silent)),
-          deformed(study::prepare_machine(input, deformed_size, silent))
+        : heat(full::prepare_machine(input, heat_size, silent)),
+          deformed(full::prepare_machine(input, deformed_size, silent))
     {
-        const auto materials = study::describe_materials(input, heat);
+        const auto materials = press::describe_materials(input, heat);
         model = std::make_unique<fem::Model>(heat, materials, input.numerics.order, silent, &deformed);
         alone = std::make_unique<fem::Model>(deformed, materials, input.numerics.order, silent);
         model->support(-1);
@@ -118,7 +119,7 @@ TEST_CASE("even warmth moves every node of the heat's mesh by alpha dT x, though
                 positions.push_back(machine.nodes[machine.cells[c].nodes[k]]);
             }
         const auto moved = two.model->at_corners(corners, u);
-        const double strain = 50 * study::describe_materials(verification::read(meshes.name), machine)[0].expansion;
+        const double strain = 50 * press::describe_materials(verification::read(meshes.name), machine)[0].expansion;
         double largest = 0;
         for (std::size_t i = 0; i < moved.size(); ++i)
             largest = std::max(largest, norm(moved[i] - moved[0] - strain * (positions[i] - positions[0])));
@@ -157,12 +158,12 @@ TEST_CASE("the way to another mesh changes the gap of a press that is warm about
     const auto input =
         casefile::read_case(std::string(DEADPOINT_VERIFICATION_CASES) + "/../../../cases/starter/case.toml").value;
     TwoMeshes two(input, 1.2, 2);
-    const auto linkage = study::describe_linkage(input);
+    const auto linkage = press::describe_linkage(input);
     const auto sensitivity = mechanism::bottom_dead_point(linkage);
-    const auto chain = study::describe_chain(input, two.deformed, linkage);
+    const auto chain = press::describe_chain(input, two.deformed, linkage);
     const auto gap = drift::chain_functionals(two.deformed, linkage, sensitivity, chain)[drift::gap];
     const auto value = [&](fem::Model& model) {
-        model.support(study::surface_index(two.deformed, input.chain->ground_surface));
+        model.support(press::surface_index(two.deformed, input.chain->ground_surface));
         const auto& crank = linkage.joints[static_cast<std::size_t>(chain.crank_joint)].centre;
         return model.apply(model.adjoints({gap})[0], model.interpolate_field([&](const Vec3& x) {
             const Vec2 arm{x[0] - crank[0], x[1] - crank[1]};
@@ -179,8 +180,8 @@ TEST_CASE("the way to another mesh changes the gap of a press that is warm about
 TEST_CASE("two meshes of different parts are refused")
 {
     const auto bar = verification::read("bar"), shaft = verification::read("shaft-in-block");
-    const auto heat = study::prepare_machine(bar, 2, silent), other = study::prepare_machine(shaft, 2, silent);
-    CHECK_THROWS_WITH_AS(fem::Model(heat, study::describe_materials(bar, heat), 1, silent, &other),
+    const auto heat = full::prepare_machine(bar, 2, silent), other = full::prepare_machine(shaft, 2, silent);
+    CHECK_THROWS_WITH_AS(fem::Model(heat, press::describe_materials(bar, heat), 1, silent, &other),
                          "two meshes of one machine have different parts; both must come from the same case",
                          InputError);
 }
@@ -188,11 +189,11 @@ TEST_CASE("two meshes of different parts are refused")
 TEST_CASE("a deformation of second order beside a heat of first bends a bimetal strip by Timoshenko's curvature")
 {
     const auto input = verification::read("bimetal", {"numerics.order=1", "numerics.deformation_order=2"});
-    const auto machine = study::prepare_machine(input, 1, silent);
-    const auto own = study::case_of_deformation(input);
-    const auto deformed = study::prepare_machine(own, 1, silent);
-    fem::Model model(machine, study::describe_materials(input, machine), study::describe_orders(input, machine), silent,
-                     &deformed, study::describe_orders(own, deformed));
+    const auto machine = full::prepare_machine(input, 1, silent);
+    const auto own = press::case_of_deformation(input);
+    const auto deformed = full::prepare_machine(own, 1, silent);
+    fem::Model model(machine, press::describe_materials(input, machine), press::describe_orders(input, machine), silent,
+                     &deformed, press::describe_orders(own, deformed));
     model.support(-1);
     CHECK(model.size().deformation_unknowns > 6 * model.size().heat_unknowns);
     // mean turn of the ends, each its face's integral of y u_x over that of y^2
@@ -200,7 +201,7 @@ TEST_CASE("a deformation of second order beside a heat of first bends a bimetal 
     Functional bend{"bend", {}};
     for (const auto& [name, sign] : {std::pair{"left", 1.0}, std::pair{"right", -1.0}})
         for (const auto& entry :
-             deformed.surfaces[static_cast<std::size_t>(study::surface_index(deformed, name))].faces)
+             deformed.surfaces[static_cast<std::size_t>(press::surface_index(deformed, name))].faces)
             for (const auto& point : face_points(deformed, deformed.faces[entry.face]))
                 bend.points.push_back({entry.face,
                                        point.position,

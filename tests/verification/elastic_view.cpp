@@ -1,9 +1,9 @@
 #include "deadpoint/fem/estimate/pod.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/fields/field_times.hpp"
-#include "deadpoint/study/fields/view_recorder.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/full/fields/view_recorder.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/run/field_times.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -20,8 +20,8 @@ struct Bar {
     Machine machine;
     fem::Model model;
     Bar()
-        : machine(study::prepare_machine(verification::read("bar"), 1, silent)),
-          model(machine, study::describe_materials(verification::read("bar"), machine), 1, silent)
+        : machine(full::prepare_machine(verification::read("bar"), 1, silent)),
+          model(machine, press::describe_materials(verification::read("bar"), machine), 1, silent)
     {
         model.support(-1);
     }
@@ -41,7 +41,7 @@ std::vector<float> snapshot(const fem::Field& field) { return {field.owned.begin
 
 /// A temperature or displacement of a view at one of its times.
 template <class Value>
-Value sum_of(const study::ModalField<Value>& field, const study::ViewData& view, std::size_t vertex, std::size_t time)
+Value sum_of(const press::ModalField<Value>& field, const press::ViewData& view, std::size_t vertex, std::size_t time)
 {
     Value value = field.base[vertex];
     for (std::size_t k = 0; k < field.modes.size(); ++k)
@@ -106,7 +106,7 @@ TEST_CASE("modes: a field that does not change needs none")
 TEST_CASE("view: a bar that warms evenly grows by alpha dT x at every vertex and time")
 {
     Bar bar;
-    study::ViewRecorder recorder;
+    full::ViewRecorder recorder;
     for (const double t : {0.0, 1.0, 2.0, 4.0})
         recorder.add(t, bar.model.constant_field(start + 10 * t));
     const auto view =
@@ -127,7 +127,7 @@ TEST_CASE("view: a bar that warms evenly grows by alpha dT x at every vertex and
 TEST_CASE("view: the deformation from the modes is the one solved at that time, moved by the joints")
 {
     Bar bar;
-    study::ViewRecorder recorder;
+    full::ViewRecorder recorder;
     const std::vector<double> times{0.0, 0.25, 0.5, 1.0};
     for (const double t : times)
         recorder.add(t, bar.model.interpolate_field([&](const Vec3& x) { return temperature(x, t); }));
@@ -140,7 +140,7 @@ TEST_CASE("view: the deformation from the modes is the one solved at that time, 
         return motions;
     };
     const auto view = recorder.finish(bar.machine, bar.model, start, close);
-    CHECK(view.error <= study::view_tolerance * view.largest_rise);
+    CHECK(view.error <= full::view_tolerance * view.largest_rise);
     for (const std::size_t j : {std::size_t{1}, std::size_t{3}}) {
         const auto field = bar.model.interpolate_field([&](const Vec3& x) { return temperature(x, times[j]); });
         const auto u = bar.model.displacement(field, start);
@@ -162,13 +162,13 @@ TEST_CASE("view times: from start to end, denser after each segment's start, nev
             result[i].duration = durations[i];
         return result;
     };
-    const auto one = study::view_times(segments({3600}));
+    const auto one = press::view_times(segments({3600}));
     CHECK(one.size() == 37);
     CHECK(one[1] == near(3600.0 / (36 * 36), 1e-5));
-    const auto three = study::view_times(segments({3600, 60, 7200}));
+    const auto three = press::view_times(segments({3600, 60, 7200}));
     CHECK(std::ranges::count(three, 3600) == 1);
     CHECK(std::ranges::count(three, 3660) == 1);
-    CHECK(study::view_times(segments(std::vector<double>(200, 10.0))).size() == 37);
+    CHECK(press::view_times(segments(std::vector<double>(200, 10.0))).size() == 37);
     for (const auto& times : {one, three}) {
         CHECK(times.front() == 0);
         CHECK(std::ranges::is_sorted(times, std::less_equal<>()));

@@ -1,8 +1,8 @@
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/refine/estimate.hpp"
-#include "deadpoint/study/refine/refine.hpp"
+#include "deadpoint/full/refine/estimate.hpp"
+#include "deadpoint/full/refine/refine.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/run.hpp"
 #include "solved_case.hpp"
 
 #include <array>
@@ -22,20 +22,20 @@ Observer silent;
 struct Estimated {
     double estimate;
     double error;  ///< true, largest of the probes at the end [K]
-    study::RunResult result;
+    press::RunResult result;
 };
 
 // A case whose probes have exact values at the end, by name [degC].
 Estimated estimated(const casefile::Case& input, const std::function<double(const Vec3&)>& exact)
 {
-    const auto machine = study::prepare_machine(input, 1, silent);
-    study::RunOptions options;
-    options.kept_times = {study::estimate_times(input).back()};
+    const auto machine = full::prepare_machine(input, 1, silent);
+    full::RunOptions options;
+    options.kept_times = {full::estimate_times(input).back()};
     Estimated outcome{};
-    options.on_finish = [&](const study::RunContext& run) {
-        outcome.estimate = study::estimate_error(run, casefile::Accuracy::Of::rises).total;
+    options.on_finish = [&](const full::RunContext& run) {
+        outcome.estimate = full::estimate_error(run, casefile::Accuracy::Of::rises).total;
     };
-    outcome.result = study::run_case(input, machine, options, silent);
+    outcome.result = full::run_case(input, machine, options, silent);
     std::size_t i = 0;
     for (const auto& [name, probe] : input.probes)
         outcome.error = std::max(outcome.error, std::abs(outcome.result.thermal.probes[i++].value.back() -
@@ -61,7 +61,7 @@ double exact_in_cube(const Vec3& x)
 }
 
 // Largest difference of the probes of two runs over their time [K].
-double difference(const study::RunResult& one, const study::RunResult& other)
+double difference(const press::RunResult& one, const press::RunResult& other)
 {
     double largest = 0;
     for (std::size_t i = 0; i < one.thermal.probes.size(); ++i)
@@ -73,10 +73,7 @@ double difference(const study::RunResult& one, const study::RunResult& other)
     return largest;
 }
 
-double size_of(const study::RefinedRun& run, const std::string& part)
-{
-    return *run.press->input().parts.at(part).size;
-}
+double size_of(const full::RefinedRun& run, const std::string& part) { return *run.press->input().parts.at(part).size; }
 
 }  // namespace
 
@@ -119,7 +116,7 @@ TEST_CASE("estimate: the mean temperature of a cube that is heated inside and co
         input.heat_sources["inside"].parts = {"cube"};
         input.heat_sources["inside"].power = casefile::Course{heat * edge * edge * edge, std::nullopt, std::nullopt};
         input.heat_sources["inside"].at_rest = true;
-        const auto machine = study::prepare_machine(input, 1, silent);
+        const auto machine = full::prepare_machine(input, 1, silent);
         // one point per cell, or two along each edge, integrate elements of first and second order exactly
         std::vector<HeatProbe> points;
         const std::vector<double> places =
@@ -132,10 +129,10 @@ TEST_CASE("estimate: the mean temperature of a cube that is heated inside and co
             for (const double y : along)
                 for (const double z : along)
                     points.push_back({"", 0, {x, y, z}});
-        study::RunOptions options;
-        options.kept_times = {study::estimate_times(input).back()};
+        full::RunOptions options;
+        options.kept_times = {full::estimate_times(input).back()};
         Mean outcome{};
-        options.on_finish = [&](const study::RunContext& run) {
+        options.on_finish = [&](const full::RunContext& run) {
             const auto& [time, field] = run.fields.at(0);
             fem::Adjoint mean{"mean", std::vector<double>(field.owned.size(), 0.0)};
             for (const auto& point : points) {
@@ -146,7 +143,7 @@ TEST_CASE("estimate: the mean temperature of a cube that is heated inside and co
             const auto dual = run.model.heat_adjoints(run.problem, time, field, {mean});
             outcome = {run.model.conduction_errors(field, dual)[0][0], exact - run.model.apply(mean, field, 293.15)};
         };
-        study::run_case(input, machine, options, silent);
+        full::run_case(input, machine, options, silent);
         return outcome;
     };
     for (const int order : {1, 2}) {
@@ -170,7 +167,7 @@ TEST_CASE("estimate: the mean temperature of a cube that is heated inside and co
 TEST_CASE("refinement goes where the field is steep, and keeps its promise")
 {
     const auto input = read("hot-patch");
-    const auto run = study::run_to_accuracy(input, 1, {}, silent);
+    const auto run = full::run_to_accuracy(input, 1, {}, silent);
     REQUIRE(run.result.accuracy);
     const auto& report = *run.result.accuracy;
     CHECK(report.reached);
@@ -182,8 +179,8 @@ TEST_CASE("refinement goes where the field is steep, and keeps its promise")
         part.size = 0.005;
     fine.numerics.time_tolerance /= 8;
     fine.numerics.max_step /= 2;
-    const auto machine = study::prepare_machine(fine, 1, silent);
-    const auto reference = study::run_case(fine, machine, {}, silent);
+    const auto machine = full::prepare_machine(fine, 1, silent);
+    const auto reference = full::run_case(fine, machine, {}, silent);
     MESSAGE("true error " << difference(run.result, reference) << " K");
     CHECK(difference(run.result, reference) < 0.1);
     CHECK(report.rounds.front().worst_part == "hot");

@@ -1,7 +1,7 @@
 /// Requirement: a bond with a conductance passes heat as a series of resistances does, whatever the meshes of its two
 /// sides; without resistance it is a perfect bond, without conductance it insulates.
-#include "deadpoint/study/reduce/reduce.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
+#include "deadpoint/full/run/reduce.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -106,8 +106,8 @@ TEST_CASE("a reduced run has the conductance of a bond as a parameter")
 {
     Observer silent;
     const auto input = read("bolted-bars", {"operation.0.duration=4 h"});
-    study::Press press(input);
-    study::ReduceOptions options;
+    full::Press press(input);
+    full::ReduceOptions options;
     options.build.sets = options.build.training_runs = 12;
     options.build.test_runs = 2;
     const auto reduced = press.reduce(options, silent).value().small;
@@ -115,7 +115,7 @@ TEST_CASE("a reduced run has the conductance of a bond as a parameter")
         const auto changed = read("bolted-bars", {"operation.0.duration=4 h", "bonds.bolts.conductance={ value = \"" +
                                                                                   std::string(value) + " W/m^2/K\" }"});
         const auto full = solve(changed);
-        const auto small = study::run_reduced(changed, reduced, {}, study::ReducedDetail::figures, silent);
+        const auto small = twin::run_reduced(changed, reduced, {}, twin::ReducedDetail::figures, silent);
         // The error that the model states for its box, at most a twentieth of a kelvin.
         for (std::size_t probe = 0; probe < full.history().probes.size(); ++probe)
             CHECK(std::abs(small.thermal.probes.at(probe).value.back() - full.history().probes[probe].value.back()) <

@@ -2,9 +2,9 @@
 
 #include "busy_blocks.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/full/run/run.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 
 #include <cmath>
@@ -21,8 +21,8 @@ namespace {
 
 struct Bench {
     explicit Bench(Case given)
-        : input(std::move(given)), machine(deadpoint::study::prepare_machine(input, 1, silent)),
-          model(machine, deadpoint::study::describe_materials(input, machine), input.numerics.order, silent)
+        : input(std::move(given)), machine(deadpoint::full::prepare_machine(input, 1, silent)),
+          model(machine, deadpoint::press::describe_materials(input, machine), input.numerics.order, silent)
     {
         // Any functional will do; this one changes its sign within every part.
         weights.name = "weights";
@@ -35,7 +35,7 @@ struct Bench {
 
     HeatProblem problem()
     {
-        auto result = deadpoint::study::describe_heat(input, machine, silent);
+        auto result = deadpoint::press::describe_heat(input, machine, silent);
         result.solver_tolerance = 1e-13;
         return result;
     }
@@ -265,10 +265,10 @@ std::vector<deadpoint::DriftCauses> causes_of(Case input)
 {
     deadpoint::Observer silent;
     input.output.fields = false;
-    const auto machine = deadpoint::study::prepare_machine(input, 3, silent);
-    deadpoint::study::RunOptions options;
+    const auto machine = deadpoint::full::prepare_machine(input, 3, silent);
+    deadpoint::full::RunOptions options;
     options.causes = true;
-    const auto result = deadpoint::study::run_case(input, machine, options, silent);
+    const auto result = deadpoint::full::run_case(input, machine, options, silent);
     REQUIRE(result.drift);
     if (!result.causes.empty())
         CHECK(result.causes.back().gap == result.drift->gap.value.back());

@@ -1,6 +1,6 @@
 #include "deadpoint/error.hpp"
+#include "deadpoint/full/run/run.hpp"
 #include "deadpoint/heat/tr_bdf2.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -85,8 +85,8 @@ public:
 std::string warnings_of(const Case& input)
 {
     Listener listener;
-    const auto machine = deadpoint::study::prepare_machine(input, 1, listener);
-    (void)deadpoint::study::run_case(input, machine, {}, listener);
+    const auto machine = deadpoint::full::prepare_machine(input, 1, listener);
+    (void)deadpoint::full::run_case(input, machine, {}, listener);
     return listener.warnings;
 }
 
@@ -157,8 +157,8 @@ TEST_CASE("steps that stay short are warned of while the run goes on")
             surface.film.reset();
             surface.temperature_formula = "293.15 + 10*sin(pi*t)";
         }
-    const auto machine = deadpoint::study::prepare_machine(input, 1, stopper);
-    (void)deadpoint::study::run_case(input, machine, {}, stopper);
+    const auto machine = deadpoint::full::prepare_machine(input, 1, stopper);
+    (void)deadpoint::full::run_case(input, machine, {}, stopper);
     CHECK(stopper.warnings.find("after 1000 time steps the run is at t = ") != std::string::npos);
     CHECK(stopper.warnings.find("more follow") != std::string::npos);
 }

@@ -1,8 +1,8 @@
 #include "../scratch_folder.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/full/run/run.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -121,10 +121,10 @@ TEST_CASE("order in time: enclosed air and films that follow the temperatures on
     auto& film = *input.surfaces.at("block_faces").film;
     film.law = casefile::PlateFilm{.length = 0.04};
     deadpoint::Observer silent;
-    const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
+    const auto machine = deadpoint::full::prepare_machine(input, 1, silent);
     const auto end_of = [&](double step) {
-        deadpoint::fem::Model model(machine, deadpoint::study::describe_materials(input, machine), 1, silent);
-        auto problem = deadpoint::study::describe_heat(input, machine, silent);
+        deadpoint::fem::Model model(machine, deadpoint::press::describe_materials(input, machine), 1, silent);
+        auto problem = deadpoint::press::describe_heat(input, machine, silent);
         problem.fixed_step = step;
         problem.solver_tolerance = 1e-13;
         model.assemble_heat(problem);
@@ -168,13 +168,11 @@ TEST_CASE("a run goes on from the air where the last one ended")
     const auto file = (folder.path / "state.bin").string();
     deadpoint::Observer silent;
     auto input = lumped({"machine.initial_temperature=80 degC", "numerics.time_tolerance=1e-5 K"});
-    const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
-    const auto whole = deadpoint::study::run_case(input, machine, {}, silent);
+    const auto machine = deadpoint::full::prepare_machine(input, 1, silent);
+    const auto whole = deadpoint::full::run_case(input, machine, {}, silent);
     input.operation[0].duration /= 2;
-    (void)deadpoint::study::run_case(input, machine, {.start_from = {}, .state_file = file, .field_folder = {}},
-                                     silent);
-    const auto rest =
-        deadpoint::study::run_case(input, machine, {.start_from = file, .state_file = {}, .field_folder = {}}, silent);
+    (void)deadpoint::full::run_case(input, machine, verification::ending_in(file), silent);
+    const auto rest = deadpoint::full::run_case(input, machine, verification::beginning_at(file), silent);
     const auto& air_of_rest = rest.thermal.enclosures[0].temperature.value;
     CHECK(air_of_rest.front() - zero_celsius > ambient + 1);
     CHECK(air_of_rest.front() < zero_celsius + 79);
@@ -269,10 +267,10 @@ TEST_CASE("radiation inside an enclosure: long steps converge, of second order")
     input.operation[0].duration = 4 * 3600;
     cool_outside(input);
     deadpoint::Observer silent;
-    const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
+    const auto machine = deadpoint::full::prepare_machine(input, 1, silent);
     const auto end_of = [&](double step) {
-        deadpoint::fem::Model model(machine, deadpoint::study::describe_materials(input, machine), 1, silent);
-        auto problem = deadpoint::study::describe_heat(input, machine, silent);
+        deadpoint::fem::Model model(machine, deadpoint::press::describe_materials(input, machine), 1, silent);
+        auto problem = deadpoint::press::describe_heat(input, machine, silent);
         problem.fixed_step = step;
         problem.solver_tolerance = 1e-13;
         model.assemble_heat(problem);

@@ -1,4 +1,4 @@
-#include "deadpoint/study/translate/heat.hpp"
+#include "deadpoint/press/problem/heat.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -129,8 +129,8 @@ TEST_CASE("a break of 0 rpm is no change of the process force, a stroke without 
     input.operation[1].force = 0;
     const auto warnings = [&] {
         Warnings result;
-        deadpoint::study::Press press(input, 1);
-        deadpoint::study::describe_heat(input, press.machine(result), result);
+        deadpoint::full::Press press(input, 1);
+        deadpoint::press::describe_heat(input, press.machine(result), result);
         return result.all;
     };
     CHECK(warnings().find("process force changes") == std::string::npos);

@@ -4,11 +4,12 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/model.hpp"
 #include "deadpoint/fem/reduction/field_file.hpp"
+#include "deadpoint/full/fields/lift_fields.hpp"
+#include "deadpoint/full/run/reduce.hpp"
 #include "deadpoint/reduce/online/dense_terms.hpp"
 #include "deadpoint/reduce/online/terms_file.hpp"
-#include "deadpoint/study/fields/lift_fields.hpp"
-#include "deadpoint/study/reduce/reduce.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
+#include "deadpoint/twin/run/reduced_states.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
 #include "solved_case.hpp"
 
 #include <Eigen/Dense>
@@ -27,8 +28,8 @@ struct Reduced {
     Reduced()
     {
         Observer silent;
-        study::Press press(input);
-        study::ReduceOptions options;
+        full::Press press(input);
+        full::ReduceOptions options;
         options.build.sets = options.build.training_runs = 12;
         options.build.test_runs = 2;
         options.build.largest = 30;
@@ -41,14 +42,14 @@ struct Reduced {
     Case input = read("shaft-in-block", {field_times});
     ScratchFolder folder;
     std::string file = (folder.path / "press.fields.rom").string(), mark;
-    study::ReducedPress model;
+    twin::ReducedPress model;
 };
 
-study::ReducedStates states_of(const Reduced& reduced)
+twin::ReducedStates states_of(const Reduced& reduced)
 {
     Observer silent;
-    study::ReducedStates states;
-    study::run_reduced(reduced.input, reduced.model, {}, study::ReducedDetail::figures, silent, &states);
+    twin::ReducedStates states;
+    twin::run_reduced(reduced.input, reduced.model, {}, twin::ReducedDetail::figures, silent, &states);
     return states;
 }
 
@@ -63,13 +64,13 @@ double largest_difference(const fem::Field& a, const fem::Field& b)
 
 /// Runs the full model, then does something with it and the fields at these times.
 void with_full_run(const Case& input, std::vector<double> times, double size_scale,
-                   std::function<void(const study::RunContext&)> action)
+                   std::function<void(const full::RunContext&)> action)
 {
     Observer silent;
-    study::RunOptions wanted;
+    full::RunOptions wanted;
     wanted.kept_times = std::move(times);
     wanted.on_finish = std::move(action);
-    study::Press(input, size_scale).run(wanted, silent);
+    full::Press(input, size_scale).run(wanted, silent);
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ TEST_CASE("a lifted field is that of the full run at every unknown")
         times.push_back(at.time);
     const auto& stated = reduced.model.errors.back();
     REQUIRE(stated.of == "as in the case, to a full run");
-    with_full_run(reduced.input, times, 1, [&](const study::RunContext& run) {
+    with_full_run(reduced.input, times, 1, [&](const full::RunContext& run) {
         const auto fields = run.model.read_fields(reduced.file, run_states.model, run_states.count);
         CHECK(fields.count() == 30);
         REQUIRE(run.fields.size() == states.size());
@@ -108,15 +109,15 @@ TEST_CASE("a lifted field is that of the full run at every unknown")
 TEST_CASE("fields of another model, of another mesh and cut files are refused")
 {
     const Reduced reduced;
-    with_full_run(reduced.input, {}, 1, [&](const study::RunContext& run) {
+    with_full_run(reduced.input, {}, 1, [&](const full::RunContext& run) {
         CHECK_THROWS_AS(std::ignore = run.model.read_fields(reduced.file, "0123456789abcdef", 30), InputError);
         CHECK_THROWS_AS(std::ignore = run.model.read_fields(reduced.file, reduced.mark, 29), IoError);
     });
-    with_full_run(reduced.input, {}, 1.5, [&](const study::RunContext& run) {
+    with_full_run(reduced.input, {}, 1.5, [&](const full::RunContext& run) {
         CHECK_THROWS_AS(std::ignore = run.model.read_fields(reduced.file, reduced.mark, 30), InputError);
     });
     std::filesystem::resize_file(reduced.file, std::filesystem::file_size(reduced.file) - 100);
-    with_full_run(reduced.input, {}, 1, [&](const study::RunContext& run) {
+    with_full_run(reduced.input, {}, 1, [&](const full::RunContext& run) {
         CHECK_THROWS_AS(std::ignore = run.model.read_fields(reduced.file, reduced.mark, 30), IoError);
     });
 }

@@ -1,7 +1,7 @@
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/full/run/run.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -67,10 +67,10 @@ struct WaveRun {
 WaveRun run_wave(const Case& input, const Wave& wave, double fixed_step)
 {
     deadpoint::Observer silent;
-    const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
-    deadpoint::fem::Model model(machine, deadpoint::study::describe_materials(input, machine), input.numerics.order,
+    const auto machine = deadpoint::full::prepare_machine(input, 1, silent);
+    deadpoint::fem::Model model(machine, deadpoint::press::describe_materials(input, machine), input.numerics.order,
                                 silent);
-    auto problem = deadpoint::study::describe_heat(input, machine, silent);
+    auto problem = deadpoint::press::describe_heat(input, machine, silent);
     problem.fixed_step = fixed_step;
     problem.solver_tolerance = 1e-12;
     problem.initial_temperature = [&](int, const deadpoint::Vec3& x) { return wave.at(x, 0); };
@@ -234,8 +234,8 @@ TEST_CASE("hot plates: the balance closes, and a table that ends too early is wa
     CHECK(solved.probe("lower") > 100);
     input.materials.at("first").conductivity_table = {{zero_celsius, zero_celsius + 60}, {60, 52}};
     Listener listener;
-    const auto machine = deadpoint::study::prepare_machine(input, 1, listener);
-    const auto early = deadpoint::study::run_case(input, machine, {}, listener);
+    const auto machine = deadpoint::full::prepare_machine(input, 1, listener);
+    const auto early = deadpoint::full::run_case(input, machine, {}, listener);
     REQUIRE(listener.warnings.size() == 1);
     CHECK(listener.warnings[0].find("materials.first.conductivity was used from 20.0 to ") == 0);
     CHECK(listener.warnings[0].find("but its table holds from 0.0 to 60.0 degC") != std::string::npos);

@@ -2,9 +2,9 @@
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/full/run/run.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "near.hpp"
 #include "solved_case.hpp"
 
@@ -232,15 +232,15 @@ struct Prepared {
 Prepared prepare(Case input)
 {
     deadpoint::Observer silent;
-    auto machine = deadpoint::study::prepare_machine(input, 1, silent);
-    auto problem = deadpoint::study::describe_heat(input, machine, silent);
+    auto machine = deadpoint::full::prepare_machine(input, 1, silent);
+    auto problem = deadpoint::press::describe_heat(input, machine, silent);
     return {std::move(input), std::move(machine), std::move(problem)};
 }
 
 deadpoint::ThermalHistory history_of(const Prepared& it)
 {
     deadpoint::Observer silent;
-    deadpoint::fem::Model model(it.machine, deadpoint::study::describe_materials(it.input, it.machine), 1, silent);
+    deadpoint::fem::Model model(it.machine, deadpoint::press::describe_materials(it.input, it.machine), 1, silent);
     model.assemble_heat(it.problem);
     return model.heat({}, zero_celsius + 20, -1, silent, {}, {});
 }
@@ -299,11 +299,11 @@ TEST_CASE("rings of different temperature change their heat")
 
 namespace {
 
-deadpoint::study::RunResult run(const Case& input, const deadpoint::study::RunOptions& options)
+deadpoint::press::RunResult run(const Case& input, const deadpoint::full::RunOptions& options)
 {
     deadpoint::Observer silent;
-    const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
-    return deadpoint::study::run_case(input, machine, options, silent);
+    const auto machine = deadpoint::full::prepare_machine(input, 1, silent);
+    return deadpoint::full::run_case(input, machine, options, silent);
 }
 
 /// The same state with another last temperature [K], its length and checksum as they belong.
@@ -330,8 +330,8 @@ TEST_CASE("a run goes on from a saved state")
     whole.operation[0].duration = 6000;
     const ScratchFolder folder;
     const auto file = folder.path / "state.bin";
-    const auto first = run(input, {"", file.string(), "", {}});
-    const auto second = run(input, {file.string(), "", "", {}});
+    const auto first = run(input, verification::ending_in(file));
+    const auto second = run(input, verification::beginning_at(file));
     const auto both = run(whole, {});
 
     CHECK(second.thermal.interface_a[0].value.front() == near(first.thermal.interface_a[0].value.back(), 1e-14));
@@ -346,21 +346,21 @@ TEST_CASE("a run goes on from a saved state")
     {
         auto other = input;
         other.parts.at("left_block").size = 0.01;
-        CHECK_THROWS_WITH_AS(run(other, {file.string(), "", "", {}}), doctest::Contains("belongs to another mesh"),
+        CHECK_THROWS_WITH_AS(run(other, verification::beginning_at(file)), doctest::Contains("belongs to another mesh"),
                              deadpoint::InputError);
     }
     SUBCASE("nor from a file that is cut short, is something else, or is not there")
     {
         std::filesystem::resize_file(file, std::filesystem::file_size(file) - 4);
-        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("is cut short"),
+        CHECK_THROWS_WITH_AS(run(input, verification::beginning_at(file)), doctest::Contains("is cut short"),
                              deadpoint::IoError);
         std::ofstream(file) << "something else\n";
-        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("does not begin with"),
+        CHECK_THROWS_WITH_AS(run(input, verification::beginning_at(file)), doctest::Contains("does not begin with"),
                              deadpoint::IoError);
         std::filesystem::remove(file);
-        CHECK_THROWS_AS(run(input, {file.string(), "", "", {}}), deadpoint::IoError);
+        CHECK_THROWS_AS(run(input, verification::beginning_at(file)), deadpoint::IoError);
         REQUIRE(mkfifo(file.c_str(), 0600) == 0);
-        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("it is not a file"),
+        CHECK_THROWS_WITH_AS(run(input, verification::beginning_at(file)), doctest::Contains("it is not a file"),
                              deadpoint::IoError);
     }
     SUBCASE("nor from one in which a bit was flipped, or that holds a temperature below absolute zero")
@@ -368,14 +368,14 @@ TEST_CASE("a run goes on from a saved state")
         auto bytes = content(file);
         bytes[bytes.size() / 2] ^= 1;
         std::ofstream(file, std::ios::binary) << bytes;
-        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("its checksum does not fit"),
-                             deadpoint::IoError);
+        CHECK_THROWS_WITH_AS(run(input, verification::beginning_at(file)),
+                             doctest::Contains("its checksum does not fit"), deadpoint::IoError);
         bytes[bytes.size() / 2] ^= 1;
         write_with_last_value(file, bytes, -1);
-        CHECK_THROWS_WITH_AS(run(input, {file.string(), "", "", {}}), doctest::Contains("a temperature of -1 K"),
+        CHECK_THROWS_WITH_AS(run(input, verification::beginning_at(file)), doctest::Contains("a temperature of -1 K"),
                              deadpoint::DomainError);
         write_with_last_value(file, bytes, 300);
-        CHECK_NOTHROW(run(input, {file.string(), "", "", {}}));
+        CHECK_NOTHROW(run(input, verification::beginning_at(file)));
     }
 }
 

@@ -1,7 +1,7 @@
 #include "../record.hpp"
 #include "deadpoint/fem/model.hpp"
-#include "deadpoint/study/translate/heat.hpp"
-#include "deadpoint/study/translate/materials.hpp"
+#include "deadpoint/press/problem/heat.hpp"
+#include "deadpoint/press/translate/materials.hpp"
 #include "solved_case.hpp"
 
 #include <cmath>
@@ -56,9 +56,9 @@ double observed_order(double coarse, double fine, double ratio) { return std::lo
 std::vector<double> with_fixed_step(const Case& input, const deadpoint::Machine& machine, double step)
 {
     deadpoint::Observer silent;
-    deadpoint::fem::Model model(machine, deadpoint::study::describe_materials(input, machine), input.numerics.order,
+    deadpoint::fem::Model model(machine, deadpoint::press::describe_materials(input, machine), input.numerics.order,
                                 silent);
-    auto problem = deadpoint::study::describe_heat(input, machine, silent);
+    auto problem = deadpoint::press::describe_heat(input, machine, silent);
     problem.fixed_step = step;
     problem.solver_tolerance = 1e-13;
     model.assemble_heat(problem);
@@ -75,7 +75,7 @@ std::vector<double> with_fixed_step(const Case& input, const deadpoint::Machine&
 void check_time_order(const Case& input, double step, const std::string& what)
 {
     deadpoint::Observer silent;
-    const auto machine = deadpoint::study::prepare_machine(input, 1, silent);
+    const auto machine = deadpoint::full::prepare_machine(input, 1, silent);
     const auto coarse = with_fixed_step(input, machine, step), middle = with_fixed_step(input, machine, step / 2),
                fine = with_fixed_step(input, machine, step / 4);
     double before = 0, after = 0;

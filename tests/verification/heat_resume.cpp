@@ -2,7 +2,7 @@
 #include "busy_blocks.hpp"
 #include "deadpoint/core/hash.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/full/run/run.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -12,8 +12,8 @@
 // from is kept, and the multigrid hierarchy, which outlasts its step, is built again from what it was built of.
 
 using namespace verification;
-using deadpoint::study::RunOptions;
-using deadpoint::study::RunResult;
+using deadpoint::full::RunOptions;
+using deadpoint::press::RunResult;
 
 namespace {
 
@@ -48,7 +48,7 @@ private:
 
 struct Press {
     explicit Press(Case given, double size_scale = 1)
-        : input(std::move(given)), machine(deadpoint::study::prepare_machine(input, size_scale, silent))
+        : input(std::move(given)), machine(deadpoint::full::prepare_machine(input, size_scale, silent))
     {
         options.view = true;
         options.causes = true;
@@ -58,7 +58,7 @@ struct Press {
     RunResult run(bool resume, deadpoint::Observer& observer)
     {
         options.resume_from = resume ? options.checkpoint_file : std::string{};
-        return deadpoint::study::run_case(input, machine, options, observer);
+        return deadpoint::full::run_case(input, machine, options, observer);
     }
     RunResult resumed() { return run(true, silent); }
     /// Whether the run lived long enough to be killed after so many further steps.
@@ -162,7 +162,7 @@ int check_killed(Press& press)
     Killer counter;
     auto plain = press.options;
     plain.checkpoint_file.clear();
-    const auto whole = deadpoint::study::run_case(press.input, press.machine, plain, counter);
+    const auto whole = deadpoint::full::run_case(press.input, press.machine, plain, counter);
     const auto steps = static_cast<int>(whole.thermal.time.size() - press.input.operation.size());
     CHECK(counter.steps == steps);
     int kills = 0;
@@ -241,7 +241,7 @@ void check_prolonged(const Case& shorter, const Case& input, double size_scale =
     REQUIRE(beginning.thermal.time.size() < at_once.thermal.time.size());
     whole.options.resume_from = kept;
     Killer counter;
-    const auto prolonged = deadpoint::study::run_case(input, whole.machine, whole.options, counter);
+    const auto prolonged = deadpoint::full::run_case(input, whole.machine, whole.options, counter);
     CHECK(counter.steps < static_cast<int>(at_once.thermal.time.size()) / 2);  // so it was continued
     CHECK(columns(at_once.thermal) == columns(prolonged.thermal));
     CHECK(causes(at_once) == causes(prolonged));
@@ -288,7 +288,7 @@ TEST_CASE("a run with a sump, whose steps follow the length of the segment, is p
     first.run(false, first.silent);
     const auto at_once = whole.run(false, whole.silent).thermal;
     whole.options.resume_from = first.options.kept_checkpoint;
-    const auto prolonged = deadpoint::study::run_case(blocks, whole.machine, whole.options, whole.silent).thermal;
+    const auto prolonged = deadpoint::full::run_case(blocks, whole.machine, whole.options, whole.silent).thermal;
     REQUIRE(prolonged.time.back() == at_once.time.back());
     for (std::size_t i = 0; i < at_once.part_means.size(); ++i)
         CHECK(std::abs(prolonged.part_means[i].value.back() - at_once.part_means[i].value.back()) <
@@ -311,11 +311,11 @@ TEST_CASE("a finished run of a press is prolonged with its chain, causes and fie
     longer.options.field_folder = longer.folder.path.string();
     std::vector<double> written;
     for (const auto& [time, file] :
-         deadpoint::study::run_case(longer.input, longer.machine, longer.options, longer.silent).fields)
+         deadpoint::full::run_case(longer.input, longer.machine, longer.options, longer.silent).fields)
         written.push_back(time);
     CHECK(written == std::vector<double>{180, 660, 900, 2400});
     longer.input.output.field_times = {240, 1200};
-    CHECK_THROWS_WITH_AS(deadpoint::study::run_case(longer.input, longer.machine, longer.options, longer.silent),
+    CHECK_THROWS_WITH_AS(deadpoint::full::run_case(longer.input, longer.machine, longer.options, longer.silent),
                          doctest::Contains("the field of 0.07 h was not kept"), deadpoint::InputError);
 }
 
@@ -376,7 +376,7 @@ TEST_CASE("a checkpoint of another version, case, mesh or start is refused with 
         auto stated = press.options;
         stated.checkpoint_file.clear();
         stated.state_file = later.options.start_from;
-        deadpoint::study::run_case(press.input, press.machine, stated, press.silent);
+        deadpoint::full::run_case(press.input, press.machine, stated, press.silent);
     }
     check(later, "from other temperatures");
 

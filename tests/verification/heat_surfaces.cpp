@@ -50,7 +50,7 @@ TEST_CASE("an interface that overlaps in part is refused unless the case says so
 {
     auto input = read("shifted-blocks", {"joints.contact.interfaces.0.partial=false"});
     deadpoint::Observer silent;
-    CHECK_THROWS_WITH_AS(deadpoint::study::prepare_machine(input, 1, silent), doctest::Contains("partial = true"),
+    CHECK_THROWS_WITH_AS(deadpoint::full::prepare_machine(input, 1, silent), doctest::Contains("partial = true"),
                          deadpoint::InputError);
 }
 
@@ -59,7 +59,7 @@ namespace {
 deadpoint::Machine meshed(const std::string& name, const std::string& override_)
 {
     deadpoint::Observer silent;
-    return deadpoint::study::prepare_machine(read(name, {override_}), 1, silent);
+    return deadpoint::full::prepare_machine(read(name, {override_}), 1, silent);
 }
 
 /// Into how many chords the circle of this radius and height is divided.

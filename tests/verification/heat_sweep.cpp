@@ -1,6 +1,6 @@
 #include "deadpoint/error.hpp"
-#include "deadpoint/study/sweep/sweep.hpp"
-#include "deadpoint/study/sweep/sweep_plan.hpp"
+#include "deadpoint/full/sweep/sweep.hpp"
+#include "deadpoint/twin/map/sweep_plan.hpp"
 #include "solved_case.hpp"
 
 #include <csignal>
@@ -13,9 +13,9 @@
 // Many runs on one prepared model give what single runs give, side by side or in turn, whatever becomes of one of them.
 
 using namespace verification;
-using deadpoint::study::PointOutcome;
-using deadpoint::study::Press;
-using deadpoint::study::SweepPoint;
+using deadpoint::full::Press;
+using deadpoint::twin::PointOutcome;
+using deadpoint::twin::SweepPoint;
 namespace fs = std::filesystem;
 
 namespace {
@@ -31,7 +31,7 @@ public:
 };
 
 /// The final temperatures of a run, with all digits.
-std::string digest(const deadpoint::study::RunResult& result)
+std::string digest(const deadpoint::press::RunResult& result)
 {
     std::ostringstream text;
     text << std::setprecision(17);
@@ -93,7 +93,7 @@ public:
 std::vector<PointOutcome> outcomes_of(const Study& study, int workers, const Scratch& scratch, Listener& listener,
                                       const std::function<void(const SweepPoint&)>& before = {})
 {
-    return deadpoint::study::run_points(
+    return deadpoint::full::run_points(
         study.points, study.cases, study.all, {workers, {}, {}},
         [&](const SweepPoint& point, Press& press) {
             if (before)

@@ -2,15 +2,16 @@
 
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/exchange/heat.hpp"
+#include "deadpoint/full/model/prepare.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/run.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/pipeline/prepare.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/result/histories.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/press/result/histories.hpp"
+#include "deadpoint/press/result/run_result.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,16 +31,30 @@ inline Case read(const std::string& name, const std::vector<std::string>& overri
         .value;
 }
 
+/// A run that writes its temperatures at the end, and one that begins with them.
+inline deadpoint::full::RunOptions ending_in(const std::filesystem::path& file)
+{
+    deadpoint::full::RunOptions options;
+    options.state_file = file.string();
+    return options;
+}
+inline deadpoint::full::RunOptions beginning_at(const std::filesystem::path& file)
+{
+    deadpoint::full::RunOptions options;
+    options.start_from = file.string();
+    return options;
+}
+
 struct SolvedCase {
     Case input;
     deadpoint::Machine machine;
-    deadpoint::study::RunResult result;
+    deadpoint::press::RunResult result;
 
     [[nodiscard]] const deadpoint::ThermalHistory& history() const { return result.thermal; }
     /// Temperature of a probe at a time, or at the end [degC].
     [[nodiscard]] double probe(const std::string& name, double time = 1e300) const
     {
-        const auto* found = deadpoint::study::find(result.probes, name);
+        const auto* found = deadpoint::press::find(result.probes, name);
         REQUIRE(found);
         return at(*found, time);
     }
@@ -64,7 +79,7 @@ private:
 inline SolvedCase solve(Case input, double size_scale = 1)
 {
     deadpoint::Observer silent;
-    deadpoint::study::Press press(std::move(input), size_scale);
+    deadpoint::full::Press press(std::move(input), size_scale);
     SolvedCase solved;
     solved.result = press.run({}, silent);
     solved.machine = press.machine(silent);

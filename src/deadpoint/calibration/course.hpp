@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-/// Slow courses that a model lacks. Internal to calibration/ and study/, since it shows Eigen.
+/// Slow courses that a model lacks. Shows Eigen.
 namespace deadpoint::calibration {
 
 /// A course with the covariance amplitude^2 exp(-|t_i - t_j| / time), as Noise::model_error.

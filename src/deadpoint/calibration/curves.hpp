@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-/// From the rows of a run to what a sensor shows. Internal to calibration/ and study/, since it shows Eigen.
+/// From the rows of a run to what a sensor shows. Shows Eigen.
 namespace deadpoint::calibration {
 
 /// Weights of values at rows in values at times, a row for each time: cubic Hermite interpolation with slopes of

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// Residuals that are not noise. Internal to calibration/ and study/, since it shows Eigen.
+/// Residuals that are not noise. Shows Eigen.
 namespace deadpoint::calibration {
 
 /// How the residuals of one curve differ from the errors that are stated for it.

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// The likeliest parameters of a problem. Internal to calibration/ and study/, since it shows Eigen.
+/// The likeliest parameters of a problem. Shows Eigen.
 namespace deadpoint::calibration {
 
 struct Fit {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What data can tell of parameters. Internal to calibration/ and study/, since it shows Eigen.
+/// What data can tell of parameters. Shows Eigen.
 namespace deadpoint::calibration {
 
 /// A combination of parameters, in standard deviations of the prior.

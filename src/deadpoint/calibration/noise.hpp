@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-/// Errors of a measured curve. Internal to calibration/ and study/, since it shows Eigen.
+/// Errors of a measured curve. Shows Eigen.
 namespace deadpoint::calibration {
 
 /// Covariance of the values of a curve at times t_i, in the curve's unit squared:

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// What is fitted to what. Internal to calibration/ and study/, since it shows Eigen.
+/// What is fitted to what. Shows Eigen.
 namespace deadpoint::calibration {
 
 /// Values that parameters predict, in the order of Problem::curves, each with its times.

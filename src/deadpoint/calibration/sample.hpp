@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-/// Samples of a probability density. Internal to calibration/ and study/, since it shows Eigen.
+/// Samples of a probability density. Shows Eigen.
 namespace deadpoint::calibration {
 
 struct SampleOptions {

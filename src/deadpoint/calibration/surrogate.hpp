@@ -2,7 +2,7 @@
 
 #include "deadpoint/calibration/fit.hpp"
 
-/// A quick stand-in for a model near a fit. Internal to calibration/ and study/, since it shows Eigen.
+/// A quick stand-in for a model near a fit. Shows Eigen.
 namespace deadpoint::calibration {
 
 /// A quadratic in theta for each value of a model, by least squares to values and derivatives of the model at points

@@ -1,6 +1,6 @@
 #include "deadpoint/core/quantity.hpp"
 
-#include "deadpoint/core/suggest.hpp"
+#include "deadpoint/core/names/suggest.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/error.hpp"
 

@@ -1,11 +1,11 @@
 #include "deadpoint/crankshaft/cycle.hpp"
 
-#include "deadpoint/crankshaft/check.hpp"
 #include "deadpoint/crankshaft/response/load_channels.hpp"
 #include "deadpoint/crankshaft/response/periodic.hpp"
 #include "deadpoint/crankshaft/response/periodic_load.hpp"
-#include "deadpoint/crankshaft/shaft_loads.hpp"
-#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/crankshaft/shaft/check.hpp"
+#include "deadpoint/crankshaft/shaft/shaft_loads.hpp"
+#include "deadpoint/crankshaft/shaft/system.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/laws/friction.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/crankshaft/response/periodic_load.hpp"
-#include "deadpoint/crankshaft/shaft.hpp"
+#include "deadpoint/crankshaft/shaft/shaft.hpp"
 #include "deadpoint/exchange/cycle.hpp"
 #include "deadpoint/exchange/warning.hpp"
 

@@ -1,9 +1,9 @@
 #include "deadpoint/crankshaft/modes.hpp"
 
 #include "deadpoint/core/vec.hpp"
-#include "deadpoint/crankshaft/eigen_views.hpp"
 #include "deadpoint/crankshaft/response/modal_basis.hpp"
-#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/crankshaft/shaft/eigen_views.hpp"
+#include "deadpoint/crankshaft/shaft/system.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>

@@ -70,4 +70,8 @@ constexpr Vec3 rigid_displacement(const RigidMotion& motion, const Vec3& x)
             motion.translation[1] + motion.angle * (x[0] - motion.centre[0]), 0};
 }
 
+/// Largest number of unknowns of a deformation that is solved by a sparse factor, which then needs about
+/// 8 GB.
+inline constexpr long long largest_factor = 1'500'000;
+
 }  // namespace deadpoint

@@ -217,7 +217,7 @@ struct MeshPart {
     double exterior_area = 0;  ///< [m2], without the symmetry plane
     double exposed_area = 0;   ///< [m2], without symmetry plane, contacts and bonds
     std::uint32_t pieces = 1;  ///< pieces without a common face of two cells
-    double min_quality = 0;    ///< of its worst cell, 0..1 (machine/parts/part_mesh)
+    double min_quality = 0;    ///< of its worst cell, 0..1 (machine/geometry/part_mesh)
     double mean_quality = 0;
     VolumeMoments moments{};
 };
@@ -335,6 +335,14 @@ struct Machine {
     std::vector<std::string> floating_parts;  ///< not connected: no bond, no interface
     std::vector<std::string> dropped_parts;   ///< wholly on the far side of the symmetry plane
     bool half_model = false;
+};
+
+/// The faces of an interface, also of one that was refused.
+struct InterfaceFaces {
+    std::string name;  ///< as InterfaceDescription::name
+    /// Indices of Machine::faces. Of a contact the faces that touch; where it was refused, those its selectors match.
+    std::array<std::vector<std::uint32_t>, 2> sides;
+    bool joined = false;  ///< Machine::interfaces holds it
 };
 
 }  // namespace deadpoint

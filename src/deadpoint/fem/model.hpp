@@ -3,7 +3,7 @@
 #include "deadpoint/exchange/deformation.hpp"
 #include "deadpoint/exchange/laws/material.hpp"
 #include "deadpoint/exchange/stress.hpp"
-#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/fields.hpp"
 
 #include <functional>
 #include <memory>

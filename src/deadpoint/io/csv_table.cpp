@@ -1,6 +1,6 @@
 #include "deadpoint/io/csv_table.hpp"
 
-#include "deadpoint/core/suggest.hpp"
+#include "deadpoint/core/names/suggest.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 

@@ -1,6 +1,6 @@
 #include "deadpoint/io/vtu.hpp"
 
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/write_file.hpp"
 

@@ -1,6 +1,6 @@
 #include "deadpoint/io/write_file.hpp"
 
-#include "deadpoint/core/unique_name.hpp"
+#include "deadpoint/core/names/unique_name.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/rename.hpp"
 

@@ -1,7 +1,7 @@
 /// Requirement: results by name are those of the files, in SI units.
 #include "../../scratch_folder.hpp"
+#include "deadpoint/press/run/run_record.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
 #include "near.hpp"
 #include "starter.hpp"
 

@@ -1,10 +1,10 @@
 /// Requirement: a calibration file is read with all that it names, and every mistake is told with its place and remedy.
 #include "../../scratch_folder.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/files/calibration_file.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/casefile/files/reference.hpp"
-#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/casefile/reference/reference.hpp"
+#include "deadpoint/casefile/studies/calibration_file.hpp"
+#include "deadpoint/casefile/studies/reference_file.hpp"
 #include "deadpoint/error.hpp"
 #include "near.hpp"
 

@@ -1,7 +1,7 @@
 /// Requirement: a section for sensitivity names keys and ranges in the words of the case; every mistake has place and
 /// remedy.
 #include "../../scratch_folder.hpp"
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/error.hpp"
 #include "near.hpp"
 

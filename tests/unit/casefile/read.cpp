@@ -3,9 +3,9 @@
 #include "../../scratch_folder.hpp"
 #include "../messages.hpp"
 #include "deadpoint/casefile/describe/library.hpp"
-#include "deadpoint/casefile/files/reference.hpp"
 #include "deadpoint/casefile/files/shipped.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/casefile/reference/reference.hpp"
 #include "deadpoint/error.hpp"
 #include "near.hpp"
 

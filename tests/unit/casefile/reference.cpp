@@ -1,8 +1,8 @@
-#include "deadpoint/casefile/files/reference.hpp"
+#include "deadpoint/casefile/reference/reference.hpp"
 
 #include "../../scratch_folder.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/casefile/studies/reference_file.hpp"
 #include "deadpoint/error.hpp"
 #include "near.hpp"
 

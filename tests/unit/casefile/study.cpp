@@ -1,7 +1,7 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/casefile/files/reference.hpp"
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/reference/reference.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/error.hpp"
 #include "near.hpp"
 

@@ -1,4 +1,4 @@
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 
 #include <doctest/doctest.h>
 

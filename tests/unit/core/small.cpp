@@ -1,6 +1,6 @@
 #include "deadpoint/core/hash.hpp"
-#include "deadpoint/core/pattern.hpp"
-#include "deadpoint/core/suggest.hpp"
+#include "deadpoint/core/names/pattern.hpp"
+#include "deadpoint/core/names/suggest.hpp"
 #include "deadpoint/core/table.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/error.hpp"

@@ -1,4 +1,4 @@
-#include "deadpoint/crankshaft/check.hpp"
+#include "deadpoint/crankshaft/shaft/check.hpp"
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/warning.hpp"

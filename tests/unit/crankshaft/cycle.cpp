@@ -1,8 +1,8 @@
 #include "deadpoint/crankshaft/cycle.hpp"
 
-#include "deadpoint/crankshaft/check.hpp"
 #include "deadpoint/crankshaft/response/periodic_load.hpp"
-#include "deadpoint/crankshaft/shaft_loads.hpp"
+#include "deadpoint/crankshaft/shaft/check.hpp"
+#include "deadpoint/crankshaft/shaft/shaft_loads.hpp"
 #include "deadpoint/error.hpp"
 #include "near.hpp"
 #include "shafts.hpp"

@@ -1,4 +1,4 @@
-#include "deadpoint/crankshaft/element.hpp"
+#include "deadpoint/crankshaft/shaft/element.hpp"
 
 #include "deadpoint/error.hpp"
 #include "near.hpp"

@@ -1,6 +1,6 @@
 #include "deadpoint/crankshaft/modes.hpp"
 
-#include "deadpoint/crankshaft/eigen_views.hpp"
+#include "deadpoint/crankshaft/shaft/eigen_views.hpp"
 #include "deadpoint/error.hpp"
 #include "near.hpp"
 #include "shafts.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "deadpoint/crankshaft/shaft.hpp"
-#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/crankshaft/shaft/shaft.hpp"
+#include "deadpoint/crankshaft/shaft/system.hpp"
 
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -10,8 +10,8 @@
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
 #include "deadpoint/fem/elastic/stress_recovery.hpp"
-#include "deadpoint/fem/fields.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/fields.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>

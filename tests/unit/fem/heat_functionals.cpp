@@ -1,5 +1,5 @@
 /// Requirement: means, loads, probes and load zones of a heat problem are the integrals they are named after.
-#include "deadpoint/fem/conduction/heat_functionals.hpp"
+#include "deadpoint/fem/conduction/terms/heat_functionals.hpp"
 
 #include "bricks.hpp"
 #include "deadpoint/error.hpp"

@@ -1,7 +1,7 @@
 #include "deadpoint/io/file_lock.hpp"
 
 #include "../../scratch_folder.hpp"
-#include "deadpoint/core/unique_name.hpp"
+#include "deadpoint/core/names/unique_name.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/rename.hpp"
 #include "deadpoint/io/write_file.hpp"

@@ -1,13 +1,13 @@
 /// Requirement: a calibration finds the values that made the data, says what data determine, and does not hide a wrong
 /// model in them.
-#include "deadpoint/study/learn/calibrate.hpp"
+#include "deadpoint/twin/calibrate/calibrate.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/files/calibration_file.hpp"
+#include "deadpoint/casefile/studies/calibration_file.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/learn/calibration_figures.hpp"
-#include "deadpoint/study/learn/forward.hpp"
+#include "deadpoint/twin/calibrate/calibration_figures.hpp"
+#include "deadpoint/twin/calibrate/forward.hpp"
 #include "near.hpp"
 #include "starter_press.hpp"
 
@@ -17,7 +17,9 @@
 #include <random>
 
 using namespace deadpoint;
-using namespace deadpoint::study;
+using namespace deadpoint::press;
+using namespace deadpoint::twin;
+using namespace deadpoint::full;
 using casefile::CalibrationFile;
 using casefile::CalibrationParameter;
 using casefile::CalibrationRun;

@@ -1,11 +1,11 @@
 /// Requirement: a case with free parameters is a function from their values to curves, with exact derivatives.
-#include "deadpoint/study/learn/forward.hpp"
+#include "deadpoint/twin/calibrate/forward.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/drift.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
 #include "near.hpp"
 #include "starter_press.hpp"
 
@@ -13,7 +13,9 @@
 #include <cmath>
 
 using namespace deadpoint;
-using namespace deadpoint::study;
+using namespace deadpoint::press;
+using namespace deadpoint::twin;
+using namespace deadpoint::full;
 using Kind = CaseParameter::Kind;
 
 namespace {

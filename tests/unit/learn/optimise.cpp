@@ -1,8 +1,8 @@
 /// Requirement: objectives have the derivatives of their differences, and a search finds what a scan finds.
-#include "deadpoint/study/design/optimise.hpp"
+#include "deadpoint/twin/explore/optimise.hpp"
 
 #include "deadpoint/error.hpp"
-#include "deadpoint/study/design/objectives.hpp"
+#include "deadpoint/twin/explore/objectives.hpp"
 #include "near.hpp"
 #include "starter_press.hpp"
 
@@ -11,7 +11,9 @@
 #include <functional>
 
 using namespace deadpoint;
-using namespace deadpoint::study;
+using namespace deadpoint::press;
+using namespace deadpoint::twin;
+using namespace deadpoint::full;
 
 namespace {
 

@@ -1,5 +1,5 @@
 /// Requirement: indices of a press are those of its runs, whatever the method; derivatives and bounds fit them.
-#include "deadpoint/study/design/sensitivity.hpp"
+#include "deadpoint/twin/explore/sensitivity.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/error.hpp"
@@ -10,7 +10,9 @@
 #include <cmath>
 
 using namespace deadpoint;
-using namespace deadpoint::study;
+using namespace deadpoint::press;
+using namespace deadpoint::twin;
+using namespace deadpoint::full;
 using casefile::VariedKeys;
 
 namespace {

@@ -2,9 +2,9 @@
 
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/full/run/press.hpp"
+#include "deadpoint/full/run/reduce.hpp"
 #include "deadpoint/observer.hpp"
-#include "deadpoint/study/pipeline/press.hpp"
-#include "deadpoint/study/reduce/reduce.hpp"
 
 #include <doctest/doctest.h>
 #include <string>
@@ -29,13 +29,13 @@ inline deadpoint::casefile::Case input(std::vector<std::string> more = {})
 }
 
 /// Small on purpose: tests compare it with itself, not with the full model.
-inline const deadpoint::study::ReducedPress& press()
+inline const deadpoint::twin::ReducedPress& press()
 {
     static const auto built = [] {
         deadpoint::Observer quiet;
         const auto of = input();
-        deadpoint::study::Press whole(of, 3);
-        auto options = deadpoint::study::reduce_options(of);
+        deadpoint::full::Press whole(of, 3);
+        auto options = deadpoint::full::reduce_options(of);
         options.build.sets = 10;
         options.build.training_runs = 10;
         options.build.test_runs = 2;

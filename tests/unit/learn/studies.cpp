@@ -3,15 +3,17 @@
 #include "deadpoint/casefile/files/case_base.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/drift.hpp"
-#include "deadpoint/study/reduce/reduced_sweep.hpp"
-#include "deadpoint/study/reduce/run_reduced.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
+#include "deadpoint/twin/map/reduced_sweep.hpp"
+#include "deadpoint/twin/run/run_reduced.hpp"
 #include "starter_press.hpp"
 
 #include <map>
 
 using namespace deadpoint;
-using namespace deadpoint::study;
+using namespace deadpoint::press;
+using namespace deadpoint::twin;
+using namespace deadpoint::full;
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "deadpoint/machine/assembly/contacts.hpp"
 
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "deadpoint/machine/geometry/polygon.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
 #include "fixture.hpp"
 #include "near.hpp"
 

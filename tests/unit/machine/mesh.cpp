@@ -1,5 +1,5 @@
 #include "deadpoint/machine/assembly/limits.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "fixture.hpp"
 #include "near.hpp"
 

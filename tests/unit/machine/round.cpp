@@ -2,7 +2,7 @@
 #include "deadpoint/machine/assembly/round.hpp"
 
 #include "deadpoint/exchange/face_points.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "fixture.hpp"
 #include "near.hpp"
 

@@ -1,4 +1,4 @@
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "fixture.hpp"
 #include "near.hpp"
 

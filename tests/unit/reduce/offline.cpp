@@ -1,7 +1,7 @@
-#include "deadpoint/reduce/offline/box.hpp"
 #include "deadpoint/reduce/offline/gram.hpp"
 #include "deadpoint/reduce/offline/low_rank.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
+#include "deadpoint/reduce/online/box.hpp"
 #include "deadpoint/reduce/parallel/in_parallel.hpp"
 #include "near.hpp"
 #include "rods.hpp"

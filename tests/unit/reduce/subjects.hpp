@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/reduce/offline/box.hpp"
+#include "deadpoint/reduce/online/box.hpp"
 #include "rods.hpp"
 
 #include <cmath>

@@ -73,7 +73,7 @@ TEST_CASE(
     CHECK(has(text, "A full run of the calibrated case differs by at most 0.020 K and 0.10 um"));
     auto right = calibration_of_all();
     right.model_differs = false;
-    right.parameters.front().known = right.after.front().known = study::Knowledge::data;
+    right.parameters.front().known = right.after.front().known = twin::Knowledge::data;
     const auto of_right = report::calibration_text(right);
     CHECK(has(of_right, "the data do not contradict the model"));
     CHECK(has(of_right, "Known by the data: pins."));
@@ -97,7 +97,7 @@ TEST_CASE("shares of alternatives are told apart from unknowns: those that the d
     auto found = calibration_of_all();
     auto mesh = factor_of("coarser mesh", 0.2, 0.95), films = factor_of("films by law", 0.9, 0.95);
     for (auto* p : {&mesh, &films}) {
-        p->kind = study::FittedParameter::Kind::alternative;
+        p->kind = twin::FittedParameter::Kind::alternative;
         p->unit = "share";
     }
     mesh.lower = -0.3;

@@ -1,17 +1,17 @@
-#include "deadpoint/study/compare/compare.hpp"
+#include "deadpoint/press/compare/compare.hpp"
 
 #include "../../scratch_folder.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/casefile/files/reference_file.hpp"
+#include "deadpoint/casefile/studies/reference_file.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/report/files/compare_files.hpp"
+#include "deadpoint/press/drift/drift_summary.hpp"
+#include "deadpoint/press/loads/loads.hpp"
+#include "deadpoint/press/result/histories.hpp"
+#include "deadpoint/press/run/run_record.hpp"
+#include "deadpoint/report/compare/compare_files.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
-#include "deadpoint/report/text/drift_summary_text.hpp"
-#include "deadpoint/study/drift/drift_summary.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
-#include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/report/run/drift_summary_text.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>
@@ -132,7 +132,7 @@ TEST_CASE("the comparison as text, page and JSON: shown units, signs, baselines,
     claim.text = "The gap opens.";
     claim.kind = casefile::ReferenceClaim::Kind::opens;
     file.claims.push_back(claim);
-    const auto comparison = study::compare(run, file);
+    const auto comparison = press::compare(run, file);
     const auto text = compare_text(run, comparison);
     CHECK(has(text, "press against bench"));
     CHECK(has(text, "-1.000   -33.3 %  calibrated"));
@@ -155,7 +155,7 @@ TEST_CASE("the comparison as text, page and JSON: shown units, signs, baselines,
 
 TEST_CASE("the drift in one line names what a short run did not reach")
 {
-    study::CourseSummary gap;
+    press::CourseSummary gap;
     gap.first_hour = {3600, false, -50e-6, 51e-6};
     gap.four_hours = {10800, true, -40e-6, 55e-6};
     gap.largest_rate = -100e-6 / 3600;

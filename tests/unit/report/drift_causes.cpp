@@ -1,6 +1,6 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/exchange/drift.hpp"
-#include "deadpoint/report/text/drift_causes_text.hpp"
+#include "deadpoint/report/run/drift_causes_text.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>

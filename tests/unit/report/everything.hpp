@@ -1,27 +1,26 @@
 #pragma once
 
 #include "deadpoint/casefile/files/read.hpp"
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/exchange/drift.hpp"
 #include "deadpoint/exchange/gaps.hpp"
-#include "deadpoint/report/charts/sweep_figures.hpp"
+#include "deadpoint/full/run/run.hpp"
+#include "deadpoint/press/compare/compare.hpp"
+#include "deadpoint/press/loads/loads.hpp"
+#include "deadpoint/press/problem/heat_tables.hpp"
+#include "deadpoint/press/result/accuracy.hpp"
+#include "deadpoint/press/result/frame_result.hpp"
+#include "deadpoint/press/result/friction_summary.hpp"
+#include "deadpoint/press/result/loads_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
+#include "deadpoint/press/result/view_data.hpp"
+#include "deadpoint/press/run/run_record.hpp"
 #include "deadpoint/report/design/optimise_files.hpp"
 #include "deadpoint/report/design/sensitivity_files.hpp"
-#include "deadpoint/report/files/sweep_files.hpp"
-#include "deadpoint/study/compare/compare.hpp"
-#include "deadpoint/study/design/optimise.hpp"
-#include "deadpoint/study/design/sensitivity.hpp"
-#include "deadpoint/study/pipeline/heat_tables.hpp"
-#include "deadpoint/study/pipeline/loads.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
-#include "deadpoint/study/result/accuracy.hpp"
-#include "deadpoint/study/result/frame_result.hpp"
-#include "deadpoint/study/result/friction_summary.hpp"
-#include "deadpoint/study/result/heat_tables.hpp"
-#include "deadpoint/study/result/loads_result.hpp"
-#include "deadpoint/study/result/run_result.hpp"
-#include "deadpoint/study/result/view_data.hpp"
+#include "deadpoint/report/sweep/sweep_files.hpp"
+#include "deadpoint/report/tables/sweep_figures.hpp"
+#include "deadpoint/twin/explore/optimise.hpp"
+#include "deadpoint/twin/explore/sensitivity.hpp"
 
 #include <filesystem>
 
@@ -66,10 +65,10 @@ inline GapSeries gaps()
     return gaps;
 }
 
-inline study::FrictionSummary friction()
+inline press::FrictionSummary friction()
 {
-    study::FrictionSummary summary;
-    study::FrictionHeat row;
+    press::FrictionSummary summary;
+    press::FrictionHeat row;
     row.row = "pins";
     row.law = "calibrated";
     row.joints = {"pin"};
@@ -78,37 +77,37 @@ inline study::FrictionSummary friction()
     row.load_ratio = 1;
     summary.rows = {row};
     summary.bearings = {{"left", 1, 1}};
-    study::PowerBalance balance;
+    press::PowerBalance balance;
     balance.rated = 1000;
     balance.at = {{293.15, 150, 1250, 7, 1.25}};
     summary.balance = balance;
     return summary;
 }
 
-inline study::FrameResult frame()
+inline press::FrameResult frame()
 {
-    study::FrameResult frame;
+    press::FrameResult frame;
     frame.support_force = 1e3;
     frame.rods = {{"rod", "rods", 1e5, series(1e3), 0}};
     frame.bonds = {{"rod|bed", "rods", 0.1, -1e5, series(1e3), {{0, 1e6, {}, 0.1}}}};
-    study::StressPeak peak;
+    press::StressPeak peak;
     peak.part = "bed";
     frame.stress = {peak};
     return frame;
 }
 
-inline study::AccuracyReport accuracy()
+inline press::AccuracyReport accuracy()
 {
-    study::AccuracyReport report;
+    press::AccuracyReport report;
     report.why_not = "accuracy_rounds";
     report.rounds = {{100, 1e-5, {}, 1e-6, 0, "bed", 1}, {200, 1e-5, 1e-6, 1e-6, 1, "bed", 1}};
     report.parts = {{"bed", 0.1, 0.05, 200, 1e-6, false}};
     return report;
 }
 
-inline study::ViewData view()
+inline press::ViewData view()
 {
-    study::ViewData view;
+    press::ViewData view;
     view.surface.vertices = {{}, {}, {}};
     view.surface.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     view.surface.triangles = {{0, 1, 2}};
@@ -134,9 +133,9 @@ inline ThermalHistory thermal()
 }
 
 /// A run in which everything happens.
-inline study::RunResult run_of_all(const casefile::Case& input)
+inline press::RunResult run_of_all(const casefile::Case& input)
 {
-    study::RunResult result;
+    press::RunResult result;
     result.thermal = thermal();
     result.probes = {{"top", result.thermal.probes[0]}};
     result.parts = {{"bed", {result.thermal.part_means.empty() ? series(300) : result.thermal.part_means[0], 0, 0}}};
@@ -145,24 +144,24 @@ inline study::RunResult run_of_all(const casefile::Case& input)
     result.enclosures = {{"crank_case", result.thermal.enclosures[0]}};
     result.joints = {{"pin", {series(300), values(100)}}};
     result.friction = {friction()};
-    result.loads = std::make_shared<const study::LoadsResult>(study::compute_loads(input, nullptr, 0));
+    result.loads = std::make_shared<const press::LoadsResult>(press::compute_loads(input, nullptr, 0));
     result.drift = drift();
     result.causes = {causes()};
     result.gaps = gaps();
     result.bonds = {{"motor|frame", values(100)}};
-    result.compliance = study::PressCompliance{2e-9, {{"front left", 1e-9}}, 5e-11, -1e-10};
-    result.adjoint_check = study::AdjointCheck{};
+    result.compliance = press::PressCompliance{2e-9, {{"front left", 1e-9}}, 5e-11, -1e-10};
+    result.adjoint_check = press::AdjointCheck{};
     result.frame = frame();
     result.view = view();
     result.accuracy = accuracy();
-    result.reduced = study::ReducedResult{"press.rom",
+    result.reduced = press::ReducedResult{"press.rom",
                                           200,
                                           {{"anywhere in the box", 0.1, 5e-8}},
-                                          study::StatedError{"this run", 0.01, 1e-9},
-                                          study::StatedError{"this run, to a full run", 0.02, 2e-9},
-                                          study::Certified{"reason", 2e-7, {{"A", 0.1}}},
+                                          press::StatedError{"this run", 0.01, 1e-9},
+                                          press::StatedError{"this run, to a full run", 0.02, 2e-9},
+                                          press::Certified{"reason", 2e-7, {{"A", 0.1}}},
                                           {"ambient: 25 to 25"}};
-    result.sensitivities = study::Sensitivities{
+    result.sensitivities = press::Sensitivities{
         20000, true, {"top"}, {{"friction.pin", 1, "", 0.1, -2e-5, {5}}, {"ambient", 20, "degC", 1, 1e-6, {0.5}}}};
     result.timings = {{"mesh", 1}};
     return result;
@@ -188,9 +187,9 @@ inline Machine machine_of_all()
     return machine;
 }
 
-inline study::HeatTables heat_of_all()
+inline press::HeatTables heat_of_all()
 {
-    study::HeatTables tables;
+    press::HeatTables tables;
     tables.segment = 0;
     tables.temperatures = {293.15};
     tables.joints = {{"pins", "pin", "oil", {"pin"}, {100}, {true}}};
@@ -200,9 +199,9 @@ inline study::HeatTables heat_of_all()
     return tables;
 }
 
-inline study::RunRecord record()
+inline press::RunRecord record()
 {
-    study::RunRecord run;
+    press::RunRecord run;
     run.machine = "press";
     run.hash = "0123";
     run.time = {0, 3600};
@@ -210,7 +209,7 @@ inline study::RunRecord record()
     run.rises["top"] = {0, 3};
     run.chain["E_SW"] = {0, 1e-5};
     run.joint_heat["pin"] = {100, 80};
-    run.gap = study::GapFigures{1e-5, 1e-5, 1800};
+    run.gap = press::GapFigures{1e-5, 1e-5, 1800};
     run.loads = {{"crankshaft.rigid.seats.B.peak_N", 1000}};
     return run;
 }
@@ -218,7 +217,7 @@ inline study::RunRecord record()
 inline SweepResult sweep_of_all()
 {
     SweepResult result;
-    study::SweepAxis speed;
+    twin::SweepAxis speed;
     speed.name = "speed";
     speed.keys = {"operation.0.speed"};
     speed.values = {{"100 rpm"}, {"200 rpm"}};
@@ -229,24 +228,24 @@ inline SweepResult sweep_of_all()
     result.study.limits = {1e-3, 1e-3};
     result.study.sets = {{"speed", {speed}}};
     result.points = {{"slow", {"operation.0.speed=100 rpm"}, {{0, {0}}}}, {"fast", {}, {{0, {1}}}}};
-    result.outcomes = {{study::PointOutcome::State::done, "", 1}, {study::PointOutcome::State::failed, "why", 1}};
+    result.outcomes = {{twin::PointOutcome::State::done, "", 1}, {twin::PointOutcome::State::failed, "why", 1}};
     result.records = {record(), std::nullopt};
     result.reduced_model = "press.rom";
     return result;
 }
 
-inline study::Comparison comparison_of_all()
+inline press::Comparison comparison_of_all()
 {
-    study::Comparison all;
+    press::Comparison all;
     all.values.push_back(
-        {study::ValueKind::rises, "rises", "top at 1 h", Dimension::temperature_difference, 1, 2, 3.0, true, "a note"});
-    all.groups.push_back({study::ValueKind::rises, "rises", Dimension::temperature_difference, true, {}, "top"});
-    study::ComparedCurve curve;
+        {press::ValueKind::rises, "rises", "top at 1 h", Dimension::temperature_difference, 1, 2, 3.0, true, "a note"});
+    all.groups.push_back({press::ValueKind::rises, "rises", Dimension::temperature_difference, true, {}, "top"});
+    press::ComparedCurve curve;
     curve.name = "top";
     curve.time = curve.reference = curve.computed = curve.baseline = {0};
     curve.note = "a note";
     all.curves = {curve};
-    all.verdicts.push_back({"it opens", "opens", study::Verdict::Outcome::holds, "it does", "a note"});
+    all.verdicts.push_back({"it opens", "opens", press::Verdict::Outcome::holds, "it does", "a note"});
     all.baseline = "other";
     return all;
 }
@@ -254,23 +253,23 @@ inline study::Comparison comparison_of_all()
 /// A study of sensitivity with what its report refers to.
 struct SensitivityOfAll {
     casefile::StudyFile study;
-    study::SensitivityResult result;
+    twin::SensitivityResult result;
     [[nodiscard]] SensitivityReport report() const { return {{study, "press", "0123", "press.rom", 2}, result}; }
 };
 
 inline SensitivityOfAll sensitivity_of_all()
 {
-    using study::Figure;
+    using twin::Figure;
     SensitivityOfAll all;
     all.study.name = "what matters";
     all.study.sensitivity.emplace();
     all.study.sensitivity->course_times = 1;
     all.study.sensitivity->parameters.resize(2);
     all.result.ranges.resize(2);
-    all.result.ranges[0] = {"oil", study::VariedRange::Kind::factor, 0.5, 2};
-    all.result.ranges[1] = {"speed", study::VariedRange::Kind::value, 10, 20, Dimension::angular_velocity, 14.14};
-    all.result.outputs = {{study::ForwardOutput::Kind::dimension, "E_SW", 0},
-                          {study::ForwardOutput::Kind::probe, "top", 0}};
+    all.result.ranges[0] = {"oil", twin::VariedRange::Kind::factor, 0.5, 2};
+    all.result.ranges[1] = {"speed", twin::VariedRange::Kind::value, 10, 20, Dimension::angular_velocity, 14.14};
+    all.result.outputs = {{twin::ForwardOutput::Kind::dimension, "E_SW", 0},
+                          {twin::ForwardOutput::Kind::probe, "top", 0}};
     all.result.runs = 32;
     const design::SobolIndices indices{
         1e-5, 1e-12, 8, {{{0.3, 0.2, 0.4}, {0.4, 0.3, 0.5}}, {{0.6, 0.5, 0.7}, {0.7, 0.6, 0.8}}}};
@@ -299,8 +298,8 @@ inline SensitivityOfAll screening_of_all()
 /// A search for an optimum with what its report refers to.
 struct OptimiseOfAll {
     casefile::StudyFile study;
-    study::OptimiseResult result;
-    study::FullDesign full;
+    twin::OptimiseResult result;
+    twin::FullDesign full;
     [[nodiscard]] OptimiseReport report() const { return {{study, "press", "0123", "press.rom", 2}, result, &full}; }
 };
 
@@ -313,7 +312,7 @@ inline OptimiseOfAll optimise_of_all()
     section.speed_profile = casefile::SpeedProfile{0, {600}, 10, 20, {}};
     section.limits = {{"top", "60 degC", "", 0, 333.15, {}}, {"E_SW", "", "-80 um", 0, {}, -8e-5}};
     all.result.ranges.resize(1);
-    all.result.ranges[0] = {"speed 1", study::VariedRange::Kind::value, 10, 20, Dimension::angular_velocity, 14.14};
+    all.result.ranges[0] = {"speed 1", twin::VariedRange::Kind::value, 10, 20, Dimension::angular_velocity, 14.14};
     all.result.starts = {
         {{0.5}, {{0.7}, 3600, true, "the objective no longer changed", {{{0.7}, 3600, 0}}}, {"objective"}}};
     all.result.feasible = true;

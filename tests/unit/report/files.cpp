@@ -1,9 +1,9 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/file_lock.hpp"
-#include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_folder.hpp"
+#include "deadpoint/report/tables/csv.hpp"
 
 #include <doctest/doctest.h>
 #include <fstream>

@@ -1,8 +1,8 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/exchange/stress.hpp"
-#include "deadpoint/report/files/frame_files.hpp"
-#include "deadpoint/study/result/frame_result.hpp"
-#include "deadpoint/study/result/histories.hpp"
+#include "deadpoint/press/result/frame_result.hpp"
+#include "deadpoint/press/result/histories.hpp"
+#include "deadpoint/report/run/frame_files.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -13,9 +13,9 @@ using namespace deadpoint::report;
 namespace {
 
 /// Two rods, of which the second slackens and recovers, a bond that opens, and stress at two times.
-study::FrameResult example()
+press::FrameResult example()
 {
-    study::FrameResult frame;
+    press::FrameResult frame;
     frame.rods.resize(2);
     frame.rods[0].part = "left_rod";
     frame.rods[0].preload = "left";
@@ -35,7 +35,7 @@ study::FrameResult example()
     frame.bonds[0].openings[1] = {.time = 60, .largest = 3e6, .place = {0.1, -0.2, 1.5}, .share = 0.125};
     frame.support_force = 130e3;
     for (const double time : {0.0, 60.0}) {
-        study::StressPeak peak;
+        press::StressPeak peak;
         peak.part = "crown";
         peak.time = time;
         peak.von_mises = 20e6 + time * 1e5;

@@ -1,8 +1,8 @@
 /// Requirement: a run tells friction heat row by row, its load part, and what the shaft model changes.
 #include "../messages.hpp"
 #include "deadpoint/exchange/laws/laws.hpp"
-#include "deadpoint/report/text/friction_text.hpp"
-#include "deadpoint/study/result/friction_summary.hpp"
+#include "deadpoint/press/result/friction_summary.hpp"
+#include "deadpoint/report/heat/friction_text.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -12,12 +12,12 @@ using messages::has;
 
 namespace {
 
-study::FrictionSummary example()
+press::FrictionSummary example()
 {
-    study::FrictionSummary summary;
+    press::FrictionSummary summary;
     summary.speed = 20.943951023931955;  // 200 rpm
     summary.force = 3e5;
-    study::FrictionHeat row;
+    press::FrictionHeat row;
     row.row = "main";
     row.law = "calibrated";
     row.heat = [](double temperature) { return LawValue{temperature < 300 ? 150.0 : 110.0, -2, true}; };
@@ -25,7 +25,7 @@ study::FrictionSummary example()
     row.load_ratio = 0.875;
     summary.rows.push_back(row);
     summary.bearings.push_back({"left", 1.087, 0.951});
-    study::PowerBalance balance;
+    press::PowerBalance balance;
     balance.drive = 1200;
     balance.process = 1100;
     balance.swing = 20000;

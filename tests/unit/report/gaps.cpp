@@ -1,8 +1,8 @@
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/drift/chain.hpp"
 #include "deadpoint/exchange/drift.hpp"
-#include "deadpoint/report/files/gaps_files.hpp"
-#include "deadpoint/study/drift/gap_model.hpp"
+#include "deadpoint/press/drift/gap_model.hpp"
+#include "deadpoint/report/run/gaps_files.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ Series line(double rate, const std::vector<double>& time)
 // Two corners 0.4 m apart, a guide and a pin, and a gap that closes by 1 um a second.
 struct Fixture {
     casefile::Case input;
-    study::GapModel model;
+    press::GapModel model;
     ThermalHistory history;
 
     Fixture()
@@ -49,7 +49,7 @@ struct Fixture {
         DriftSeries drift;
         drift.gap = line(-1e-6, history.time);
         drift.play = line(1e-7, history.time);
-        return study::gap_series(input, model, history, drift::dimension_count, drift);
+        return press::gap_series(input, model, history, drift::dimension_count, drift);
     }
 };
 
@@ -87,13 +87,13 @@ TEST_CASE("a stated clearance is used up when its change has eaten it, and said 
     CHECK(gaps.clearances[0].used_up.value() == near(25, 1e-5));
     CHECK_FALSE(gaps.clearances[1].initial);
     CHECK_FALSE(gaps.clearances[1].used_up);
-    const auto warnings = study::gap_warnings(gaps);
+    const auto warnings = press::gap_warnings(gaps);
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0].starts_with("the clearance of 50 um of 'guide' is used up 0.01 h after the start"));
     auto wide = Fixture();
     wide.input.joints["guide"].clearance = 201e-6;
     CHECK_FALSE(wide.series().clearances[0].used_up);
-    CHECK(study::gap_warnings(wide.series()).empty());
+    CHECK(press::gap_warnings(wide.series()).empty());
 }
 
 TEST_CASE("gaps in files and text: units, signs, what is not followed is left out")

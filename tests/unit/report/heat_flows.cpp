@@ -1,7 +1,7 @@
-#include "deadpoint/report/files/heat_flows.hpp"
+#include "deadpoint/report/run/heat_flows.hpp"
 
 #include "deadpoint/exchange/heat.hpp"
-#include "deadpoint/study/result/run_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ double last(const report::CsvColumn& column) { return std::get<std::vector<doubl
 TEST_CASE(
     "the air of an enclosure in the table, the summary and the text: temperatures as they are, heat of the whole press")
 {
-    study::RunResult result;
+    press::RunResult result;
     result.symmetry_factor = 2;
     result.enclosures = {{"crank_case", {{{293.15, 313.15}, {0, 0}}, {0, 40}, {30, 30}, {0, 65}}}};
     std::vector<report::CsvColumn> columns;

@@ -1,14 +1,14 @@
 /// Files, pictures and text of the loads, on a slider-crank that is solved in milliseconds.
-#include "deadpoint/study/pipeline/loads.hpp"
+#include "deadpoint/press/loads/loads.hpp"
 
 #include "deadpoint/casefile/files/read.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/exchange/cycle.hpp"
-#include "deadpoint/report/charts/linkage_drawing.hpp"
-#include "deadpoint/report/charts/loads_charts.hpp"
-#include "deadpoint/report/charts/svg_chart.hpp"
-#include "deadpoint/report/files/loads_files.hpp"
-#include "deadpoint/study/result/loads_result.hpp"
+#include "deadpoint/press/result/loads_result.hpp"
+#include "deadpoint/report/loads/linkage_drawing.hpp"
+#include "deadpoint/report/loads/loads_charts.hpp"
+#include "deadpoint/report/loads/loads_files.hpp"
+#include "deadpoint/report/tables/svg_chart.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>
@@ -25,7 +25,7 @@ namespace {
 
 struct Solved {
     casefile::Case input;
-    study::LoadsResult loads;
+    press::LoadsResult loads;
 };
 
 const Solved& solved()
@@ -34,7 +34,7 @@ const Solved& solved()
         auto input = casefile::read_case(fs::path(DEADPOINT_TEST_DATA) / "study/balanced-crank.toml",
                                          {"crankshaft.model=flexible"})
                          .value;
-        auto loads = study::compute_loads(input, nullptr, 0);
+        auto loads = press::compute_loads(input, nullptr, 0);
         return Solved{std::move(input), std::move(loads)};
     }();
     return result;

@@ -1,12 +1,12 @@
 #include "deadpoint/exchange/machine.hpp"
 
-#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/case_films.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
+#include "deadpoint/press/check/plausibility.hpp"
+#include "deadpoint/press/check/whole_mass.hpp"
 #include "deadpoint/report/mesh/mesh_files.hpp"
-#include "deadpoint/report/text/plan_text.hpp"
-#include "deadpoint/study/check/question.hpp"
-#include "deadpoint/study/check/whole_mass.hpp"
+#include "deadpoint/report/mesh/plan_text.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>
@@ -81,7 +81,7 @@ casefile::Case small_case()
 
 TEST_CASE("in a half model a body across the plane counts twice, a twin once")
 {
-    const auto masses = study::whole_masses(small_case(), small_machine());
+    const auto masses = press::whole_masses(small_case(), small_machine());
     REQUIRE(masses.size() == 2);
     CHECK(masses[0].parts == 2);
     CHECK(masses[0].computed == near(140, 1e-5));  // 2 (50 + 20)
@@ -90,9 +90,9 @@ TEST_CASE("in a half model a body across the plane counts twice, a twin once")
 
     auto no_cut = small_machine();
     no_cut.parts[0].cut = false;  // the dropped column still says that the frame has a far side
-    CHECK(study::whole_masses(small_case(), no_cut)[0].computed == near(140, 1e-5));
+    CHECK(press::whole_masses(small_case(), no_cut)[0].computed == near(140, 1e-5));
     no_cut.dropped_parts.clear();
-    CHECK(study::whole_masses(small_case(), no_cut)[0].computed == near(70, 1e-5));
+    CHECK(press::whole_masses(small_case(), no_cut)[0].computed == near(70, 1e-5));
 }
 
 TEST_CASE("a mesh is questioned for masses beyond 2 %, overlaps and floating parts")
@@ -101,7 +101,7 @@ TEST_CASE("a mesh is questioned for masses beyond 2 %, overlaps and floating par
     machine.overlaps = {{"beam", "rod", {0.1, 0, 0}, 0.002}};
     machine.floating_parts = {"rod"};
     std::vector<std::string> texts;
-    for (const auto& finding : study::question_machine(small_case(), machine, 1))
+    for (const auto& finding : press::question_machine(small_case(), machine, 1))
         if (finding.code != "implausible")
             texts.push_back(finding.path + ": " + finding.message);
     CHECK(texts == std::vector<std::string>{

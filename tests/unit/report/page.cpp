@@ -2,9 +2,9 @@
 
 #include "../../scratch_folder.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/report/files/view_file.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
+#include "deadpoint/report/mesh/view_file.hpp"
 #include "deadpoint/report/page/sweep_page.hpp"
 #include "near.hpp"
 

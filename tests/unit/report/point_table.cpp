@@ -5,7 +5,7 @@
 #include "../../scratch_folder.hpp"
 #include "../messages.hpp"
 #include "deadpoint/error.hpp"
-#include "deadpoint/report/charts/sweep_figures.hpp"
+#include "deadpoint/report/tables/sweep_figures.hpp"
 #include "everything.hpp"
 #include "near.hpp"
 
@@ -19,11 +19,11 @@
 using namespace deadpoint;
 using namespace deadpoint::report;
 using namespace everything;
-using State = study::PointOutcome::State;
+using State = twin::PointOutcome::State;
 
 namespace {
 
-study::RunRecord long_record()
+press::RunRecord long_record()
 {
     auto run = record();
     run.time = {0, 1800, 3600};

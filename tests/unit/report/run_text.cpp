@@ -1,5 +1,5 @@
 /// Requirement: a run ends with what its user wants first; the rest comes with --verbose.
-#include "deadpoint/report/text/run_text.hpp"
+#include "deadpoint/report/run/run_text.hpp"
 
 #include "everything.hpp"
 
@@ -72,7 +72,7 @@ TEST_CASE("the whole text of a run: parts, loads, friction, preload, oil, enclos
 TEST_CASE("a run without a dimension chain tells of its temperatures alone")
 {
     const auto input = case_of_all();
-    study::RunResult result;
+    press::RunResult result;
     result.thermal = thermal();
     result.probes = {{"top", result.thermal.probes[0]}};
     const auto text = run_text(input, result, Detail::short_text);

@@ -1,7 +1,7 @@
-#include "deadpoint/study/result/sensitivities.hpp"
+#include "deadpoint/press/result/sensitivities.hpp"
 
 #include "../../scratch_folder.hpp"
-#include "deadpoint/report/text/sensitivities_text.hpp"
+#include "deadpoint/report/run/sensitivities_text.hpp"
 #include "near.hpp"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@ using namespace deadpoint;
 
 namespace {
 
-study::Sensitivities at_end()
+press::Sensitivities at_end()
 {
     return {7200,
             true,

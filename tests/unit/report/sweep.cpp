@@ -1,13 +1,13 @@
 #include "../../scratch_folder.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/csv_table.hpp"
-#include "deadpoint/report/charts/svg_chart.hpp"
-#include "deadpoint/report/charts/sweep_charts.hpp"
-#include "deadpoint/report/charts/sweep_figures.hpp"
-#include "deadpoint/report/files/sweep_files.hpp"
+#include "deadpoint/press/run/run_record.hpp"
 #include "deadpoint/report/folder/read_result.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
+#include "deadpoint/report/sweep/sweep_charts.hpp"
+#include "deadpoint/report/sweep/sweep_files.hpp"
+#include "deadpoint/report/tables/svg_chart.hpp"
+#include "deadpoint/report/tables/sweep_figures.hpp"
 #include "near.hpp"
 
 #include <cmath>
@@ -23,7 +23,7 @@
 
 using namespace deadpoint;
 using namespace deadpoint::report;
-using State = study::PointOutcome::State;
+using State = twin::PointOutcome::State;
 namespace fs = std::filesystem;
 
 namespace {
@@ -34,10 +34,10 @@ struct Folder : ScratchFolder {
 
 bool has(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
 
-study::SweepAxis axis(const std::string& name, const std::vector<std::string>& values,
-                      const std::vector<double>& numbers, Dimension dimension)
+twin::SweepAxis axis(const std::string& name, const std::vector<std::string>& values,
+                     const std::vector<double>& numbers, Dimension dimension)
 {
-    study::SweepAxis a;
+    twin::SweepAxis a;
     a.name = name;
     a.keys = {"operation.0." + name};
     for (const auto& value : values) {
@@ -50,9 +50,9 @@ study::SweepAxis axis(const std::string& name, const std::vector<std::string>& v
 }
 
 /// A gap that closes to -20 um times a factor within the first hour and comes half way back over two more.
-study::RunRecord record(double factor)
+press::RunRecord record(double factor)
 {
-    study::RunRecord run;
+    press::RunRecord run;
     run.machine = "press";
     run.hash = "0123";
     run.initial_temperature = 293.15;
@@ -66,7 +66,7 @@ study::RunRecord record(double factor)
         run.joint_heat["pin"].push_back(100 * factor);
         run.joint_heat["bearing"].push_back(50);
     }
-    run.gap = study::GapFigures{-20e-6 * factor, 20e-6 * factor, 9000};
+    run.gap = press::GapFigures{-20e-6 * factor, 20e-6 * factor, 9000};
     run.has_loads = true;
     run.loads = {{"crankshaft.flexible.seats.B.peak_N", 1000 * factor}, {"crankshaft.flexible.seats.B.rms_N", 7}};
     return run;
@@ -93,7 +93,7 @@ SweepResult example()
                   {"model", {axis("model", {"rigid", "flexible"}, {}, Dimension::none)}}};
     for (std::size_t s = 0; s < 4; ++s) {
         for (std::size_t f = 0; f < 3; ++f) {
-            study::SweepPoint point{fmt::format("s{}f{}", s, f), {}, {{0, {s, f}}}};
+            twin::SweepPoint point{fmt::format("s{}f{}", s, f), {}, {{0, {s, f}}}};
             if (f == 1) {
                 point.places.push_back({1, {s}});
             }

@@ -1,5 +1,5 @@
-#include "deadpoint/report/charts/svg_chart.hpp"
-#include "deadpoint/report/text/table.hpp"
+#include "deadpoint/report/tables/svg_chart.hpp"
+#include "deadpoint/report/tables/table.hpp"
 
 #include <doctest/doctest.h>
 #include <limits>

@@ -1,8 +1,8 @@
 #include "deadpoint/casefile/check/belonging.hpp"
 
-#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/core/pattern.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
+#include "deadpoint/core/names/pattern.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "deadpoint/casefile/check/check_bonds.hpp"
 
-#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/core/pattern_pair.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
+#include "deadpoint/core/names/pattern_pair.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

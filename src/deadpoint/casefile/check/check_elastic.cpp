@@ -1,9 +1,9 @@
 #include "deadpoint/casefile/check/check_elastic.hpp"
 
 #include "deadpoint/casefile/check/directions.hpp"
-#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/case_elastic.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/machine.hpp"
 

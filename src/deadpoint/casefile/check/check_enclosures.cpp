@@ -1,9 +1,9 @@
 #include "deadpoint/casefile/check/check_enclosures.hpp"
 
-#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/case_films.hpp"
 #include "deadpoint/casefile/describe/case_heat.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "deadpoint/casefile/check/directions.hpp"
 
-#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/casefile/describe/case_films.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
 #include "deadpoint/core/mistakes.hpp"
 #include "deadpoint/exchange/named_axes.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/viewer.hpp"
 

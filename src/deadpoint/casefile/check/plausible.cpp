@@ -1,7 +1,7 @@
 #include "deadpoint/casefile/check/plausible.hpp"
 
-#include "deadpoint/casefile/check/findings.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
 #include "deadpoint/core/quantity.hpp"
 #include "deadpoint/core/units.hpp"
 

@@ -103,7 +103,7 @@ struct Interface {
     std::string heat_into;      ///< part whose volume receives that heat; empty: the contact layer between the sides
     bool load_zone = false;     ///< the load part of that heat is distributed over the pressed zone
     bool stands_still = false;  ///< does not turn, although the joint turns fully (outer rings)
-    bool seat = false;          ///< it carries the joint in the ground body (study/translate/linkage)
+    bool seat = false;          ///< it carries the joint in the ground body (press/translate/linkage)
     bool journal = false;       ///< it carries the joint in the body that moves in the ground
     bool partial = false;       ///< side a may reach beyond side b
     std::optional<double> drawn_gap;  ///< largest distance of the sides as drawn [m]
@@ -203,7 +203,7 @@ struct Numerics {
     double max_step = 1800;
     double solver_tolerance = 1e-6;
     int order = 1;                ///< of the elements
-    std::string accuracy;         ///< of rises or gap (casefile/describe/accuracy.hpp); empty: the mesh stays as it is
+    std::string accuracy;         ///< of rises or gap (casefile/check/accuracy.hpp); empty: the mesh stays as it is
     int accuracy_rounds = 8;      ///< meshes at most
     int accuracy_cells = 500000;  ///< of a mesh at most
 };

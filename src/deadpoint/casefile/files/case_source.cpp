@@ -1,6 +1,6 @@
 #include "deadpoint/casefile/files/case_source.hpp"
 
-#include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
 #include "deadpoint/casefile/syntax/document.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "deadpoint/casefile/describe/visitor.hpp"
 #include "deadpoint/casefile/syntax/value_texts.hpp"
-#include "deadpoint/core/pattern.hpp"
-#include "deadpoint/core/suggest.hpp"
+#include "deadpoint/core/names/pattern.hpp"
+#include "deadpoint/core/names/suggest.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>

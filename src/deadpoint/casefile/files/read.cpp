@@ -1,7 +1,7 @@
 #include "deadpoint/casefile/files/read.hpp"
 
 #include "deadpoint/casefile/check/check.hpp"
-#include "deadpoint/casefile/check/findings.hpp"
+#include "deadpoint/casefile/describe/findings.hpp"
 #include "deadpoint/casefile/describe/library.hpp"
 #include "deadpoint/casefile/files/case_source.hpp"
 #include "deadpoint/casefile/files/kind_of_file.hpp"

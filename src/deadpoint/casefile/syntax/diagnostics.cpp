@@ -1,6 +1,6 @@
 #include "deadpoint/casefile/syntax/diagnostics.hpp"
 
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

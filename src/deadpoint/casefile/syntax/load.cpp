@@ -1,6 +1,6 @@
 #include "deadpoint/casefile/syntax/document.hpp"
-#include "deadpoint/core/plain_text.hpp"
-#include "deadpoint/core/suggest.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
+#include "deadpoint/core/names/suggest.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/read_file.hpp"
 

@@ -1,8 +1,8 @@
 #include "deadpoint/casefile/syntax/reader.hpp"
 
 #include "deadpoint/casefile/syntax/value_texts.hpp"
-#include "deadpoint/core/plain_text.hpp"
-#include "deadpoint/core/suggest.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
+#include "deadpoint/core/names/suggest.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "deadpoint/crankshaft/eigen_views.hpp"
 #include "deadpoint/crankshaft/response/modal_basis.hpp"
-#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/crankshaft/shaft/eigen_views.hpp"
+#include "deadpoint/crankshaft/shaft/system.hpp"
 
 #include <complex>
 

@@ -1,8 +1,8 @@
 #include "deadpoint/crankshaft/response/harmonic_response.hpp"
 
 #include "deadpoint/crankshaft/response/dynamic_stiffness.hpp"
-#include "deadpoint/crankshaft/shaft.hpp"
-#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/crankshaft/shaft/shaft.hpp"
+#include "deadpoint/crankshaft/shaft/system.hpp"
 #include "deadpoint/error.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "deadpoint/crankshaft/response/load_channels.hpp"
 
-#include "deadpoint/crankshaft/shaft.hpp"
-#include "deadpoint/crankshaft/shaft_loads.hpp"
+#include "deadpoint/crankshaft/shaft/shaft.hpp"
+#include "deadpoint/crankshaft/shaft/shaft_loads.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "deadpoint/crankshaft/response/modal_basis.hpp"
 
-#include "deadpoint/crankshaft/eigen_views.hpp"
-#include "deadpoint/crankshaft/held_shaft.hpp"
-#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/crankshaft/shaft/eigen_views.hpp"
+#include "deadpoint/crankshaft/shaft/held_shaft.hpp"
+#include "deadpoint/crankshaft/shaft/system.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>

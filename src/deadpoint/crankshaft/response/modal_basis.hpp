@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/crankshaft/eigen_views.hpp"
+#include "deadpoint/crankshaft/shaft/eigen_views.hpp"
 
 /// The shaft in the modes of the resting, undamped shaft; only for the sources of this folder.
 namespace deadpoint::crankshaft {

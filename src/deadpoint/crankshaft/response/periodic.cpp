@@ -1,10 +1,10 @@
 #include "deadpoint/crankshaft/response/periodic.hpp"
 
-#include "deadpoint/crankshaft/eigen_views.hpp"
 #include "deadpoint/crankshaft/response/modal_basis.hpp"
 #include "deadpoint/crankshaft/response/periodic_load.hpp"
 #include "deadpoint/crankshaft/response/periodic_methods.hpp"
-#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/crankshaft/shaft/eigen_views.hpp"
+#include "deadpoint/crankshaft/shaft/system.hpp"
 #include "deadpoint/error.hpp"
 
 #include <algorithm>

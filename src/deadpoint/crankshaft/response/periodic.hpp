@@ -1,7 +1,7 @@
 #pragma once
 
-#include "deadpoint/crankshaft/matrix.hpp"
 #include "deadpoint/crankshaft/response/periodic_load.hpp"
+#include "deadpoint/crankshaft/shaft/matrix.hpp"
 
 /// Forced vibration of the shaft that repeats every turn.
 namespace deadpoint::crankshaft {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/crankshaft/matrix.hpp"
+#include "deadpoint/crankshaft/shaft/matrix.hpp"
 
 /// A load that repeats every turn, the readings of its response, and the method of solution.
 namespace deadpoint::crankshaft {

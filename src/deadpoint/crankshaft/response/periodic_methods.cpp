@@ -3,7 +3,7 @@
 #include "deadpoint/crankshaft/response/dynamic_stiffness.hpp"
 #include "deadpoint/crankshaft/response/modal_basis.hpp"
 #include "deadpoint/crankshaft/response/periodic_load.hpp"
-#include "deadpoint/crankshaft/system.hpp"
+#include "deadpoint/crankshaft/shaft/system.hpp"
 #include "deadpoint/error.hpp"
 
 #include <cmath>

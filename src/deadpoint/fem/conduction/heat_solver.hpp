@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/fem/conduction/heat_system.hpp"
-#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/fields.hpp"
 
 #include <memory>
 #include <vector>

@@ -2,13 +2,13 @@
 
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/algebra/vectors.hpp"
-#include "deadpoint/fem/conduction/heat_functionals.hpp"
 #include "deadpoint/fem/conduction/stage_matrix.hpp"
 #include "deadpoint/fem/conduction/terms/film_points.hpp"
+#include "deadpoint/fem/conduction/terms/heat_functionals.hpp"
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 #include "deadpoint/fem/conduction/terms/material_maps.hpp"
 #include "deadpoint/fem/conduction/terms/prescribed.hpp"
-#include "deadpoint/fem/elastic/expansion.hpp"
+#include "deadpoint/fem/space/expansion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/fem/algebra/petsc.hpp"
-#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/fields.hpp"
 #include "deadpoint/heat/system.hpp"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 
 #include "deadpoint/error.hpp"
 #include "deadpoint/fem/algebra/session.hpp"
-#include "deadpoint/fem/fields.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/fields.hpp"
 #include "deadpoint/fem/space/file_order.hpp"
 #include "deadpoint/io/binary_file.hpp"
 #include "deadpoint/io/write_file.hpp"

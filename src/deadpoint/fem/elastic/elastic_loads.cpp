@@ -5,8 +5,8 @@
 #include "deadpoint/fem/elastic/elastic_law.hpp"
 #include "deadpoint/fem/elastic/elastic_solver.hpp"
 #include "deadpoint/fem/elastic/rigid_pieces.hpp"
-#include "deadpoint/fem/fields.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/fields.hpp"
 
 #include <algorithm>
 #include <iterator>

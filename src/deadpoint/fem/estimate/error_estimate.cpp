@@ -3,9 +3,9 @@
 #include "deadpoint/exchange/heat.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/elastic/elastic_law.hpp"
-#include "deadpoint/fem/fields.hpp"
 #include "deadpoint/fem/space/cell_values.hpp"
 #include "deadpoint/fem/space/discretisation.hpp"
+#include "deadpoint/fem/space/fields.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/fields.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/fem/fields.hpp"
+#include "deadpoint/fem/space/fields.hpp"
 #include "deadpoint/reduce/offline/full_model.hpp"
 
 #include <memory>

@@ -1,7 +1,7 @@
 #include "deadpoint/fem/reduction/residual.hpp"
 
-#include "deadpoint/fem/conduction/heat_functionals.hpp"
 #include "deadpoint/fem/conduction/heat_system.hpp"
+#include "deadpoint/fem/conduction/terms/heat_functionals.hpp"
 #include "deadpoint/fem/conduction/terms/heat_matrices.hpp"
 #include "deadpoint/fem/reduction/basis_fields.hpp"
 #include "deadpoint/fem/reduction/block_solver.hpp"

@@ -1,5 +1,5 @@
 #include "deadpoint/core/mistakes.hpp"
-#include "deadpoint/core/pattern_pair.hpp"
+#include "deadpoint/core/names/pattern_pair.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/contacts.hpp"

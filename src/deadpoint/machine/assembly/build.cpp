@@ -1,7 +1,7 @@
 #include "deadpoint/machine/assembly/build.hpp"
 
 #include "deadpoint/core/mistakes.hpp"
-#include "deadpoint/core/pattern.hpp"
+#include "deadpoint/core/names/pattern.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/contacts.hpp"

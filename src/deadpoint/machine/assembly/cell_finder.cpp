@@ -1,27 +1,13 @@
 #include "deadpoint/machine/assembly/cell_finder.hpp"
 
 #include "deadpoint/machine/assembly/assembly.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
+#include "deadpoint/machine/geometry/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace deadpoint::machine {
-
-BoxShape empty_box()
-{
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-}
-
-void include(BoxShape& box, const Vec3& point)
-{
-    for (std::size_t i = 0; i < 3; ++i) {
-        box.min[i] = std::min(box.min[i], point[i]);
-        box.max[i] = std::max(box.max[i], point[i]);
-    }
-}
 
 Bins::Bins(const BoxShape& box, double per_axis)
     : box_(box), count_(static_cast<std::size_t>(std::clamp(std::ceil(per_axis), 1.0, 100.0)))

@@ -10,11 +10,6 @@ namespace deadpoint::machine {
 
 struct Assembly;
 
-/// An empty box.
-BoxShape empty_box();
-/// Extends a box to a point.
-void include(BoxShape& box, const Vec3& point);
-
 /// Divides a box into equal bins.
 class Bins {
 public:

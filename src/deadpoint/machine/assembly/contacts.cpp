@@ -6,7 +6,7 @@
 #include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/geometry/chart.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

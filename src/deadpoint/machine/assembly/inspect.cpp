@@ -4,7 +4,7 @@
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/cell_finder.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "deadpoint/observer.hpp"
 
 #include <algorithm>

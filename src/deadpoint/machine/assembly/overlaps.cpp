@@ -2,7 +2,8 @@
 
 #include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/cell_finder.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
+#include "deadpoint/machine/geometry/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/exchange/round_edges.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,12 +1,12 @@
 #include "deadpoint/machine/assembly/select.hpp"
 
-#include "deadpoint/core/pattern.hpp"
+#include "deadpoint/core/names/pattern.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/machine/assembly/assembly.hpp"
 #include "deadpoint/machine/assembly/round.hpp"
 #include "deadpoint/machine/geometry/chart.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "deadpoint/machine/geometry/shapes.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,6 @@
 #include "deadpoint/diagnostic.hpp"
 #include "deadpoint/exchange/machine.hpp"
 
-#include <array>
-#include <string>
 #include <vector>
 
 namespace deadpoint {
@@ -14,13 +12,6 @@ class Observer;
 
 /// What can be drawn of a machine that may still be wrong.
 namespace deadpoint::machine {
-
-struct InterfaceFaces {
-    std::string name;  ///< as InterfaceDescription::name
-    /// Indices of Machine::faces. Of a contact the faces that touch; where it was refused, those its selectors match.
-    std::array<std::vector<std::uint32_t>, 2> sides;
-    bool joined = false;  ///< Machine::interfaces holds it
-};
 
 struct Sketch {
     Machine machine;                         ///< without the parts, interfaces and surfaces at fault

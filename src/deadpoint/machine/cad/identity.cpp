@@ -1,7 +1,7 @@
 #include "deadpoint/machine/cad/identity.hpp"
 
-#include "deadpoint/core/pattern.hpp"
-#include "deadpoint/core/suggest.hpp"
+#include "deadpoint/core/names/pattern.hpp"
+#include "deadpoint/core/names/suggest.hpp"
 #include "deadpoint/error.hpp"
 #include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>

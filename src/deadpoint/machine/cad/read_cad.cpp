@@ -3,8 +3,8 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/child_process.hpp"
 #include "deadpoint/machine/cad/describe_cad.hpp"
-#include "deadpoint/machine/foreign/packed.hpp"
 #include "deadpoint/machine/foreign/step_file.hpp"
+#include "deadpoint/machine/geometry/packed.hpp"
 #include <Standard_Failure.hxx>
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/machine/cad/cad_model.hpp"
-#include "deadpoint/machine/foreign/foreign_mesh.hpp"
+#include "deadpoint/machine/geometry/foreign_mesh.hpp"
 
 #include <optional>
 

@@ -5,7 +5,7 @@
 #include "deadpoint/machine/cad/defeature.hpp"
 #include "deadpoint/machine/cad/identity.hpp"
 #include "deadpoint/machine/cad/step_solids.hpp"
-#include "deadpoint/machine/foreign/packed.hpp"
+#include "deadpoint/machine/geometry/packed.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
 #include <BRepAlgoAPI_Cut.hxx>

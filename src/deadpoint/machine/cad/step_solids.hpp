@@ -1,8 +1,8 @@
 #pragma once
 
 #include "deadpoint/error.hpp"
-#include "deadpoint/machine/foreign/foreign_mesh.hpp"
 #include "deadpoint/machine/foreign/step_file.hpp"
+#include "deadpoint/machine/geometry/foreign_mesh.hpp"
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 

@@ -1,6 +1,6 @@
 #include "deadpoint/error.hpp"
-#include "deadpoint/machine/foreign/foreign_mesh.hpp"
 #include "deadpoint/machine/foreign/mesh_sections.hpp"
+#include "deadpoint/machine/geometry/foreign_mesh.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
 #include "deadpoint/machine/parts/solids.hpp"

@@ -213,4 +213,14 @@ double depth(const std::vector<Prism>& prisms, const Vec3& point)
     return result;
 }
 
+BoxShape empty_box() { return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}; }
+
+void include(BoxShape& box, const Vec3& point)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        box.min[i] = std::min(box.min[i], point[i]);
+        box.max[i] = std::max(box.max[i], point[i]);
+    }
+}
+
 }  // namespace deadpoint::machine

@@ -67,4 +67,9 @@ bool inside(const Section& section, const Vec2& point);
 /// large.
 double depth(const std::vector<Prism>& prisms, const Vec3& point);
 
+/// An empty box.
+BoxShape empty_box();
+/// Extends a box to a point.
+void include(BoxShape& box, const Vec3& point);
+
 }  // namespace deadpoint::machine

@@ -2,9 +2,9 @@
 
 #include "deadpoint/core/vec.hpp"
 #include "deadpoint/exchange/machine.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "deadpoint/machine/geometry/shapes.hpp"
 #include "deadpoint/machine/parts/layers.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
 
 #include <algorithm>
 #include <array>

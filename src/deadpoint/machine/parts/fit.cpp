@@ -1,6 +1,6 @@
 #include "deadpoint/machine/parts/fit.hpp"
 
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 
 #include <algorithm>
 #include <array>

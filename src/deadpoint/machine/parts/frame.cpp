@@ -1,7 +1,5 @@
 #include "deadpoint/machine/parts/frame.hpp"
 
-#include "deadpoint/machine/assembly/assembly.hpp"
-#include "deadpoint/machine/assembly/cell_finder.hpp"
 #include "deadpoint/machine/geometry/polygon.hpp"
 #include "deadpoint/machine/geometry/shapes.hpp"
 

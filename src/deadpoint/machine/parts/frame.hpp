@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/machine/parts/part_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 
 #include <vector>
 

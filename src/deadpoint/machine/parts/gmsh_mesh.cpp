@@ -1,8 +1,8 @@
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
 
 #include "deadpoint/error.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "deadpoint/machine/parts/fit.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,10 +1,10 @@
 #include "deadpoint/machine/parts/solids.hpp"
 
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "deadpoint/machine/geometry/shapes.hpp"
 #include "deadpoint/machine/parts/frame.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
 #include "deadpoint/machine/parts/tetrahedra.hpp"
 #include "deadpoint/observer.hpp"
 

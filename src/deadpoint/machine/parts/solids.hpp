@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deadpoint/machine/foreign/foreign_mesh.hpp"
+#include "deadpoint/machine/geometry/foreign_mesh.hpp"
 
 #include <string>
 

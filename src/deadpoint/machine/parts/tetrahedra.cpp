@@ -1,11 +1,11 @@
 #include "deadpoint/machine/parts/tetrahedra.hpp"
 
 #include "deadpoint/io/plain_reason.hpp"
-#include "deadpoint/machine/foreign/foreign_mesh.hpp"
+#include "deadpoint/machine/geometry/foreign_mesh.hpp"
+#include "deadpoint/machine/geometry/part_mesh.hpp"
 #include "deadpoint/machine/parts/cell_limit.hpp"
 #include "deadpoint/machine/parts/gmsh_mesh.hpp"
 #include "deadpoint/machine/parts/gmsh_session.hpp"
-#include "deadpoint/machine/parts/part_mesh.hpp"
 #include "deadpoint/observer.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "deadpoint/reduce/certificate/directions.hpp"
 
+#include "deadpoint/reduce/certificate/residual_cut.hpp"
 #include "deadpoint/reduce/certificate/residual_terms.hpp"
-#include "deadpoint/reduce/offline/build_options.hpp"
 
 #include <algorithm>
 

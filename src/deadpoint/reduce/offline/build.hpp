@@ -1,9 +1,9 @@
 #pragma once
 
-#include "deadpoint/reduce/offline/box.hpp"
 #include "deadpoint/reduce/offline/build_options.hpp"
 #include "deadpoint/reduce/offline/full_model.hpp"
 #include "deadpoint/reduce/offline/small_model.hpp"
+#include "deadpoint/reduce/online/box.hpp"
 
 #include <memory>
 #include <optional>

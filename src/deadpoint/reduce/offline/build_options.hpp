@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deadpoint/reduce/certificate/residual_cut.hpp"
+
 #include <cstddef>
 
 namespace deadpoint::reduce {
@@ -14,13 +16,6 @@ struct Truncation {
 struct LeastHeat {
     double of_large = 1e-9;
     double of_small = 1e-7;
-};
-
-/// What certificates keep of the terms (reduce/certificate/directions.hpp).
-struct ResidualCut {
-    double kept = 1e-9;      ///< eigenvalues of a term, of its largest, whose vectors may be vectors of the full system
-    double further = 1e-12;  ///< the same for products with the states
-    double left = 1e-8;      ///< share of the heat in typical states that is in no vector of the full system
 };
 
 /// How a reduced model is built. The numbers are those of a study on the shipped press (docs/reduced.md).

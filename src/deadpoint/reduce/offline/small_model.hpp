@@ -1,7 +1,7 @@
 #pragma once
 
-#include "deadpoint/reduce/offline/box.hpp"
 #include "deadpoint/reduce/offline/difference.hpp"
+#include "deadpoint/reduce/online/box.hpp"
 
 #include <Eigen/Dense>
 #include <cstddef>

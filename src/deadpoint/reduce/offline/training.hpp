@@ -1,7 +1,7 @@
 #pragma once
 
-#include "deadpoint/reduce/offline/box.hpp"
 #include "deadpoint/reduce/offline/pod.hpp"
+#include "deadpoint/reduce/online/box.hpp"
 
 #include <memory>
 #include <optional>

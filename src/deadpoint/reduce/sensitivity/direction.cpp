@@ -1,7 +1,7 @@
 #include "deadpoint/reduce/sensitivity/direction.hpp"
 
 #include "deadpoint/heat/films.hpp"
-#include "deadpoint/reduce/offline/box.hpp"
+#include "deadpoint/reduce/online/box.hpp"
 
 #include <utility>
 

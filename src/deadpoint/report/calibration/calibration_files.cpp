@@ -4,12 +4,12 @@
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/calibration/calibration_json.hpp"
-#include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/schema/calibration_columns.hpp"
-#include "deadpoint/study/learn/calibration_result.hpp"
-#include "deadpoint/study/sweep/sweep_plan.hpp"
+#include "deadpoint/report/tables/csv.hpp"
+#include "deadpoint/twin/calibrate/calibration_result.hpp"
+#include "deadpoint/twin/map/sweep_plan.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -20,11 +20,11 @@ namespace {
 
 namespace columns = schema::calibration;
 using Json = nlohmann::ordered_json;
-using study::Calibration;
-using study::CalibrationPlan;
-using study::FittedCurve;
-using study::FittedParameter;
-using study::KnownCombination;
+using twin::Calibration;
+using twin::CalibrationPlan;
+using twin::FittedCurve;
+using twin::FittedParameter;
+using twin::KnownCombination;
 
 const char* kind_of(const FittedParameter& p)
 {
@@ -143,7 +143,7 @@ std::vector<CsvColumn> residual_table(const Calibration& result)
             csv_column(columns::band_upper, upper)};
 }
 
-std::vector<CsvColumn> prediction_table(const study::PredictedRun& run)
+std::vector<CsvColumn> prediction_table(const twin::PredictedRun& run)
 {
     std::vector<CsvColumn> table{csv_column(columns::time, run.time)};
     for (const auto& curve : run.curves) {
@@ -357,7 +357,7 @@ void write_calibration_files(const std::filesystem::path& folder, const Calibrat
     write_table(folder / "correlation.csv", comments, correlation_table(result));
     write_table(folder / "residuals.csv", comments, residual_table(result));
     for (const auto& run : result.predictions)
-        write_table(folder / fmt::format("prediction_{}.csv", study::folder_safe(run.name)), comments,
+        write_table(folder / fmt::format("prediction_{}.csv", twin::folder_safe(run.name)), comments,
                     prediction_table(run));
     if (result.samples)
         write_table(folder / "posterior.csv", comments, posterior_table(result));

@@ -1,4 +1,4 @@
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/report/calibration/calibration_files.hpp"
@@ -6,7 +6,7 @@
 #include "deadpoint/report/page/page_parts.hpp"
 #include "deadpoint/report/page/page_shell.hpp"
 #include "deadpoint/report/schema/schema.hpp"
-#include "deadpoint/study/learn/calibration_result.hpp"
+#include "deadpoint/twin/calibrate/calibration_result.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace deadpoint::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using study::Calibration;
+using twin::Calibration;
 
 constexpr std::size_t most_curve_rows = 400;
 
@@ -39,7 +39,7 @@ std::vector<std::size_t> few_rows(std::size_t count)
 }
 
 // Measured values of a run's output, in the units of the predictions; rises count from the start.
-Json marks_of(const Calibration& result, const study::PredictedRun& run, const study::PredictedCurve& curve)
+Json marks_of(const Calibration& result, const twin::PredictedRun& run, const twin::PredictedCurve& curve)
 {
     Json marks = Json::array();
     for (const auto& measured : result.curves) {
@@ -100,7 +100,7 @@ void write_calibration_page(const std::filesystem::path& file, const Calibration
           calibration_text(result), page_calibration_script());
 }
 
-void write_plan_page(const std::filesystem::path& file, const study::CalibrationPlan& plan)
+void write_plan_page(const std::filesystem::path& file, const twin::CalibrationPlan& plan)
 {
     write(file, plan.name, {{"plan", plan_json(plan)}}, calibration_text(plan), page_plan_script());
 }

@@ -1,7 +1,7 @@
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/report/calibration/calibration_files.hpp"
-#include "deadpoint/report/text/table.hpp"
-#include "deadpoint/study/learn/calibration_result.hpp"
+#include "deadpoint/report/tables/table.hpp"
+#include "deadpoint/twin/calibrate/calibration_result.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,12 @@
 namespace deadpoint::report {
 namespace {
 
-using study::Calibration;
-using study::CalibrationPlan;
-using study::FittedCurve;
-using study::FittedParameter;
-using study::Knowledge;
-using study::KnownCombination;
+using twin::Calibration;
+using twin::CalibrationPlan;
+using twin::FittedCurve;
+using twin::FittedParameter;
+using twin::Knowledge;
+using twin::KnownCombination;
 
 bool is_length(const FittedParameter& p) { return p.unit == "m"; }
 

@@ -1,16 +1,16 @@
 #include "deadpoint/report/design/optimise_files.hpp"
 
-#include "deadpoint/casefile/files/study_file.hpp"
 #include "deadpoint/casefile/files/write.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/design/shown_figures.hpp"
 #include "deadpoint/report/design/studied_json.hpp"
-#include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/schema/columns.hpp"
-#include "deadpoint/report/text/table.hpp"
-#include "deadpoint/study/design/optimise.hpp"
+#include "deadpoint/report/tables/csv.hpp"
+#include "deadpoint/report/tables/table.hpp"
+#include "deadpoint/twin/explore/optimise.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using casefile::Objective;
-using study::DesignFigures;
+using twin::DesignFigures;
 
 // Objectives in the units of files: um, h or um/K.
 double shown_objective(const OptimiseReport& report, double value)
@@ -69,7 +69,7 @@ std::vector<CsvColumn> search_table(const OptimiseReport& report)
     return columns;
 }
 
-std::vector<double> course_values(const study::DesignCourse& course, const std::vector<double>& times)
+std::vector<double> course_values(const twin::DesignCourse& course, const std::vector<double>& times)
 {
     std::vector<double> values;
     std::size_t row = 0;
@@ -97,7 +97,7 @@ std::vector<CsvColumn> course_table(const OptimiseReport& report)
     namespace table = schema::courses;
     const auto& times = report.result.course_after.time;
     std::vector<CsvColumn> columns{csv_column(schema::time, times)};
-    const auto add = [&](const study::DesignCourse& course, const std::string& name) {
+    const auto add = [&](const twin::DesignCourse& course, const std::string& name) {
         auto gap = course_values(course, times);
         columns.push_back(csv_column(table::rate, rates_of(times, gap), name));
         columns.push_back(csv_column(table::gap, std::move(gap), name));

@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-namespace deadpoint::study {
+namespace deadpoint::twin {
 struct FullDesign;
 struct OptimiseResult;
-}  // namespace deadpoint::study
+}  // namespace deadpoint::twin
 
 /// Files, text and page of a search for an optimum.
 namespace deadpoint::report {
 
 struct OptimiseReport : StudiedCase {
-    const study::OptimiseResult& result;
-    const study::FullDesign* full = nullptr;  ///< of the optimum; null: left out
+    const twin::OptimiseResult& result;
+    const twin::FullDesign* full = nullptr;  ///< of the optimum; null: left out
 };
 
 /// Writes optimum.toml, search.csv, courses.csv and optimise.json. @throws IoError

@@ -1,18 +1,18 @@
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/report/design/optimise_files.hpp"
 #include "deadpoint/report/design/shown_figures.hpp"
-#include "deadpoint/report/text/table.hpp"
-#include "deadpoint/study/design/optimise.hpp"
+#include "deadpoint/report/tables/table.hpp"
+#include "deadpoint/twin/explore/optimise.hpp"
 
 #include <fmt/format.h>
 
 namespace deadpoint::report {
 namespace {
 
-using study::DesignFigures;
+using twin::DesignFigures;
 
-std::string variables_text(const study::OptimiseResult& result)
+std::string variables_text(const twin::OptimiseResult& result)
 {
     TextTable table({"variable", "before", "optimum", "unit", "range"});
     for (std::size_t v = 0; v < result.ranges.size(); ++v) {
@@ -72,7 +72,7 @@ std::string figures_text(const OptimiseReport& report)
     return table.text();
 }
 
-std::string starts_text(const study::OptimiseResult& result)
+std::string starts_text(const twin::OptimiseResult& result)
 {
     if (result.starts.size() == 1)
         return "  one start only: another one may end elsewhere\n";

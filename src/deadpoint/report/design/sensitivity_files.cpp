@@ -1,12 +1,12 @@
 #include "deadpoint/report/design/sensitivity_files.hpp"
 
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/report/design/shown_figures.hpp"
 #include "deadpoint/report/design/studied_json.hpp"
-#include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/folder/json_file.hpp"
 #include "deadpoint/report/schema/columns.hpp"
-#include "deadpoint/study/design/sensitivity.hpp"
+#include "deadpoint/report/tables/csv.hpp"
+#include "deadpoint/twin/explore/sensitivity.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace deadpoint::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using study::FigureSensitivity;
+using twin::FigureSensitivity;
 namespace index_table = schema::indices;
 
 bool is_screening(const SensitivityReport& report)
@@ -107,7 +107,7 @@ private:
     std::vector<CsvColumn> columns_;
 };
 
-std::vector<CsvColumn> samples(const study::SensitivityResult& result)
+std::vector<CsvColumn> samples(const twin::SensitivityResult& result)
 {
     std::vector<CsvColumn> columns;
     for (std::size_t k = 0; k < result.ranges.size(); ++k) {

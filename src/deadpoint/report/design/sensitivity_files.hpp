@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace deadpoint::study {
+namespace deadpoint::twin {
 struct SensitivityResult;
 }
 
@@ -16,7 +16,7 @@ namespace deadpoint::report {
 
 /// A study that was computed.
 struct SensitivityReport : StudiedCase {
-    const study::SensitivityResult& result;
+    const twin::SensitivityResult& result;
 };
 
 /// Writes indices.csv, indices_over_time.csv, samples.csv if asked for, and sensitivity.json. @throws IoError
@@ -28,7 +28,7 @@ std::string sensitivity_text(const SensitivityReport& report);
 
 /// Figures whose indices the points do not tell, as warnings: a band of a total index is wider than one, since some
 /// points lie far off, as where a time to warm jumps.
-std::vector<std::string> vague_figures(const study::SensitivityResult& result);
+std::vector<std::string> vague_figures(const twin::SensitivityResult& result);
 
 /// Writes the page of such a folder; complete or absent. @throws as write_sweep_report()
 void write_sensitivity_page(const std::filesystem::path& file, const std::filesystem::path& folder,

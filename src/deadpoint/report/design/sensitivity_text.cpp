@@ -1,8 +1,8 @@
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/report/design/sensitivity_files.hpp"
 #include "deadpoint/report/design/shown_figures.hpp"
-#include "deadpoint/report/text/table.hpp"
-#include "deadpoint/study/design/sensitivity.hpp"
+#include "deadpoint/report/tables/table.hpp"
+#include "deadpoint/twin/explore/sensitivity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace deadpoint::report {
 namespace {
 
-using study::FigureSensitivity;
+using twin::FigureSensitivity;
 
 constexpr std::size_t most_parameters = 8;  // of a figure on the terminal
 
@@ -37,13 +37,13 @@ std::string share(const design::Band& band)
     return fmt::format("{:.2f}  ({:.2f} to {:.2f})", band.value, band.low, band.high);
 }
 
-std::string name_of(const study::SensitivityResult& result, const study::Figure& figure)
+std::string name_of(const twin::SensitivityResult& result, const twin::Figure& figure)
 {
     const auto& name = result.outputs[figure.output].name;
     switch (figure.kind) {
-    case study::Figure::Kind::warm:
+    case twin::Figure::Kind::warm:
         return fmt::format("{}, time to warm (95 %)", name);
-    case study::Figure::Kind::end:
+    case twin::Figure::Kind::end:
         return fmt::format("{} at the end", name);
     default:
         return fmt::format("{} after {}", name, figure_name(figure));
@@ -92,7 +92,7 @@ std::string figure_text(const SensitivityReport& report, const FigureSensitivity
 
 }  // namespace
 
-std::vector<std::string> vague_figures(const study::SensitivityResult& result)
+std::vector<std::string> vague_figures(const twin::SensitivityResult& result)
 {
     std::vector<std::string> texts;
     for (const auto& figure : result.figures) {

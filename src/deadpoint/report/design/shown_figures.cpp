@@ -1,9 +1,9 @@
 #include "deadpoint/report/design/shown_figures.hpp"
 
 #include "deadpoint/core/units.hpp"
-#include "deadpoint/report/text/table.hpp"
-#include "deadpoint/study/design/figures.hpp"
-#include "deadpoint/study/design/varied.hpp"
+#include "deadpoint/report/tables/table.hpp"
+#include "deadpoint/twin/explore/figures.hpp"
+#include "deadpoint/twin/explore/varied.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -20,45 +20,45 @@ std::string time_text(double seconds)
                                                          : duration_text(seconds);
 }
 
-bool is_probe(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs)
+bool is_probe(const twin::Figure& figure, const std::vector<twin::ForwardOutput>& outputs)
 {
-    return outputs[figure.output].kind == study::ForwardOutput::Kind::probe;
+    return outputs[figure.output].kind == twin::ForwardOutput::Kind::probe;
 }
 
 }  // namespace
 
-std::string figure_name(const study::Figure& figure)
+std::string figure_name(const twin::Figure& figure)
 {
     switch (figure.kind) {
-    case study::Figure::Kind::end:
+    case twin::Figure::Kind::end:
         return "end";
-    case study::Figure::Kind::warm:
+    case twin::Figure::Kind::warm:
         return "time to warm";
     default:
         return time_text(figure.time);
     }
 }
 
-Shown shown_difference(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs)
+Shown shown_difference(const twin::Figure& figure, const std::vector<twin::ForwardOutput>& outputs)
 {
-    if (figure.kind == study::Figure::Kind::warm)
+    if (figure.kind == twin::Figure::Kind::warm)
         return {"h", hours, 0};
     return is_probe(figure, outputs) ? Shown{"K", 1, 0} : Shown{"um", micrometre, 0};
 }
 
-Shown shown_figure(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs)
+Shown shown_figure(const twin::Figure& figure, const std::vector<twin::ForwardOutput>& outputs)
 {
-    if (figure.kind != study::Figure::Kind::warm && is_probe(figure, outputs))
+    if (figure.kind != twin::Figure::Kind::warm && is_probe(figure, outputs))
         return {"degC", 1, -zero_celsius};
     return shown_difference(figure, outputs);
 }
 
-Shown shown_range(const study::VariedRange& range)
+Shown shown_range(const twin::VariedRange& range)
 {
-    if (range.kind == study::VariedRange::Kind::factor || range.dimension == Dimension::none)
+    if (range.kind == twin::VariedRange::Kind::factor || range.dimension == Dimension::none)
         return {};
     const bool temperature = range.dimension == Dimension::temperature;
-    if (temperature && range.kind == study::VariedRange::Kind::shift)
+    if (temperature && range.kind == twin::VariedRange::Kind::shift)
         return {"K", 1, 0};
     if (temperature)
         return {"degC", 1, -zero_celsius};
@@ -67,13 +67,13 @@ Shown shown_range(const study::VariedRange& range)
     return {std::string(info.preferred), 1 / one, 0};
 }
 
-std::string range_text(const study::VariedRange& range)
+std::string range_text(const twin::VariedRange& range)
 {
     const auto shown = shown_range(range);
     const auto low = fmt::format("{:.4g}", shown.of(range.low)), high = fmt::format("{:.4g}", shown.of(range.high));
-    if (range.kind == study::VariedRange::Kind::factor)
+    if (range.kind == twin::VariedRange::Kind::factor)
         return fmt::format("x {} to {}", low, high);
-    if (range.kind == study::VariedRange::Kind::shift)
+    if (range.kind == twin::VariedRange::Kind::shift)
         return fmt::format("{} to +{} {}", low, high, shown.unit);
     return fmt::format("{} to {} {}", low, high, shown.unit);
 }

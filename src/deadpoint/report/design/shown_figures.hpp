@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-namespace deadpoint::study {
+namespace deadpoint::twin {
 struct Figure;
 struct ForwardOutput;
 struct VariedRange;
-}  // namespace deadpoint::study
+}  // namespace deadpoint::twin
 
 /// Internal to report/design: names and units of figures and ranges.
 namespace deadpoint::report {
@@ -23,14 +23,14 @@ struct Shown {
 };
 
 /// "end", "30 min" or "time to warm".
-std::string figure_name(const study::Figure& figure);
+std::string figure_name(const twin::Figure& figure);
 /// Of values of a figure: um, degC, or h for times.
-Shown shown_figure(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs);
+Shown shown_figure(const twin::Figure& figure, const std::vector<twin::ForwardOutput>& outputs);
 /// Of differences of it: um, K or h.
-Shown shown_difference(const study::Figure& figure, const std::vector<study::ForwardOutput>& outputs);
+Shown shown_difference(const twin::Figure& figure, const std::vector<twin::ForwardOutput>& outputs);
 /// Of the values of a range: its preferred unit, none for factors.
-Shown shown_range(const study::VariedRange& range);
+Shown shown_range(const twin::VariedRange& range);
 /// Both ends: "x 0.5 to 2", "200 to 400 rpm".
-std::string range_text(const study::VariedRange& range);
+std::string range_text(const twin::VariedRange& range);
 
 }  // namespace deadpoint::report

@@ -1,6 +1,6 @@
 #include "deadpoint/report/design/studied_case.hpp"
 
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/report/design/studied_json.hpp"
 

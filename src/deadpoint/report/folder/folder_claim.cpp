@@ -1,6 +1,6 @@
 #include "deadpoint/report/folder/folder_claim.hpp"
 
-#include "deadpoint/core/unique_name.hpp"
+#include "deadpoint/core/names/unique_name.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/file_lock.hpp"
 #include "deadpoint/io/rename.hpp"

@@ -6,11 +6,11 @@
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/csv_table.hpp"
 #include "deadpoint/io/read_file.hpp"
-#include "deadpoint/report/charts/sweep_figures.hpp"
-#include "deadpoint/report/folder/csv.hpp"
-#include "deadpoint/report/folder/drift_columns.hpp"
 #include "deadpoint/report/schema/column.hpp"
 #include "deadpoint/report/schema/columns.hpp"
+#include "deadpoint/report/tables/csv.hpp"
+#include "deadpoint/report/tables/drift_columns.hpp"
+#include "deadpoint/report/tables/sweep_figures.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -24,7 +24,7 @@ namespace deadpoint::report {
 namespace {
 
 namespace points_table = schema::points;
-using State = study::PointOutcome::State;
+using State = twin::PointOutcome::State;
 
 constexpr const char* help = "name a new folder, or remove this file to compute all points again";
 constexpr std::string_view study_line = "# study ";
@@ -141,9 +141,9 @@ private:
     {
         return value(text(cells, column));
     }
-    [[nodiscard]] study::RunRecord record(const Cells& cells) const
+    [[nodiscard]] press::RunRecord record(const Cells& cells) const
     {
-        study::RunRecord record;
+        press::RunRecord record;
         record.hash = text(cells, points_table::hash);
         record.time = {0, 0};
         if (const double largest = number(cells, points_table::largest); std::isfinite(largest)) {
@@ -152,7 +152,7 @@ private:
         }
         if (const double range = number(cells, points_table::range); std::isfinite(range)) {
             const double steady = number(cells, points_table::steady);
-            record.gap = study::GapFigures{number(cells, points_table::first_hour) / micrometre, range / micrometre,
+            record.gap = press::GapFigures{number(cells, points_table::first_hour) / micrometre, range / micrometre,
                                            std::isfinite(steady) ? std::optional(steady) : std::nullopt};
         }
         if (const double heat = number(cells, points_table::heat); std::isfinite(heat))
@@ -160,7 +160,7 @@ private:
         add_named(cells, record);
         return record;
     }
-    void add_named(const Cells& cells, study::RunRecord& record) const
+    void add_named(const Cells& cells, press::RunRecord& record) const
     {
         for (std::size_t c = 0; c < cells.size(); ++c) {
             const auto& heading = table_.columns[c].name;
@@ -199,11 +199,11 @@ void require_checksums(const CsvTable& table, const std::vector<std::string>& li
 
 }  // namespace
 
-study::RunRecord brief(const study::RunRecord& record)
+press::RunRecord brief(const press::RunRecord& record)
 {
     const auto gap = record.chain.find("E_SW");
     const bool drifts = gap != record.chain.end() && !gap->second.empty();
-    const std::size_t last = record.time.size() - 1, row = drifts ? study::largest_gap_row(record) : last;
+    const std::size_t last = record.time.size() - 1, row = drifts ? press::largest_gap_row(record) : last;
     auto result = record;
     result.time = {record.time[row], record.time[last]};
     result.chain.clear();

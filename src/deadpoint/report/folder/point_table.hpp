@@ -1,7 +1,7 @@
 #pragma once
 
-#include "deadpoint/study/pipeline/run_record.hpp"
-#include "deadpoint/study/sweep/sweep_plan.hpp"
+#include "deadpoint/press/run/run_record.hpp"
+#include "deadpoint/twin/map/sweep_plan.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -16,13 +16,13 @@ namespace deadpoint::report {
 struct PointRow {
     std::string point;  ///< its name
     std::string mark;   ///< of what it sets: a table is continued for points of the same mark
-    study::PointOutcome outcome;
-    std::optional<study::RunRecord> record;  ///< of a point that is done: brief()
+    twin::PointOutcome outcome;
+    std::optional<press::RunRecord> record;  ///< of a point that is done: brief()
 };
 
 /// What tables and charts over points read of a run: the rows in which E_SW is largest and the last one, the heat of
 /// all joints together, and the peak forces of bearings. So ten thousand of them take little memory.
-study::RunRecord brief(const study::RunRecord& record);
+press::RunRecord brief(const press::RunRecord& record);
 
 /// Writes the table. A row is handed to the system at once, so a study that is killed keeps whole rows, and perhaps a
 /// part of the last one. Columns follow from the first point that is done; rows before it wait for them.

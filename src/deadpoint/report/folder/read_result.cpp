@@ -1,13 +1,13 @@
 #include "deadpoint/report/folder/read_result.hpp"
 
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/error.hpp"
+#include "deadpoint/press/run/run_record.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/folder/result_json.hpp"
 #include "deadpoint/report/folder/result_table.hpp"
 #include "deadpoint/report/schema/columns.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -59,7 +59,7 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, do
     }
 }
 
-void read_summary(const Json& json, study::RunRecord& run)
+void read_summary(const Json& json, press::RunRecord& run)
 {
     run.machine = one_line(json.at("case").at("name").get<std::string>());
     run.hash = json.at("case").at("hash").get<std::string>();
@@ -71,7 +71,7 @@ void read_summary(const Json& json, study::RunRecord& run)
     }
     if (const Json::json_pointer gap("/drift_summary/E_SW"); json.contains(gap)) {
         const auto& course = json.at(gap);
-        run.gap = study::GapFigures{course.at("first_hour").at("change_um").get<double>() / micrometre,
+        run.gap = press::GapFigures{course.at("first_hour").at("change_um").get<double>() / micrometre,
                                     course.at("range_um").get<double>() / micrometre, std::nullopt};
         if (const auto& steady = course.at("steady_from_s"); steady.is_number()) {
             run.gap->steady_from = steady.get<double>();
@@ -98,7 +98,7 @@ std::vector<double> scaled_then_shifted(std::vector<double> values, double facto
     return values;
 }
 
-void read_history(const ResultTable& table, study::RunRecord& run)
+void read_history(const ResultTable& table, press::RunRecord& run)
 {
     namespace history = schema::history;
     run.time = table.numbers(schema::time);
@@ -117,10 +117,10 @@ void read_history(const ResultTable& table, study::RunRecord& run)
 
 }  // namespace
 
-study::RunRecord read_result(const fs::path& folder)
+press::RunRecord read_result(const fs::path& folder)
 {
     const ResultFiles files(folder);
-    study::RunRecord run;
+    press::RunRecord run;
     run.folder = folder.string();
     const fs::path summary = folder / "summary.json";
     try {

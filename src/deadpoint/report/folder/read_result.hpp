@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace deadpoint::study {
+namespace deadpoint::press {
 struct RunRecord;
 }
 
@@ -12,6 +12,6 @@ namespace deadpoint::report {
 /// one, loads.json.
 /// @throws IoError if the folder or one of the first two files cannot be read
 /// @throws InputError if a file is not as the program wrote it, or times do not increase
-study::RunRecord read_result(const std::filesystem::path& folder);
+press::RunRecord read_result(const std::filesystem::path& folder);
 
 }  // namespace deadpoint::report

@@ -1,11 +1,11 @@
 #include "deadpoint/report/folder/record_of_run.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/report/files/sampled.hpp"
-#include "deadpoint/study/pipeline/run_record.hpp"
-#include "deadpoint/study/result/loads_result.hpp"
-#include "deadpoint/study/result/run_result.hpp"
-#include "deadpoint/study/result/run_summary.hpp"
+#include "deadpoint/press/result/loads_result.hpp"
+#include "deadpoint/press/result/run_result.hpp"
+#include "deadpoint/press/run/run_record.hpp"
+#include "deadpoint/press/run/run_summary.hpp"
+#include "deadpoint/report/tables/sampled.hpp"
 
 #include <fmt/format.h>
 #include <utility>
@@ -13,7 +13,7 @@
 namespace deadpoint::report {
 namespace {
 
-void add_bearings(const study::LoadsResult& loads, study::RunRecord& record)
+void add_bearings(const press::LoadsResult& loads, press::RunRecord& record)
 {
     if (!loads.crankshaft)
         return;
@@ -25,9 +25,9 @@ void add_bearings(const study::LoadsResult& loads, study::RunRecord& record)
 
 }  // namespace
 
-study::RunRecord record_of(const casefile::Case& input, std::string hash, const study::RunResult& result)
+press::RunRecord record_of(const casefile::Case& input, std::string hash, const press::RunResult& result)
 {
-    study::RunRecord record;
+    press::RunRecord record;
     record.machine = input.machine.name;
     record.hash = std::move(hash);
     record.interrupted = result.thermal.interrupted;
@@ -44,7 +44,7 @@ study::RunRecord record_of(const casefile::Case& input, std::string hash, const 
         for (const auto& [name, series] : dimensions(*result.drift))
             record.chain[name] = sampled(steps, *series, record.time, 1, 0);
     if (result.drift)
-        record.gap = study::gap_figures(input, *result.drift);
+        record.gap = press::gap_figures(input, *result.drift);
     if (result.loads) {
         record.has_loads = true;
         add_bearings(*result.loads, record);

@@ -231,4 +231,6 @@ std::vector<fs::path> foreign_files(const fs::path& folder)
     return foreign;
 }
 
+bool is_study(const fs::path& folder) { return fs::exists(folder / "sweep.json"); }
+
 }  // namespace deadpoint::report

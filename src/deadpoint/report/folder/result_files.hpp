@@ -68,4 +68,7 @@ void record_file(const std::filesystem::path& file);
 /// @throws as ResultFiles
 std::vector<std::filesystem::path> foreign_files(const std::filesystem::path& folder);
 
+/// True if `deadpoint sweep` wrote this folder.
+bool is_study(const std::filesystem::path& folder);
+
 }  // namespace deadpoint::report

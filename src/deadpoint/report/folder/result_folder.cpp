@@ -1,12 +1,11 @@
 #include "deadpoint/report/folder/result_folder.hpp"
 
-#include "deadpoint/core/unique_name.hpp"
+#include "deadpoint/core/names/unique_name.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/plain_reason.hpp"
 #include "deadpoint/io/rename.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
-#include "deadpoint/report/page/sweep_page.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 #include "deadpoint/report/mesh/calculix_deck.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/write_file.hpp"

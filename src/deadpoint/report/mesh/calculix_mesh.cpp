@@ -1,6 +1,6 @@
 #include "deadpoint/report/mesh/calculix_mesh.hpp"
 
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/mesh/calculix_deck.hpp"

@@ -2,8 +2,8 @@
 
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/io/vtu.hpp"
-#include "deadpoint/report/folder/csv.hpp"
 #include "deadpoint/report/schema/columns.hpp"
+#include "deadpoint/report/tables/csv.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,15 +1,15 @@
 #include "deadpoint/report/page/check_page.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/io/read_file.hpp"
+#include "deadpoint/press/check/case_sketch.hpp"
 #include "deadpoint/report/page/named_things.hpp"
 #include "deadpoint/report/page/page_parts.hpp"
 #include "deadpoint/report/page/page_shell.hpp"
 #include "deadpoint/report/page/sketch_json.hpp"
 #include "deadpoint/report/schema/schema.hpp"
-#include "deadpoint/study/check/sketch.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,7 +69,7 @@ std::string without_scripts(const std::vector<Diagnostic>& found)
 
 }  // namespace
 
-void write_check_page(const std::filesystem::path& file, const casefile::Case& input, const study::CaseSketch& sketch,
+void write_check_page(const std::filesystem::path& file, const casefile::Case& input, const press::CaseSketch& sketch,
                       const std::vector<Diagnostic>& found, IfThere if_there)
 {
     PageContent content;

@@ -2,7 +2,7 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/core/mistakes.hpp"
-#include "deadpoint/core/pattern.hpp"
+#include "deadpoint/core/names/pattern.hpp"
 
 #include <algorithm>
 #include <charconv>

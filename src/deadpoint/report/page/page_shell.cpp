@@ -1,7 +1,7 @@
 #include "deadpoint/report/page/page_shell.hpp"
 
 #include "deadpoint/core/hash.hpp"
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/core/version.hpp"
 #include "deadpoint/io/write_file.hpp"
 #include "deadpoint/report/folder/result_files.hpp"

@@ -1,9 +1,9 @@
 #include "deadpoint/report/page/page_tables.hpp"
 
-#include "deadpoint/core/plain_text.hpp"
+#include "deadpoint/core/names/plain_text.hpp"
 #include "deadpoint/core/units.hpp"
 #include "deadpoint/io/csv_table.hpp"
-#include "deadpoint/report/text/table.hpp"
+#include "deadpoint/report/tables/table.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>

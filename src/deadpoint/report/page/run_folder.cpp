@@ -2,12 +2,12 @@
 
 #include "deadpoint/casefile/describe/case.hpp"
 #include "deadpoint/io/plain_reason.hpp"
-#include "deadpoint/report/files/run_files.hpp"
+#include "deadpoint/press/run/run_outputs.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/folder/result_folder.hpp"
 #include "deadpoint/report/folder/table_style.hpp"
 #include "deadpoint/report/page/page.hpp"
-#include "deadpoint/study/pipeline/run.hpp"
+#include "deadpoint/report/run/run_files.hpp"
 
 #include <array>
 #include <fmt/format.h>
@@ -32,18 +32,18 @@ std::string add_page(const ResultFolder& folder)
 
 }  // namespace
 
-void write_along(study::RunOptions& options, const std::string& folder, const casefile::Case& input,
+void write_along(press::RunOutputs& outputs, const std::string& folder, const casefile::Case& input,
                  const std::vector<std::string>& warnings)
 {
-    options.state_file = folder + "/state.bin";
-    options.kept_checkpoint = folder + "/" + kept_checkpoint;
-    options.field_folder = input.output.fields ? folder : std::string{};
-    options.comments = file_comments(input, warnings);
-    options.view = true;
+    outputs.state_file = folder + "/state.bin";
+    outputs.kept_checkpoint = folder + "/" + kept_checkpoint;
+    outputs.field_folder = input.output.fields ? folder : std::string{};
+    outputs.comments = file_comments(input, warnings);
+    outputs.view = true;
 }
 
 std::string finish_run_folder(ResultFolder& folder, const casefile::Case& input, const Machine& machine,
-                              const study::RunResult& result, const std::vector<std::string>& warnings, CsvStyle style)
+                              const press::RunResult& result, const std::vector<std::string>& warnings, CsvStyle style)
 {
     write_run_files(folder.path(), input, machine, result, warnings);
     write_manifest(folder.path());

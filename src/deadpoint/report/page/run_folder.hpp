@@ -11,10 +11,10 @@ struct Machine;
 namespace deadpoint::casefile {
 struct Case;
 }
-namespace deadpoint::study {
-struct RunOptions;
+namespace deadpoint::press {
+struct RunOutputs;
 struct RunResult;
-}  // namespace deadpoint::study
+}  // namespace deadpoint::press
 
 /// The folder of a run. The command, the library and Python write it with these functions.
 namespace deadpoint::report {
@@ -27,14 +27,14 @@ inline constexpr const char* kept_checkpoint = "checkpoint.bin";
 /// Lets a run write into its folder what it writes on its way (fields, the state at its end, kept_checkpoint), and make
 /// what the page shows.
 /// @param warnings  so far, for the head of the field files
-void write_along(study::RunOptions& options, const std::string& folder, const casefile::Case& input,
+void write_along(press::RunOutputs& outputs, const std::string& folder, const casefile::Case& input,
                  const std::vector<std::string>& warnings);
 
 /// Writes the files of a finished run, lists them, adds the page and gives the folder its name.
 /// @return why the page is missing, since whatever is wrong with it must not cost the results; empty: it is there
 /// @throws IoError as write_run_files() and ResultFolder::commit()
 std::string finish_run_folder(ResultFolder& folder, const casefile::Case& input, const Machine& machine,
-                              const study::RunResult& result, const std::vector<std::string>& warnings,
+                              const press::RunResult& result, const std::vector<std::string>& warnings,
                               CsvStyle style = CsvStyle::comments);
 
 }  // namespace deadpoint::report

@@ -2,12 +2,11 @@
 
 #include "deadpoint/casefile/check/directions.hpp"
 #include "deadpoint/casefile/describe/case.hpp"
-#include "deadpoint/core/pattern.hpp"
+#include "deadpoint/core/names/pattern.hpp"
 #include "deadpoint/exchange/decimated_surface.hpp"
 #include "deadpoint/exchange/face_points.hpp"
-#include "deadpoint/machine/assembly/decimated_surface.hpp"
-#include "deadpoint/report/files/view_file.hpp"
-#include "deadpoint/study/check/sketch.hpp"
+#include "deadpoint/press/check/case_sketch.hpp"
+#include "deadpoint/report/mesh/view_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -112,7 +111,7 @@ std::vector<std::uint32_t> whole_faces(const MeshSurface& surface)
     return most.empty() ? all : most;
 }
 
-Json interface_mark(const machine::InterfaceFaces& interface, std::size_t side)
+Json interface_mark(const InterfaceFaces& interface, std::size_t side)
 {
     return {
         {"kind", "interface"}, {"name", interface.name}, {"side", side == 0 ? "a" : "b"}, {"joined", interface.joined}};
@@ -129,7 +128,7 @@ std::vector<std::uint32_t> faces_of_parts(const Machine& machine, const std::vec
     return faces;
 }
 
-Marks marks_of(const Case& input, const study::CaseSketch& sketch)
+Marks marks_of(const Case& input, const press::CaseSketch& sketch)
 {
     const auto& machine = *sketch.machine;
     Marks marks(machine);
@@ -165,7 +164,7 @@ void add_groups(const DecimatedSurface& surface, Marks& marks, Json& json)
     json["marks"] = std::move(marks.list);
 }
 
-Json joint_json(const std::string& name, const casefile::Joint& joint, const study::CaseSketch& sketch)
+Json joint_json(const std::string& name, const casefile::Joint& joint, const press::CaseSketch& sketch)
 {
     const bool slide = joint.kind == casefile::Joint::Kind::slide;
     Json json{{"name", name},         {"kind", slide ? "slide" : "revolute"}, {"bodies", joint.bodies},
@@ -184,7 +183,7 @@ Json joint_json(const std::string& name, const casefile::Joint& joint, const stu
     return json;
 }
 
-Json sought_json(const study::SoughtFace& sought)
+Json sought_json(const press::SoughtFace& sought)
 {
     using Kind = SurfaceSelector::Kind;
     const auto& selector = sought.selector;
@@ -231,7 +230,7 @@ std::optional<Vec3> stated_place(const Case& input, const std::string& name, con
 }
 
 /// Places between which the dimensions of the chain are measured.
-Json chain_json(const Case& input, const study::CaseSketch& sketch)
+Json chain_json(const Case& input, const press::CaseSketch& sketch)
 {
     Json json = Json::object();
     const auto& chain = *input.chain;
@@ -262,13 +261,12 @@ Json overlaps_json(const Machine& machine)
 
 }  // namespace
 
-Json sketch_json(const Case& input, const study::CaseSketch& sketch)
+Json sketch_json(const Case& input, const press::CaseSketch& sketch)
 {
     Json json;
     const Machine none;
     const Machine& machine = sketch.machine ? *sketch.machine : none;
-    const auto surface =
-        machine.parts.empty() ? DecimatedSurface{} : machine::decimated_surface(machine, sketch_triangles);
+    const auto& surface = sketch.surface;
     json = surface_json(machine, surface);
     if (machine.parts.empty())
         json.update({{"groups", Json::array({Json::array()})}, {"marks", Json::array()}});

@@ -111,8 +111,6 @@ Json read_point(const Json& point, const fs::path& folder, std::size_t rows, Jso
 
 }  // namespace
 
-bool is_study(const fs::path& folder) { return fs::exists(folder / "sweep.json"); }
-
 void write_sweep_report(const fs::path& file, const fs::path& folder, IfThere if_there)
 {
     const auto source = folder / "sweep.json";

@@ -6,9 +6,6 @@
 
 namespace deadpoint::report {
 
-/// True if `deadpoint sweep` wrote this folder.
-bool is_study(const std::filesystem::path& folder);
-
 /// Writes the page of a study: families of curves, the table of points, maps and windows, from
 /// sweep.json and the folders of its points; complete or absent. Curves are thinned more if there
 /// are more points. @throws InputError if a file cannot be parsed; IoError if one cannot be read or

@@ -1,14 +1,14 @@
 #include "deadpoint/report/probe/probe_fields.hpp"
 
 #include "deadpoint/casefile/describe/case.hpp"
+#include "deadpoint/core/names/suggest.hpp"
 #include "deadpoint/core/quantity.hpp"
-#include "deadpoint/core/suggest.hpp"
 #include "deadpoint/error.hpp"
 #include "deadpoint/io/read_vtu.hpp"
-#include "deadpoint/report/charts/svg_chart.hpp"
+#include "deadpoint/press/run/field_place.hpp"
 #include "deadpoint/report/folder/result_files.hpp"
 #include "deadpoint/report/probe/field_files.hpp"
-#include "deadpoint/study/fields/field_place.hpp"
+#include "deadpoint/report/tables/svg_chart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +83,7 @@ std::int32_t part_number(const casefile::Case& input, const ProbePlace& place)
 /// A place in one of the pieces.
 struct PlaceInPieces {
     std::size_t piece = 0;
-    study::FieldPlace place;
+    press::FieldPlace place;
 };
 
 PlaceInPieces find(const std::vector<VtuContents>& pieces, std::int32_t part, const Vec3& position)
@@ -91,7 +91,7 @@ PlaceInPieces find(const std::vector<VtuContents>& pieces, std::int32_t part, co
     PlaceInPieces best;
     best.place.outside = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-        const auto found = study::find_place(pieces[k].grid, parts_of(pieces[k]), part, position);
+        const auto found = press::find_place(pieces[k].grid, parts_of(pieces[k]), part, position);
         if (found.outside < best.place.outside) {
             best = {k, found};
         }
@@ -99,7 +99,7 @@ PlaceInPieces find(const std::vector<VtuContents>& pieces, std::int32_t part, co
     return best;
 }
 
-void require_inside(const ProbePlace& place, const study::FieldPlace& found)
+void require_inside(const ProbePlace& place, const press::FieldPlace& found)
 {
     if (!std::isfinite(found.outside)) {
         throw InputError(fmt::format(
@@ -117,7 +117,7 @@ void require_inside(const ProbePlace& place, const study::FieldPlace& found)
 }
 
 /// The values of an array at a place, one for each component; empty if there is no such array.
-std::vector<double> values_at(const VtuContents& piece, const study::FieldPlace& place, const std::string& name)
+std::vector<double> values_at(const VtuContents& piece, const press::FieldPlace& place, const std::string& name)
 {
     const auto* array = piece.find(name);
     if (array == nullptr || array->place != VtuArray::Place::point) {

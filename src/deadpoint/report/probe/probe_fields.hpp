@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deadpoint/core/vec.hpp"
-#include "deadpoint/report/folder/csv.hpp"
+#include "deadpoint/report/tables/csv.hpp"
 
 #include <string>
 #include <vector>

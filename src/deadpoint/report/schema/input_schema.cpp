@@ -1,9 +1,9 @@
 #include "deadpoint/report/schema/input_schema.hpp"
 
 #include "deadpoint/casefile/describe/visitor.hpp"
-#include "deadpoint/casefile/files/calibration_file.hpp"
-#include "deadpoint/casefile/files/reference_file.hpp"
-#include "deadpoint/casefile/files/study_file.hpp"
+#include "deadpoint/casefile/studies/calibration_file.hpp"
+#include "deadpoint/casefile/studies/reference_file.hpp"
+#include "deadpoint/casefile/studies/study_file.hpp"
 #include "deadpoint/error.hpp"
 
 #include <array>

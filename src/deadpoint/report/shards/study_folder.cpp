@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 constexpr const char* failed_file = "failed.json";
 constexpr auto longest_wait = 20s;  // for another shard that makes the folder
 
-std::string name_of(const study::Shard& shard) { return fmt::format("{}-of-{}", shard.number, shard.count); }
+std::string name_of(const twin::Shard& shard) { return fmt::format("{}-of-{}", shard.number, shard.count); }
 
 std::string mark_of_study(const std::vector<std::string>& marks)
 {
@@ -78,7 +78,7 @@ void read_shared(const fs::path& file, const Take& take)
 }  // namespace
 
 StudyFolder::StudyFolder(const fs::path& folder, const std::vector<std::string>& marks,
-                         const std::optional<study::Shard>& shard)
+                         const std::optional<twin::Shard>& shard)
     : folder_(folder), shards_(folder / "shards"), marks_(marks), shard_(shard)
 {
     auto claimed = claim(folder, shard.has_value());
@@ -173,11 +173,11 @@ std::vector<fs::path> StudyFolder::files_of_all(const std::string& name) const
     return result;
 }
 
-void StudyFolder::keep_failures(const std::vector<study::PointOutcome>& outcomes) const
+void StudyFolder::keep_failures(const std::vector<twin::PointOutcome>& outcomes) const
 {
     auto failed = nlohmann::ordered_json::object();
     for (std::size_t p = 0; p < outcomes.size(); ++p) {
-        if (outcomes[p].state == study::PointOutcome::State::failed) {
+        if (outcomes[p].state == twin::PointOutcome::State::failed) {
             failed[marks_[p]] = outcomes[p].reason;
         }
     }
@@ -197,7 +197,7 @@ std::map<std::string, std::string> StudyFolder::failures() const
     return result;
 }
 
-void require_none_missing(const std::vector<study::SweepPoint>& points, const std::vector<std::size_t>& missing)
+void require_none_missing(const std::vector<twin::SweepPoint>& points, const std::vector<std::size_t>& missing)
 {
     constexpr std::size_t named = 10;
     if (missing.empty()) {

@@ -2,8 +2,8 @@
 
 #include "deadpoint/io/file_lock.hpp"
 #include "deadpoint/report/folder/folder_claim.hpp"
-#include "deadpoint/study/sweep/shard.hpp"
-#include "deadpoint/study/sweep/sweep_plan.hpp"
+#include "deadpoint/twin/map/shard.hpp"
+#include "deadpoint/twin/map/sweep_plan.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -30,7 +30,7 @@ public:
     /// @throws IoError if another call works there on the same points, or if it is no folder of a study
     /// @throws InputError if shards of another study, or another number of shards, have begun there
     StudyFolder(const std::filesystem::path& folder, const std::vector<std::string>& marks,
-                const std::optional<study::Shard>& shard);
+                const std::optional<twin::Shard>& shard);
 
     /// Messages for the user, as FolderClaim.
     [[nodiscard]] std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] std::vector<std::filesystem::path> files_of_all(const std::string& name) const;
 
     /// Keeps the failures of this shard for the call that gathers. @param outcomes  of all points @throws IoError
-    void keep_failures(const std::vector<study::PointOutcome>& outcomes) const;
+    void keep_failures(const std::vector<twin::PointOutcome>& outcomes) const;
     /// The reasons of failed points, by their marks. @throws InputError, IoError as read_json()
     [[nodiscard]] std::map<std::string, std::string> failures() const;
 
@@ -52,13 +52,13 @@ private:
 
     std::filesystem::path folder_, shards_;
     std::vector<std::string> marks_;
-    std::optional<study::Shard> shard_;
+    std::optional<twin::Shard> shard_;
     std::vector<std::string> notes_;
     std::optional<FolderClaim> claim_;  ///< of a call that works alone
     std::unique_ptr<FileLock> lock_;    ///< of a shard
 };
 
 /// @throws InputError that names points which no call has computed yet
-void require_none_missing(const std::vector<study::SweepPoint>& points, const std::vector<std::size_t>& missing);
+void require_none_missing(const std::vector<twin::SweepPoint>& points, const std::vector<std::size_t>& missing);
 
 }  // namespace deadpoint::report

@@ -5,7 +5,7 @@
 #include "deadpoint/exchange/laws/laws.hpp"
 #include "deadpoint/exchange/machine.hpp"
 #include "deadpoint/fem/algebra/vectors.hpp"
-#include "deadpoint/fem/conduction/heat_functionals.hpp"
+#include "deadpoint/fem/conduction/terms/heat_functionals.hpp"
 #include "deadpoint/fem/conduction/terms/prescribed.hpp"
 #include "deadpoint/fem/conduction/terms/sparse_term.hpp"
 #include "deadpoint/heat/films.hpp"

@@ -2,7 +2,7 @@
 
 #include "deadpoint/exchange/face_points.hpp"
 #include "deadpoint/exchange/machine.hpp"
-#include "deadpoint/fem/conduction/heat_functionals.hpp"
+#include "deadpoint/fem/conduction/terms/heat_functionals.hpp"
 #include "deadpoint/heat/films.hpp"
 
 #include <algorithm>
