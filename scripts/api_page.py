@@ -6,7 +6,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "api.md"
-HEADERS = ("press", "result", "study", "session", "diagnostic", "error", "observer", "version")
+HEADERS = ("press", "reduced_press", "read_options", "result", "study", "session", "diagnostic", "error", "observer", "version")
 HEAD = """# Public headers
 
 Made from the comments in `include/deadpoint` by `scripts/api_page.py`; [library.md](library.md) says how to link them and what

@@ -13,8 +13,9 @@ require_match("${found}" "${prefix}")
 run(${CMAKE_COMMAND} --build ${scratch}/example)
 run(${scratch}/example/drift ${prefix}/share/deadpoint/cases/starter/case.toml)
 require_match("${output}" "gap after 30 min: [-+][0-9]+\\.[0-9]+ um")
-run(${scratch}/example/light)
-require_match("${output}" "compiled with deadpoint [0-9.]+, linked with")
+run(${scratch}/example/light ${SOURCE}/tests/fuzz/sound/press.rom ${prefix}/share/deadpoint/cases/starter/case.toml "50 rpm")
+require_match("${output}" "gap at the end: [-+][0-9]+\\.[0-9]+ um")
+require_match("${output}" "operation.speed +[-+][0-9.]+ um per")
 run(${prefix}/bin/deadpoint --version)
 
 # Python finds both modules, and the command that belongs to them.
@@ -33,12 +34,12 @@ endif()
 require_match("${errors}" "line 3: machine.ambient: ")
 
 # The light part needs none of the heavy libraries, not even through others.
-run(ldd ${prefix}/lib/libdeadpoint_reduced.so)
+run(ldd ${prefix}/lib/libdeadpoint_twin.so)
 refuse_match("${output}" "gmsh|deal|petsc|mpi|not found")
 # Public functions only; Eigen's above all stay inside (cmake/own-eigen.map).
-foreach(library IN ITEMS deadpoint deadpoint_reduced)
+foreach(library IN ITEMS deadpoint deadpoint_twin)
     run(nm -DC --defined-only ${prefix}/lib/lib${library}.so)
     require_match("${output}" "deadpoint::library_version")
-    refuse_match("${output}" "Eigen::|deadpoint::(study|report|fem|casefile)::[a-z_]+\\(")
+    refuse_match("${output}" "Eigen::|deadpoint::(press|twin|full|report|fem|casefile)::[a-z_]+\\(")
 endforeach()
 file(REMOVE_RECURSE ${scratch})
