@@ -26,8 +26,8 @@ struct SweepRun {
 };
 
 /// Runs a press for all combinations of the values, the last axis changing fastest. Runs that
-/// differ only in operation, friction or oil share mesh, unknowns and dimension chain. If a run
-/// fails, the others continue. Collective.
+/// differ in operation, loads, friction, lubricants, oil, conductances, convection or media share mesh, unknowns and
+/// dimension chain. If a run fails, the others continue. Collective.
 /// @throws InputError if an axis has no value, or a setting makes a case that cannot be read
 std::vector<SweepRun> sweep(const Press& press, const std::vector<SweepAxis>& axes, Observer* observer = nullptr);
 
