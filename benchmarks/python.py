@@ -51,6 +51,9 @@ def kept_memory(rom, press, count):
 
 
 def main():
+    if len(sys.argv) != 4:
+        print(__doc__)
+        sys.exit(0 if "--help" in sys.argv else 2)
     case, model, results = sys.argv[1:]
     print(f"import: {import_time():.3f} s")
     import deadpoint

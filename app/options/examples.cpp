@@ -30,8 +30,8 @@ constexpr std::array examples{
     Example{"sweep", "deadpoint sweep my-press/study.toml -o study              many runs: speeds, forces, ..."},
     Example{"sensitivity", "deadpoint sensitivity my-press/study.toml --reduced press.rom -o what-matters   which "
                            "unknowns matter?"},
-    Example{"calibrate", "deadpoint calibrate my-press/case.toml measured.toml --reduced press.rom -o calibrated   fit "
-                         "it to measurements"},
+    Example{"calibrate", "deadpoint calibrate my-press/case.toml calibration.toml --reduced press.rom -o calibrated   "
+                         "fit it to measurements"},
     Example{"optimise", "deadpoint optimise my-press/study.toml --reduced press.rom -o best   the shortest warm-up, "
                         "the least drift"},
     Example{"compare",
