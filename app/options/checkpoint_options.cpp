@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of --checkpoint [s]; infinite: none.
+/// Interval of --checkpoint [s]; infinite: none.
 double interval_of(const std::string& text)
 {
     constexpr double never = std::numeric_limits<double>::infinity();

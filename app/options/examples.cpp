@@ -44,7 +44,7 @@ constexpr std::array examples{
 constexpr const char* exit_codes = "Exit codes: 0 done, 2 wrong input, 3 value out of range, 4 no convergence, 5 file "
                                    "trouble, 130 stopped by Ctrl-C.";
 
-/// Of one subcommand, or all.
+/// Examples of one subcommand, or of all, and the exit codes.
 std::string footer(std::string_view subcommand)
 {
     std::string text = "Examples:\n";

@@ -28,7 +28,7 @@ Launcher launcher()
 
 void require_launcher()
 {
-    // Of Open MPI's mpirun, and of others that speak PMIx: where the server of the ranks is, and its folder.
+    // Variables of Open MPI's mpirun, and of others that speak PMIx: where the ranks' server is, and its folder.
     constexpr std::array servers{"PMIX_SERVER_URI41", "PMIX_SERVER_URI4", "PMIX_SERVER_URI3",
                                  "PMIX_SERVER_URI21", "PMIX_SERVER_URI2", "PMIX_SERVER_URI"};
     const char* folder = std::getenv("PMIX_SERVER_TMPDIR");

@@ -85,8 +85,8 @@ std::string mpirun_program()
     return access(DEADPOINT_MPIRUN, X_OK) == 0 ? DEADPOINT_MPIRUN : "mpirun";
 }
 
-/// Of mpirun: ranks of any user, on this machine, more than cores if wanted, bound to no core (a second run beside this
-/// one would be bound to the same).
+/// Environment of mpirun: ranks of any user, on this machine, more than cores if wanted, bound to no core (a second run
+/// beside this one would be bound to the same).
 std::vector<std::string> mpirun_environment(const std::string& folder)
 {
     auto result = environment_of_no_launcher();

@@ -18,7 +18,7 @@ struct Outcome {
     std::string message;  ///< without the folder
 };
 
-/// Of a subcommand with arguments in shell syntax.
+/// Outcome of a subcommand with arguments in shell syntax.
 Outcome deadpoint(const std::string& arguments)
 {
     const auto file = fs::temp_directory_path() / ("deadpoint-later-" + std::to_string(std::random_device{}()));

@@ -780,7 +780,7 @@ TEST_CASE("shards refuse what would mix studies, and gathering names missing poi
     CHECK(deadpoint(line + " --gather").code == 4);
 }
 
-// Of the first key of this name.
+// Value of the first key of this name.
 double number(const std::string& json, const std::string& key)
 {
     const auto at = json.find("\"" + key + "\": ");
@@ -1296,7 +1296,7 @@ TEST_CASE("check --view draws a case that passes and one that does not")
                     (folder / "off.html") + " " DEADPOINT_SOURCE_DIR "/cases/starter/case.toml")
               .code == 2);
     CHECK(has(content(folder / "off.html"), "\"table\":[0.0,-0.905,0.0]"));
-    // Of a case that cannot even be read as TOML there is no picture.
+    // A case that cannot even be read as TOML has no picture.
     fs::remove(page);
     std::ofstream(folder / "broken.toml") << "format = = 1\n";
     CHECK(deadpoint("check --view " + (folder / "broken.toml")).code == 2);

@@ -11,7 +11,7 @@ using namespace deadpoint;
 
 namespace {
 
-/// Of vectors that are orthonormal in K'^-1, for terms that a residual does not see.
+/// Residual of vectors that are orthonormal in K'^-1, for terms that it does not see.
 reduce::ResidualTerms residual_of(const twin::ReducedPress& press)
 {
     const auto& terms = press.terms->terms;

@@ -344,26 +344,52 @@ void find_full_folders(const Files& files, std::vector<std::string>& result)
     }
 }
 
-/// doctest's Approx accepts |a - b| < eps (1 + max(|a|, |b|)), so it holds nothing for micrometres in metres.
-void find_loose_comparisons(const fs::path& root, std::vector<std::string>& result)
+/// Calls `at` with "file:line: " and the text of each line of the C++ files below a folder of the root.
+void for_each_line(const fs::path& root, const std::string& folder,
+                   const std::function<void(const std::string&, const std::string&)>& at)
 {
-    if (!fs::exists(root / "tests")) {
+    if (!fs::exists(root / folder)) {
         return;
     }
-    const std::regex loose("(^|[^A-Za-z_])Approx\\(");
-    for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
         const auto ending = entry.path().extension();
         if (ending != ".cpp" && ending != ".hpp") {
             continue;
         }
+        const auto file = fs::relative(entry.path(), root).generic_string();
         std::ifstream stream(entry.path());
         std::string line;
         for (int number = 1; std::getline(stream, line); ++number) {
-            if (std::regex_search(line.substr(0, line.find("//")), loose)) {
-                result.push_back(fs::relative(entry.path(), root).generic_string() + ":" + std::to_string(number) +
-                                 ": Approx adds 1 to its scale; compare with near() of tests/near.hpp");
-            }
+            at(file + ":" + std::to_string(number) + ": ", line);
         }
+    }
+}
+
+/// doctest's Approx accepts |a - b| < eps (1 + max(|a|, |b|)), so it holds nothing for micrometres in metres.
+void find_loose_comparisons(const fs::path& root, std::vector<std::string>& result)
+{
+    const std::regex loose("(^|[^A-Za-z_])Approx\\(");
+    for_each_line(root, "tests", [&](const std::string& place, const std::string& line) {
+        if (std::regex_search(line.substr(0, line.find("//")), loose)) {
+            result.push_back(place + "Approx adds 1 to its scale; compare with near() of tests/near.hpp");
+        }
+    });
+}
+
+/// A comment that begins with "Of" leaves out its subject. A further line of a comment may begin so.
+void find_comments_without_subject(const fs::path& root, std::vector<std::string>& result)
+{
+    const std::regex subjectless("(//[/!]?<?|/\\*[*!]?<?)\\s*Of\\s"), only_comment("\\s*//[/!]?\\s*\\S.*");
+    for (const char* folder : {"include", "src", "app", "python/bindings", "tests"}) {
+        std::string before;
+        for_each_line(root, folder, [&](const std::string& place, const std::string& line) {
+            const bool goes_on = !place.ends_with(":1: ") && std::regex_match(before, only_comment) &&
+                                 std::regex_match(line, only_comment);
+            if (!goes_on && std::regex_search(line, subjectless)) {
+                result.push_back(place + "a comment begins with \"Of\"; begin with the noun or verb that it is about");
+            }
+            before = line;
+        });
     }
 }
 
@@ -388,5 +414,6 @@ std::vector<std::string> include_violations(const fs::path& root)
     find_wide_headers(files, result);
     find_full_folders(files, result);
     find_loose_comparisons(root, result);
+    find_comments_without_subject(root, result);
     return result;
 }

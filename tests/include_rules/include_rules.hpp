@@ -13,7 +13,8 @@
 ///  - units (a header and its source together) form no cycle;
 ///  - no header reaches more than 19 own headers, directly or through others;
 ///  - no folder holds more than 25 files;
-///  - tests compare numbers by near() (tests/near.hpp), not by doctest's Approx.
+///  - tests compare numbers by near() (tests/near.hpp), not by doctest's Approx;
+///  - no comment begins with "Of": it begins with the noun or verb that it is about.
 ///
 /// @return one line per violation: "file:line: what is wrong"; empty if all is well
 std::vector<std::string> include_violations(const std::filesystem::path& root);

@@ -180,3 +180,22 @@ TEST_CASE("a comparison that adds 1 to its scale is found in tests; words that o
     REQUIRE(found.size() == 1);
     CHECK(found.front() == "tests/unit/loose.cpp:2: Approx adds 1 to its scale; compare with near() of tests/near.hpp");
 }
+
+TEST_CASE("a comment that begins with \"Of\" is found in sources, bindings and tests; one that goes on so is not")
+{
+    const std::string planted = std::string("/") + "/ Of a run.\n";
+    const std::string fault = "a comment begins with \"Of\"; begin with the noun or verb that it is about";
+    const Tree tree;
+    tree.add("src/deadpoint/core/a.hpp", "// Heat of a run.\n" + planted + "int heat = 0;  ///< of the body\n");
+    CHECK(include_violations(tree.root).empty());
+    tree.add("src/deadpoint/core/b.hpp", "#include <vector>\n" + planted);
+    tree.add("tests/unit/c.cpp", "int heat = 0;  /" + planted);
+    const auto found = include_violations(tree.root);
+    REQUIRE(found.size() == 2);
+    CHECK(found.front() == "src/deadpoint/core/b.hpp:2: " + fault);
+    CHECK(found.back() == "tests/unit/c.cpp:1: " + fault);
+    for (const char* file : {"include/deadpoint/a.hpp", "app/a.cpp", "python/bindings/a.cpp"}) {
+        CHECK(violation(file, "/" + planted) == file + (":1: " + fault));
+        CHECK(violation(file, std::string("/") + "** Of a run. */\n") == file + (":1: " + fault));
+    }
+}

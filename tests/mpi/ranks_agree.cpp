@@ -38,7 +38,8 @@ std::vector<double> solve(const std::string& name, int ranks, const std::string&
     return numbers(file.string() + ending);
 }
 
-// Of a reduced starter press. @param largest_factor  unknowns up to which factors solve for fields, beyond it multigrid
+// Figures of a reduced starter press.
+// @param largest_factor  unknowns up to which factors solve for fields; multigrid does beyond
 std::vector<double> reduced(int ranks, const std::string& largest_factor = "1000000")
 {
     const ScratchFolder folder;

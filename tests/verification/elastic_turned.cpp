@@ -28,7 +28,7 @@ struct Figures {
     std::map<std::string, double> lengths;  ///< dimensions, corners and clearances [m]
 };
 
-// Of a press whose temperature falls with the distance from the crank, warmer in front and on one side.
+// Figures of a press whose temperature falls with the distance from the crank, warmer in front and on one side.
 Figures figures_of(const casefile::Case& input, const Machine& machine, double angle)
 {
     const auto temperature = [&](const Vec3& place) {

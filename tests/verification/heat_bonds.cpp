@@ -12,7 +12,7 @@ using namespace verification;
 
 namespace {
 
-// Of tests/verification/cases/bolted-bars.toml.
+// Values of tests/verification/cases/bolted-bars.toml.
 constexpr double flux = 2000, film = 100, conductivity = 45, bond = 3000;  // [W/m2], [W/m2/K], [W/m/K], [W/m2/K]
 constexpr double lower = 0.1, upper = 0.15, area = 0.04 * 0.05;            // [m], [m2]
 

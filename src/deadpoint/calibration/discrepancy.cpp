@@ -42,8 +42,8 @@ CurveResidual residual_of(const Curve& curve, const VectorXd& residual)
     const boost::math::chi_squared squares(count);
     double least = cdf(complement(squares, white.squaredNorm()));
     if (residual.size() >= least_for_course) {
-        // Of independent normal errors each product of neighbours has mean 0 and variance 1. Not divided by the sum of
-        // squares: residuals far below the stated errors do not count, however regular they are.
+        // A product of neighbouring independent normal errors has mean 0 and variance 1. The sum is not divided by
+        // that of squares: residuals far below the stated errors do not count, however regular they are.
         const double products = white.head(white.size() - 1).dot(white.tail(white.size() - 1));
         least = std::min(least, cdf(complement(normal, products / std::sqrt(count - 1))));
         least = std::min(least, 2 * cdf(complement(normal, std::abs(white.mean()) * std::sqrt(count))));

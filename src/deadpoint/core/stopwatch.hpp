@@ -35,7 +35,7 @@ public:
             times_.emplace_back(stage_, seconds());
         stage_.clear();
     }
-    /// Of the running stage.
+    /// Wall time of the running stage [s].
     [[nodiscard]] double seconds() const { return seconds_since(since_); }
     /// Stage, wall time [s].
     [[nodiscard]] const std::vector<std::pair<std::string, double>>& times() const { return times_; }

@@ -24,7 +24,7 @@ struct SurfacePoint {
     Vec3 normal;
 };
 
-/// Of the contact as drawn, at bottom dead point.
+/// Points of the contact as drawn, at bottom dead point.
 std::vector<SurfacePoint> points_of(const Machine& machine, const ContactSide& side);
 const MeshPart& part_of(const Machine& machine, const ContactSide& side);
 /// The side lies around the symmetry plane of a half model, which keeps its centre and axis.

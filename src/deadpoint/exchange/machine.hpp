@@ -284,11 +284,11 @@ struct SurfaceShare {
 struct SurfaceFigures {
     std::optional<double> height;             ///< along y, of a surface on one part [m]
     std::optional<double> cylinder_diameter;  ///< of a surface that is a single cylinder [m]
-    /// Of a disk: of the largest cylinder at which its faces end, along the normal of one of them. None where there is
-    /// no such cylinder, or the surface lies on several parts or reaches beyond it [m].
+    /// Diameter of a disk [m]: that of the largest cylinder at which its faces end, along the normal of one of them.
+    /// None if there is no such cylinder, or if the surface lies on several parts or reaches beyond it.
     std::optional<double> disk_diameter;
-    /// Of a surface that is a single plane. The perimeter runs along the edges of its faces that no other of its faces
-    /// shares, the plane of symmetry left out: a half has the quotient of the whole [m].
+    /// Area over perimeter of a surface that is a single plane [m]. The perimeter runs along the edges of its faces
+    /// that no other of its faces shares, the plane of symmetry left out: a half has the quotient of the whole.
     std::optional<double> area_over_perimeter;
     /// From one point per face: exact in the mean of flat faces, second moments as fine as the mesh.
     PlaneMoments moments;
@@ -327,7 +327,7 @@ struct Machine {
     std::vector<FaceGeometry> geometries;
     std::vector<MeshPart> parts;
     std::vector<MeshSurface> surfaces;  ///< in the order of the description
-    /// Of joints, in the order of the description; then the bonds with a conductance, which are among `bonds` too.
+    /// Contacts of joints, in the order of the description; then the bonds with a conductance, also among `bonds`.
     std::vector<Contact> interfaces;
     std::vector<Contact> bonds;            ///< all of them: what moves together
     std::vector<double> exposed_fraction;  ///< per face, mean over time, 0..1; 0 on the symmetry plane

@@ -40,7 +40,7 @@ std::array<NodeFunction, 4> corner_shapes(const Face& face, const Vec2& local)
     return {{{(1 - r) * (1 - s), s - 1, r - 1}, {r * (1 - s), 1 - s, -r}, {r * s, s, r}, {(1 - r) * s, -s, 1 - r}}};
 }
 
-/// Of the middle of an edge, which is 1 there: 4 a b.
+/// Function of the middle of an edge, which is 1 there: 4 a b.
 NodeFunction triangle_edge(const NodeFunction& a, const NodeFunction& b)
 {
     return {4 * a.value * b.value, 4 * (a.by_r * b.value + a.value * b.by_r),

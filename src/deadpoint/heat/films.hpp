@@ -46,7 +46,7 @@ public:
     FilmBalance(const HeatProblem& problem, const HeatGeometry& geometry);
 
     void enter(const HeatSegment& segment) { segment_ = &segment; }
-    /// Of the courses.
+    /// Sets the times of the step, for the courses.
     void set_step(const StepTimes& step) { step_ = step; }
     /// Functionals that evaluate() reads.
     [[nodiscard]] const std::vector<std::size_t>& needed() const { return needed_; }

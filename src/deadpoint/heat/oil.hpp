@@ -26,7 +26,7 @@ public:
     explicit OilMarch(const HeatProblem& problem) : problem_(&problem) {}
 
     void enter(const HeatSegment& segment) { segment_ = &segment; }
-    /// Of the courses.
+    /// Sets the times of the step, for the courses.
     void set_step(const StepTimes& step) { step_ = step; }
     [[nodiscard]] bool empty() const { return problem_->oil.empty(); }
     /// At the start of the step, per circuit [K].

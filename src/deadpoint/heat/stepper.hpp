@@ -232,7 +232,7 @@ private:
             largest = std::max(largest, std::abs(e));
         return largest;
     }
-    // Of the watched functionals of error_ [K].
+    // Largest watched functional of error_ [K].
     [[nodiscard]] double largest_watched() const
     {
         double largest = 0;

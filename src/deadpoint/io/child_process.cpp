@@ -104,7 +104,7 @@ void end_at_exit()
     _exit(0);
 }
 
-/// Of memory that a child shares.
+/// A refusal in memory that a child shares.
 Refusal* shared_refusal(const std::string& what)
 {
     void* place = mmap(nullptr, sizeof(Refusal), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -215,7 +215,7 @@ std::string printable(std::string text)
 /// A refused call is noted by a signal's handler; to start a program or a thread the C library holds all signals back.
 constexpr const char* unnoted = "to start a program or a thread";
 
-/// Of a child that was ended for what it asked.
+/// Throws the error of a child that was ended for what it asked.
 [[noreturn]] void throw_refused(const std::string& what, const Refusal& refusal)
 {
     if (refusal.path[0] != '\0') {

@@ -142,7 +142,7 @@ double left_in_groups(const fs::path& system)
     return least;
 }
 
-/// Of the processors that the process may run on, since the system started [s].
+/// Busy time of the processors that the process may run on, since the system started [s].
 double busy_seconds(const fs::path& system)
 {
     const auto allowed = listed(value_of(system / "proc/self/status", "Cpus_allowed_list:"));
@@ -162,7 +162,7 @@ double busy_seconds(const fs::path& system)
     return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// Of this process and its ended children [s].
+/// Processor time of this process and its ended children [s].
 double own_seconds()
 {
     tms used{};

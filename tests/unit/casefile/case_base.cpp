@@ -38,7 +38,7 @@ std::string error_of(auto&& read)
     return "";
 }
 
-// Of every kind of section: tables by name, a list, a table, quantities by name; keys that are there and new ones.
+// Changes of every kind of section: tables by name, a list, a table, quantities by name; present keys and new ones.
 const std::vector<Texts> changes{
     {},
     {"oil.crank_bearings=300 W/m^2/K"},

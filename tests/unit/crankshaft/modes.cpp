@@ -288,7 +288,8 @@ Shaft on_springs(double stiffness, double damping = 0)
 }
 constexpr double spring_mass = 7850 * std::numbers::pi / 4 * (0.03008 * 0.03008 - 0.007 * 0.007) * 0.3;
 
-/// Of a rigid body on two springs k at its ends: 2 k over its mass, and k L^2 / 2 over its inertia about its middle.
+/// Frequencies of a rigid body on springs k at its two ends [Hz]: (2 pi f)^2 is 2 k over its mass, and k L^2 / 2 over
+/// its inertia about its middle.
 double bounce(double stiffness) { return std::sqrt(2 * stiffness / spring_mass) / (2 * std::numbers::pi); }
 double tilt(double stiffness)
 {

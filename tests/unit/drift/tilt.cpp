@@ -16,7 +16,7 @@ auto microradians(double expected) { return near(expected * micro, 1e-9); }
 
 Vec3 tilted(double angle, const Vec3& x) { return cross({angle * micro, 0, 0}, x); }
 
-// Of rings of which each weighs the same: the mean of sin^2 around the axis times the spread along it.
+// Information of rings that weigh the same: the mean of sin^2 around the axis times the spread along it.
 double bearing_information(const Machine& machine, int contact, int rings)
 {
     return machine.interfaces[contact].drawn_area / 2 * ring_distance * ring_distance * (rings * rings - 1) / 12;

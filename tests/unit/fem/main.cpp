@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 #include <string>
 
-/// Of embedded_session.cpp.
+/// Defined in embedded_session.cpp.
 int embedded(const std::string& name);
 
 // MPI and PETSc stay open while the tests run; what opens them in another way runs in a process of its own.

@@ -62,7 +62,7 @@ double bisected(const HeatLaw& law, double share, double start, double self)
     return (low + high) / 2;
 }
 
-// Of the joint above: (200 x 320 + 300 x 330) / 600 + 100 x 310 / 600, and 1 / (0.5 x 600).
+// Film temperature of the joint above without heat [K], and its rise per watt, 1 / (0.5 x 600) [K/W].
 constexpr double solids_and_oil = (200 * 320.0 + 300 * 330.0 + 100 * 310.0) / 600;
 constexpr double self = 1 / 300.0;
 

@@ -42,7 +42,7 @@ struct Quiet : deadpoint::Observer {};
 struct Run {
     Run(const Machine& machine, const HeatProblem& problem, double start);
     const deadpoint::ThermalHistory& go();
-    /// Of the lumps [K].
+    /// Temperatures of the lumps [K].
     Eigen::VectorXd temperatures();
     Machine machine;
     DenseSystem system;

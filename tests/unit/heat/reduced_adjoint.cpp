@@ -61,7 +61,7 @@ HeatProblem warming(double step)
     return problem;
 }
 
-/// Of the motion of a slide, as it were: both signs.
+/// Weights of both signs, as the motion of a slide has them.
 Eigen::VectorXd weights()
 {
     Eigen::VectorXd values(slices);

@@ -48,7 +48,7 @@ struct Stage {
         system.conduct(temperature, conducted);
         return mass + factor * (conducted - sources.at(5, temperature).watts) - stages.known;
     }
-    /// Of the lumps [K].
+    /// Temperatures of the lumps [K].
     [[nodiscard]] Eigen::VectorXd lumps() const { return lumps::temperatures_of(machine, temperature); }
     lumps::Machine machine{{2e3, 5e3}, {}, {{0, 1, 0.1}}, {{1, 0.5}}, {0}};
     HeatProblem problem;

@@ -17,7 +17,7 @@ using namespace deadpoint::full;
 
 namespace {
 
-// Of all that a reduced press lets free; the last two points fail.
+// Changes of all that a reduced press lets free; the last two points fail.
 const std::vector<std::vector<std::string>> changes{{},
                                                     {"machine.ambient=25 degC"},
                                                     {"oil.pins=400 W/m^2/K"},

@@ -123,7 +123,7 @@ TEST_CASE("the joint keeps its heat, and a narrow gib gets more of it per area")
     for (const double part : {0.0, 0.4, 1.0}) {
         const auto factors = press::side_factors(at.input, machine(), at.sides, "guide", first, part);
         CHECK(factors[0] * left + factors[1] * right == near(left + right, 1e-12));
-        // Of the load part each side has its share, of the rest each area the same.
+        // Each side has its share of the load part; of the rest, each area has the same.
         CHECK(factors[1] * right / (left + right) ==
               near(part * (1 - at.sides.heat_plus) + (1 - part) * right / (left + right), 1e-12));
     }

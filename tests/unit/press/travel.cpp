@@ -131,7 +131,7 @@ TEST_CASE("a slider-crank travels its stroke, with the mean and variance of its 
     CHECK(travel.stops.back().offset[1] == near(2 * throw_, 1e-9));
     const auto found = moments(travel);
     CHECK(found.share == near(1, 1e-14));
-    // Of the rod's height the mean is a complete elliptic integral; 720 samples of an analytic course are exact.
+    // The mean of the rod's height is a complete elliptic integral; 720 samples of an analytic course are exact.
     const double mean = throw_ + rod - 2 * rod / pi * std::comp_ellint_2(throw_ / rod);
     CHECK(found.mean == near(mean, 1e-9));
     const auto reference = exact([](double) { return 1.0; });

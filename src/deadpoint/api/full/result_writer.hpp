@@ -33,7 +33,7 @@ public:
     /// @param reading   warnings of reading the case
     /// @param listener  has all warnings of the files afterwards
     press::RunResult run(full::Press& press, const std::vector<std::string>& reading, Listener& listener);
-    /// Of the finished results; empty: none were wanted.
+    /// Folder of the finished results; empty: none were wanted.
     [[nodiscard]] std::string folder() const { return wanted_folder_.string(); }
 
 private:

@@ -144,7 +144,7 @@ private:
         return parent.layout == Layout::braces ? "[" + list.body + "]" : "[\n" + list.body + "]";
     }
 
-    /// Of a key of the case itself; all keys of a table that is written are.
+    /// True if a key is to be written: any key of a table that is written, or the wanted key of the case itself.
     [[nodiscard]] bool is_wanted(const Key& key) const
     {
         return only_.empty() || frames_.size() > 1 || only_ == key.name;

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const std::string& name(int file) const { return files_.at(static_cast<std::size_t>(file)).shown; }
     /// @return the line's text, empty if there is none
     [[nodiscard]] std::string line(const Place& place) const;
-    /// Of all names and texts, to see whether they are the same. @param before  of the texts that precede them
+    /// Hash of all names and texts, to see whether they are the same. @param before  that of the texts before them
     [[nodiscard]] StableHash hash(StableHash before = {}) const;
 
 private:

@@ -229,7 +229,7 @@ void Reader::loops(const Key& key, std::vector<std::vector<Vec2>>& value)
 
 namespace {
 
-// Of the points of a curve. @param may_jump  two of them may be the same, with two values
+// Index of the first point where x does not increase. @param may_jump  two points, but not three, may have the same x
 std::optional<std::size_t> first_in_wrong_order(const std::vector<double>& x, bool may_jump)
 {
     for (std::size_t i = 1; i < x.size(); ++i)

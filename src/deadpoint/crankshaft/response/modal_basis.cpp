@@ -11,13 +11,13 @@
 namespace deadpoint::crankshaft {
 namespace {
 
-/// Of the fifth largest mu, below which a shape follows the load: frequencies over 1e6 times the fifth lowest. The
-/// four lowest may be those of a rigid shaft on soft bearings, any factor below. Rounding reaches 1e-14.
+/// Share of the fifth largest mu below which a shape follows the load: frequencies over 1e6 times the fifth lowest.
+/// The four lowest may be those of a rigid shaft on soft bearings, any factor below. Rounding reaches 1e-14.
 constexpr double no_inertia = 1e-12;
 constexpr Eigen::Index rigid_modes = 4;
-/// Of the largest mu, above which a mode is exact to 1e-10. The others are solved for without these.
+/// Share of the largest mu above which a mode is exact to 1e-10. The others are solved for without these.
 constexpr double exact = 1e-6;
-/// Of the largest entry of the mass, below which what is left of it is rounding.
+/// Share of the largest entry of the mass below which what is left of it is rounding.
 constexpr double no_mass = 1e-12;
 /// Largest force of dampers (at the lowest frequency) or skew stiffness between a shape without inertia and the rest,
 /// relative to its stiffness: the error of leaving it out.

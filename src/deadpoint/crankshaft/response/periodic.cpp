@@ -92,7 +92,7 @@ void check_growth(const Eigen::VectorXcd& lambda)
                             std::abs(value.imag()) / (2 * std::numbers::pi)));
 }
 
-// Of those modes of the resting shaft, as if the others did not move.
+// Complex modes within a range of the resting shaft's modes, as if its others did not move.
 ComplexModes complex_modes(const ShaftSystem& system, const RestingModes& basis, const ModalMatrices& matrices,
                            ModeRange range, double speed, const PeriodicLoad& load, const Readings& readings)
 {

@@ -69,7 +69,7 @@ private:
 
 /// A line for each point: variable, value, slope.
 std::string text_of(const LawTable& table);
-/// Of all numbers of a table: equal tables have equal hashes on every machine, others most likely not.
+/// Hash of all numbers of a table: equal tables have equal hashes on every machine, others most likely not.
 std::string hash_of(const LawTable& table);
 
 }  // namespace deadpoint

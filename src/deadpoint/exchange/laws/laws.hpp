@@ -32,7 +32,7 @@ struct LawFormula {
 };
 /// "name: parameter = 1.5, parameter = 2".
 std::string text_of(const LawFormula& formula);
-/// Of its name and all numbers: equal on every machine.
+/// Hash of the name and all numbers: equal on every machine.
 std::string hash_of(const LawFormula& formula);
 
 /// The convection law of a surface at an ambient temperature [K].

@@ -19,10 +19,10 @@ namespace deadpoint::fem {
 
 namespace {
 
-/// Of addresses, beyond the program itself, for MPI, the workspace of products and a small case [byte].
+/// Addresses that MPI, the workspace of products and a small case take, beyond the program itself [byte].
 constexpr std::size_t least_room = std::size_t{512} << 20;
 
-/// Of files that are open at a time: those of MPI, of a mesher's process and of the results [-].
+/// Files that are open at a time: those of MPI, of a mesher's process and of the results [-].
 constexpr rlim_t least_files = 48;
 
 /// Raises the number of files that may be open at a time as far as the user may. @throws InputError if that is too low

@@ -18,8 +18,8 @@
 namespace deadpoint::fem {
 namespace {
 
-// Of each solve of the adjoint, in the norm of its solution: what is left out of the shares of all causes together is
-// of this size. The temperatures leave out as much of a rise of 1 K.
+// Tolerance of each solve of the adjoint, in the norm of its solution. The shares of all causes together leave out this
+// much. The temperatures leave out as much of a rise of 1 K.
 double adjoint_tolerance(const HeatProblem& problem) { return std::min(problem.solver_tolerance, 1e-6); }
 
 /// A bound on the steps, which does not change where a run of some length is prolonged.

@@ -18,7 +18,7 @@
 namespace deadpoint::fem {
 namespace {
 
-// Of a multigrid hierarchy, in the ratio of step sizes. Beyond, the bounds of its smoother may not hold any more.
+// Largest ratio of step sizes that share a multigrid hierarchy. Beyond, the bounds of its smoother may fail.
 constexpr double largest_reuse = 2.5;
 // Below the value of the shortest step: the mass dominates the matrix [s].
 constexpr double shortest_factor = 1e-7;

@@ -89,7 +89,7 @@ private:
     double multigrid_factor_ = -1;  ///< for which the multigrid hierarchy was built
     OwnedVec origin_;               ///< temperature from which it was built, if the matrix depends on it
     std::vector<SparseFunctional> source_loads_;
-    /// Of the solve under way.
+    /// State of the solve under way.
     struct Progress {
         double relative = 0;    ///< tolerance of a correction's norm, as a share of `size`
         double absolute = 0;    ///< the same itself; the larger one counts

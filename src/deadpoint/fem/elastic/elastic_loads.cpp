@@ -133,7 +133,7 @@ void ElasticSolver::load_initial_strain(const std::vector<Tensor6>& strain, Vec 
     finish(target);
 }
 
-// Of the pieces that stand on the feet; the others hang in joints, whose forces are not part of this problem.
+// Weight of the pieces that stand on the feet. The others hang in joints, whose forces are not part of this problem.
 void ElasticSolver::load_weight(const Vec3& gravity, Vec target) const
 {
     std::set<int> standing;

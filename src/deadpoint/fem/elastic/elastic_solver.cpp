@@ -422,7 +422,7 @@ Displacement ElasticSolver::displacement(const RestLoads& loads)
     return owned_solution();
 }
 
-// Of a load that the feet must carry.
+// Refuses a load that the feet cannot carry.
 void ElasticSolver::require_equilibrium()
 {
     PetscReal whole = 0, moving = 0;

@@ -7,7 +7,7 @@ namespace deadpoint::fem {
 namespace {
 
 constexpr int rounds = 3;
-// Of the expected change: residuals of other loads may be less favourable than those with which the gain was measured.
+// Factor on the expected change: other loads may have less favourable residuals than those that gave the gain.
 constexpr double residual_caution = 10;
 
 PetscInt columns_of(Mat dense)

@@ -45,8 +45,8 @@ public:
     [[nodiscard]] OwnedMat expansion(const Discretisation& space) const;
     /// This rank's free nodes, counted from its first node, in order.
     [[nodiscard]] std::vector<PetscInt> free_nodes(const Discretisation& space) const;
-    /// Of each tied node, the free nodes that it follows in one component: a master that is tied itself is replaced by
-    /// its own masters.
+    /// The free nodes that each tied node follows in one component. A master that is tied itself is replaced by its own
+    /// masters.
     [[nodiscard]] std::map<PetscInt, Masters> followed_in_the_end(PetscInt component) const;
 
 private:

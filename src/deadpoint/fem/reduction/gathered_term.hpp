@@ -23,7 +23,7 @@ public:
     [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& columns) const;
     /// A fields columns on the term's unknowns, on the owner.
     [[nodiscard]] Eigen::MatrixXd image(const Eigen::MatrixXd& columns) const;
-    /// Of all ranks, ascending.
+    /// Unknowns of all ranks, ascending.
     [[nodiscard]] const std::vector<PetscInt>& unknowns() const { return unknowns_; }
 
 private:

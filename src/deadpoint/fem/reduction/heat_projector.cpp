@@ -26,7 +26,7 @@
 namespace deadpoint::fem {
 namespace {
 
-// Of a field by multigrid, relative: what is left of the error is one more field of the span (docs/reduced.md).
+// Relative tolerance of a field by multigrid. The error left is one more field of the span (docs/reduced.md).
 constexpr double field_tolerance = 1e-4;
 
 HeatProblem with_constant_films(HeatProblem problem)
@@ -158,7 +158,7 @@ void HeatProjector::add_solutions(const HeatProblem& at, double shift, const std
         parts_->append_solution(solution);
 }
 
-// Of the unknowns in files.
+// Order of the unknowns in files.
 const std::vector<std::size_t>& HeatProjector::Parts::order()
 {
     if (file_order.empty())

@@ -159,7 +159,7 @@ public:
     }
 
 private:
-    // Of a term on the basis.
+    // Low-rank factor of a term on the basis.
     [[nodiscard]] MatrixXd factor_of(const TermSum& sum, double tolerance) const
     {
         const auto& correction = it_.correction;

@@ -15,8 +15,8 @@ struct Machine;
 /// Internal to fem/: maps of cells from their reference cell, the unit cube or the unit tetrahedron, to their place.
 namespace deadpoint::fem {
 
-/// Of first degree by the corners. Cells of second order with round edges (exchange/round_edges) have maps of second
-/// degree; their elements are isoparametric.
+/// Maps of first degree by the corners. Cells of second order with round edges (exchange/round_edges) have maps of
+/// second degree; their elements are isoparametric.
 class CellMaps {
 public:
     /// @param orders    of the elements, 1 or 2, per part

@@ -292,7 +292,7 @@ DraftAxes axes_of(const Draft& draft)
     if (norm(z) == 0 || norm(up) == 0) {
         return axes;
     }
-    // Of both ways along the crankshaft, the positive one of the drawing.
+    // The axis z runs along the crankshaft in the positive direction of the drawing.
     z = (z[0] + z[1] + z[2] < 0 ? -1.0 : 1.0) * z;
     axes.rows = {cross(up, z), up, z};
     axes.found = true;
@@ -353,7 +353,7 @@ bool along(const CadContact& contact, std::size_t axis)
 
 using JointKind = DraftJoint::Kind;
 
-/// Of which joint a contact can be one.
+/// The kind of joint that a contact can be, if any.
 std::optional<JointKind> kind_of_joint(const Draft& draft, const CadContact& contact)
 {
     switch (contact.kind) {

@@ -21,7 +21,7 @@
 namespace deadpoint::full {
 namespace {
 
-/// Of laws and loads that the run has told already.
+/// Takes the fields of all states of a run.
 void take_all(const twin::ReducedStates& run, const fem::StateFields& of_states, RunFields& fields,
               press::RunResult& result, Observer& observer)
 {
@@ -43,7 +43,7 @@ void lift_fields(ModelParts& parts, const casefile::Case& input, const std::stri
                  const twin::ReducedStates& run, const press::FieldOptions& options, press::RunResult& result,
                  Observer& observer)
 {
-    Observer silent;
+    Observer silent;  // the run has told of laws and loads already
     Stopwatch told(silent), watch(observer);
     press::RunResult unused;
     const auto problem = parts.translate(input, told, unused, silent);

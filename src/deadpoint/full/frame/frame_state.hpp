@@ -51,7 +51,7 @@ public:
     /// support
     FrameState(const casefile::Case& input, const Machine& machine, fem::Model& model);
 
-    /// Of rods and closed bonds, in this order.
+    /// Adjoints of rods, then of closed bonds.
     [[nodiscard]] const std::vector<fem::Adjoint>& adjoints() const { return adjoints_; }
     /// Forces at the start of a run.
     [[nodiscard]] press::FrameResult start() const { return gauges_.start; }

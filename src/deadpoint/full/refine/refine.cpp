@@ -41,7 +41,7 @@ std::vector<const Series*> figures(const press::RunResult& result, Accuracy::Of 
     return series;
 }
 
-// Of the figures over the time that both runs cover.
+// Largest change of a figure over the time that both runs cover.
 double largest_change(const press::RunResult& one, const press::RunResult& other, Accuracy::Of of)
 {
     const auto first = figures(one, of), second = figures(other, of);

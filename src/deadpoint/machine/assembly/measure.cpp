@@ -105,7 +105,7 @@ std::optional<double> cylinder_diameter(const Machine& machine, const MeshSurfac
     return diameter;
 }
 
-/// Of the planes of a surface, each once.
+/// Normals of the planes of a surface, each once.
 std::vector<Vec3> normals_of(const Machine& machine, const MeshSurface& surface)
 {
     std::vector<std::uint32_t> geometries;

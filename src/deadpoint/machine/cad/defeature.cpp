@@ -28,7 +28,7 @@
 namespace deadpoint::machine {
 namespace {
 
-/// Of a chain of holes and roundings that is tried: the kernel takes minutes for longer ones, and mostly fails.
+/// Most faces in a chain of holes and roundings: the kernel takes minutes for longer ones, and mostly fails.
 constexpr int most_faces = 24;
 
 double volume_of(const TopoDS_Shape& shape)

@@ -13,7 +13,7 @@ namespace {
 
 /// More than any numbers here count.
 constexpr double most_cells = 2e8;
-/// Of a cell while a part is meshed [byte]; 140 to 250 were measured with cubes, a million and two of them.
+/// Memory of a cell while a part is meshed [byte]; cubes of a million and of two million cells took 140 to 250.
 constexpr double memory_of_a_cell = 200;
 /// From here on meshing takes minutes, and a run hours.
 constexpr double many_cells = 3e6;

@@ -31,7 +31,7 @@ struct InterfaceConductance {
     bool in_range = true;
     std::vector<std::string> notes;
     std::string path = {};  ///< of the key in the case
-    /// Of a ball joint: area of its seat over that drawn, a factor on what is per area.
+    /// Area of a ball joint's seat over that drawn, a factor on what is per area.
     double seat_over_drawn = 1;
 
     [[nodiscard]] double resistance() const { return 1 / film_a + 1 / film_b; }  ///< R'' [m2 K/W]

@@ -37,7 +37,7 @@ std::string original_name(const LoadsResult& loads, std::size_t joint)
     return loads.images[joint] ? name.substr(0, name.size() - 1) : name;
 }
 
-// Of a joint of the linkage; of a slide, the sum of its faces.
+// Duty of a joint of the linkage; that of a slide is the sum of its faces.
 Duty joint_duty(const LoadsResult& loads, std::size_t index, const casefile::Joint& joint)
 {
     const auto& cycle = loads.history.joints[index];

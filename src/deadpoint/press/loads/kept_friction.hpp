@@ -31,7 +31,7 @@ struct KeptFriction {
     Memo<Key, LoadDuty> duties{1024};
     Memo<Key, FrictionHeat> heats{256};  ///< of physical laws, without their scale
     Memo<Key, LawTable> tables{256};     ///< of the same; one takes some tens of kilobytes
-    /// Of any loads.
+    /// Viscous shapes, which are the same at any loads.
     std::shared_ptr<KeptShapes> shapes = std::make_shared<KeptShapes>(std::size_t{64});
 };
 

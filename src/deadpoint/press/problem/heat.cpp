@@ -138,7 +138,7 @@ private:
         return laws;
     }
 
-    /// Of guides with friction by the law "guide", the pressed side gets more of the heat.
+    /// Gives the pressed side of a guide more of the heat, where friction follows the law "guide".
     void share_by_side(std::vector<InterfaceLaw>& laws, const LoadsResult& loads, const casefile::Segment& running)
     {
         std::size_t first = 0;
@@ -156,7 +156,7 @@ private:
         }
     }
 
-    /// Of the friction heat at the initial temperature.
+    /// Share of the load part in the friction heat at the initial temperature.
     double load_share(const std::string& row, const casefile::Segment& running)
     {
         const auto& friction = friction_.heat(row, running);

@@ -27,7 +27,7 @@ std::vector<int> describe_orders(const casefile::Case& input, const Machine& mac
 struct CornerCount {
     long long first_order = 0;
     long long second_order = 0;
-    /// Of the heat, about: a second-order mesh has eight for each corner.
+    /// Number of unknowns of the heat, about: a second-order mesh has eight for each corner.
     [[nodiscard]] long long unknowns() const { return first_order + 8 * second_order; }
 };
 CornerCount count_corners(const casefile::Case& input, const Machine& machine);

@@ -23,11 +23,11 @@ constexpr std::array distances{0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0,
 
 constexpr double law_rounding = 1e-12;  // of a law
 
-// Of a law's heat, times what one watt heats its source (b . K^-1 b): what falls less counts as heat that does not
-// fall.
+// Least fall of a law's heat, times what one watt heats its source (b . K^-1 b). Heat that falls less counts as heat
+// that does not fall.
 constexpr double least_fall = 1e-2;
 
-// Of steps and outputs that are worked on at once, where there are several outputs.
+// Steps times outputs that are worked on at once, where there are several outputs.
 constexpr Eigen::Index columns_at_a_time = 512;
 
 Eigen::MatrixXd side_by_side(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right)
@@ -151,7 +151,7 @@ public:
     /// Not positive: the sources may feed an error.
     [[nodiscard]] double kappa() const { return kappa_; }
 
-    /// Of an output after the last step.
+    /// Value of an output after the last step.
     [[nodiscard]] double value(const heat::Loads& output) const
     {
         return weights_of(output).dot(run_.levels().back().state);
@@ -176,7 +176,7 @@ public:
     }
 
 private:
-    // Of outputs with these duals, in one pass over the factors and one over the root.
+    // Bounds of outputs with these duals, in one pass over the factors and one over the root.
     [[nodiscard]] std::vector<double> bounds_of(std::span<const Eigen::MatrixXd> duals,
                                                 std::span<const heat::Loads> outputs) const
     {
@@ -209,7 +209,7 @@ private:
     }
     [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(run_.levels().size()); }
 
-    // Of an output, on the states.
+    // Weights of the states in an output.
     [[nodiscard]] Eigen::VectorXd weights_of(const heat::Loads& output) const
     {
         const auto functionals = static_cast<std::size_t>(terms_.functionals.rows());
@@ -259,7 +259,7 @@ private:
         return result;
     }
 
-    // Of all stretches, side by side.
+    // Loads of all stretches, side by side.
     [[nodiscard]] Eigen::MatrixXd all_loads() const
     {
         const auto sources = static_cast<Eigen::Index>(problem_.sources.size());
@@ -440,7 +440,7 @@ private:
         return shape;
     }
 
-    // Of sum of dt z . (heat of the laws less that of their tangents).
+    // Bound of the sum of dt z . (heat of the laws less that of their tangents).
     [[nodiscard]] double curvature(const Eigen::MatrixXd& duals) const
     {
         Eigen::MatrixXd seen(curvatures_.rows(), count());

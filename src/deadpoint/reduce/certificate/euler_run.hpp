@@ -44,14 +44,14 @@ public:
 
     void march(const std::vector<EulerStep>& steps);
 
-    /// Of each output a matrix with a column for each step. @param weights  of the states after the last step, a column
-    /// for each output
+    /// Dual states of each output: a matrix with a column for each step. @param weights  of the states after the last
+    /// step, a column for each output
     [[nodiscard]] std::vector<Eigen::MatrixXd> duals(const Eigen::MatrixXd& weights);
 
     /// The load of one watt of each source, by functional.
     [[nodiscard]] std::vector<heat::Loads> source_loads(std::size_t segment);
 
-    /// Of the conduction matrix on the states in a segment.
+    /// Tridiagonal form of the conduction matrix on the states in a segment.
     [[nodiscard]] std::shared_ptr<const TridiagonalForm> conduction(std::size_t segment);
 
     [[nodiscard]] const std::vector<Level>& levels() const { return levels_; }

@@ -29,7 +29,7 @@ constexpr auto members(const StoredResidual*)
 }
 
 StoredResidual stored(const ResidualTerms& terms);
-/// Of the large model to which a certificate belongs.
+/// Sizes of the large model to which a certificate belongs.
 struct ResidualSizes {
     std::uint64_t states = 0, functionals = 0, observed = 0, terms = 0;
 };

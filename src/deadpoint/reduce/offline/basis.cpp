@@ -24,7 +24,7 @@ namespace {
 constexpr int sets_at_base = 4;  // of the problem's own values
 constexpr unsigned long long solve_seed = 1;
 
-// Of the k-th set: evenly in its logarithm, and every eighth one slow enough for the steady state.
+// Shift of the k-th set: evenly in its logarithm, and every eighth one slow enough for the steady state.
 double shift_of(int k)
 {
     constexpr double slowest = 1e-5, fastest = 0.5, steady = 1e-7;

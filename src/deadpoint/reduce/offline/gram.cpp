@@ -28,7 +28,7 @@ std::optional<Eigen::Index> next_field(const Eigen::VectorXd& left, const FieldC
     return best;
 }
 
-// Of a matrix with ones on its diagonal.
+// Pivoted root of a matrix with ones on its diagonal.
 PivotedRoot pivoted_root(const Eigen::MatrixXd& gram, const FieldChoice& choice)
 {
     const Eigen::Index count = gram.rows();

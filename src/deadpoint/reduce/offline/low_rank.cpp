@@ -26,7 +26,7 @@ struct Eigenpairs {
     Eigen::VectorXd values;  ///< descending
 };
 
-// Of V V^T.
+// Eigenpairs of V V^T, each value less the shift.
 Eigenpairs eigenpairs(const Eigen::MatrixXd& factor, double shift)
 {
     const Eigen::BDCSVD<Eigen::MatrixXd> svd(factor, Eigen::ComputeThinU);

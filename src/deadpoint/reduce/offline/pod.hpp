@@ -12,7 +12,7 @@ public:
     explicit Moments(Eigen::MatrixXd sum) : sum_(std::move(sum)) {}
     /// @param states  a column for each
     void add(const Eigen::MatrixXd& states);
-    /// Of all ranks. Collective.
+    /// Sums over all ranks. Collective.
     void sum_over(const Ranks& ranks);
     [[nodiscard]] const Eigen::MatrixXd& sum() const { return sum_; }
 

@@ -15,7 +15,7 @@ struct TypicalHeat {
     std::vector<double> highest;  ///< largest coefficient of each term in the box, in the order of PreparedTerms::each
 };
 
-/// Of the states of training runs and of their dual problems, without their uniform part.
+/// Heat of the states of training runs and of their dual problems, without their uniform part.
 /// @param highest  as of TypicalHeat, with 1 for K of the solids at the end
 TypicalHeat typical_heat(const DenseTerms& terms, const Training& training, std::vector<double> highest);
 

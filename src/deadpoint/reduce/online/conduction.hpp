@@ -37,7 +37,7 @@ public:
     /// @param sum  computes the matrix where it is not there
     std::shared_ptr<const Conduction> get(const TermWeights& weights, const std::function<SymmetricMatrix()>& sum);
 
-    /// Of the matrices that are kept.
+    /// Number of matrices that are kept.
     [[nodiscard]] std::size_t count();
 
 private:

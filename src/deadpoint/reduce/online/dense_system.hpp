@@ -97,7 +97,7 @@ public:
     int solve(const Vector& right, Vector& solution, const heat::LowRank<Vector>& low_rank, heat::SolveTolerance,
               const std::string& what);
     [[nodiscard]] std::vector<heat::Term> terms() const { return {}; }
-    /// Of K in the last build(); null if a film follows the temperature.
+    /// Form of K in the last build(); null if a film follows the temperature.
     [[nodiscard]] std::shared_ptr<const TridiagonalForm> tridiagonal() const
     {
         return follows_ ? nullptr : conduction_->form();

@@ -17,7 +17,7 @@ constexpr double largest_leak = 1e-4;
 constexpr std::size_t few_sums = 2;
 constexpr double most_matrices = 2e9;  // memory of all terms' matrices, above which sums are those of factors [byte]
 
-// Of n^2/2 numbers for each term.
+// Memory of n^2/2 numbers for each term [byte].
 double matrices_of(const DenseTerms& terms)
 {
     const auto n = static_cast<double>(terms.uniform.size());

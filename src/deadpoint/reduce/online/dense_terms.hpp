@@ -70,10 +70,10 @@ private:
 
 /// How the conduction matrix is summed for a run's coefficients.
 enum class Sums {
-    /// Of the terms' matrices, which are kept: for many runs. They take about n^2/2 numbers per term, and a sum of them
-    /// costs far fewer operations than products of the factors.
+    /// From the terms' matrices, which are kept: for many runs. They take about n^2/2 numbers per term, and a sum of
+    /// them costs far fewer operations than products of the factors.
     of_matrices,
-    of_factors  ///< of the factors, until a third sum is asked for: for a run or two
+    of_factors  ///< from the factors, until a third sum is asked for: for a run or two
 };
 
 /// Terms that conserve heat, and what a run's coefficients multiply; many runs can share it.

@@ -49,7 +49,7 @@ public:
 
     /// Errors as heat::HeatRun. @return the history, as of fem::Model::heat()
     const ThermalHistory& go(const ReducedHooks& hooks, Observer& observer);
-    /// Of the conduction matrix in the last step; null if a film follows the temperature.
+    /// Form of the conduction matrix in the last step; null if a film follows the temperature.
     [[nodiscard]] std::shared_ptr<const TridiagonalForm> tridiagonal() const;
     /// As fem::Model::heat_causes(), of weights by state. The run cannot continue afterwards.
     HeatCauses causes(const States& weights, std::size_t row);

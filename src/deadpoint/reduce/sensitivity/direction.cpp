@@ -32,7 +32,7 @@ const std::vector<InterfaceLaw>& laws_in(const HeatProblem& problem, std::size_t
     return own.empty() ? problem.interfaces : own;
 }
 
-// Of one member of a coefficient.
+// Scalar of one member of a coefficient, and its change per relative change of the coefficient.
 std::pair<std::size_t, double> relative_change(const HeatProblem& problem, std::size_t segment,
                                                FreeCoefficient::Kind kind, std::size_t member)
 {

@@ -19,7 +19,7 @@ struct ScalarLayout {
 
     std::size_t interfaces = 0, surfaces = 0, sources = 0, bodies = 0, circuits = 0, enclosures = 0;
 
-    /// Of an interface's law; the temperature only if no circuit brings its oil.
+    /// Scalar of an interface's law; its oil's temperature only if no circuit brings the oil.
     [[nodiscard]] std::size_t joint(std::size_t interface, JointScalar scalar) const
     {
         return 4 * interface + static_cast<std::size_t>(scalar);
@@ -40,14 +40,14 @@ struct ScalarLayout {
     [[nodiscard]] std::size_t heat(std::size_t source) const { return share(sources) + source; }
     [[nodiscard]] std::size_t zoned(std::size_t source) const { return heat(sources) + source; }
     [[nodiscard]] std::size_t body(std::size_t index) const { return zoned(sources) + index; }  ///< [W]
-    /// Of a circuit: flow [W/K], the cooler's temperature [K], loss of the sump [W/K].
+    /// Scalars of a circuit: flow [W/K], the cooler's temperature [K], loss of the sump [W/K].
     [[nodiscard]] std::size_t flow(std::size_t circuit) const { return body(bodies) + circuit; }
     [[nodiscard]] std::size_t inlet(std::size_t circuit) const { return flow(circuits) + circuit; }
     [[nodiscard]] std::size_t sump_loss(std::size_t circuit) const { return inlet(circuits) + circuit; }
-    /// Of an enclosure: exchange with the ambient [W/K], power [W].
+    /// Scalars of an enclosure: exchange with the ambient [W/K], power [W].
     [[nodiscard]] std::size_t exchange(std::size_t enclosure) const { return sump_loss(circuits) + enclosure; }
     [[nodiscard]] std::size_t power(std::size_t enclosure) const { return exchange(enclosures) + enclosure; }
-    /// Of the segment, as sumps and enclosures face it [K].
+    /// Ambient temperature of the segment, as sumps and enclosures face it [K].
     [[nodiscard]] std::size_t ambient() const { return power(enclosures); }
     /// InterfaceLaw::heat_weight, which shares a source's heat among its interfaces.
     [[nodiscard]] std::size_t weight(std::size_t interface) const { return ambient() + 1 + interface; }

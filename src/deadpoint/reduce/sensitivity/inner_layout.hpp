@@ -46,7 +46,7 @@ struct InnerLayout {
     std::vector<InnerPlace> oil_of;  ///< per interface: the stop's, or none
     InnerPlace first_air = 0;
     std::vector<FollowingFilm> films;
-    /// Of each value [J/K]; 0 where its equation is algebraic. 1 for a sump that keeps its temperature.
+    /// Heat capacity of each value [J/K]; 0 where its equation is algebraic. 1 for a sump that keeps its temperature.
     std::vector<double> capacity;
 
     [[nodiscard]] static InnerPlace heat(std::size_t source) { return static_cast<InnerPlace>(source); }

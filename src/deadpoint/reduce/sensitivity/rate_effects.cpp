@@ -23,7 +23,7 @@ struct JointChange {
 
 double side_of(const InterfaceLaw& law, bool side_b) { return side_b ? law.film_b : law.film_a; }
 
-// Of more heat to the oil that reaches an interface [W].
+// Adds the effect of more heat to the oil that reaches an interface [W].
 void add_oil_heat(std::size_t interface, double heat, const LinearisedHeat& linearised, RateEffect& result)
 {
     const auto place = linearised.inner().oil_of[interface];
@@ -82,7 +82,7 @@ private:
         }
     }
 
-    // Of the source at given temperatures of solids and oil.
+    // Adds the change of the source's heat at given temperatures of solids and oil.
     void add_heat()
     {
         const auto r = static_cast<std::size_t>(law_.source);
@@ -218,7 +218,7 @@ RateEffect effect_of_zoned(std::size_t source, const LinearisedHeat& heat)
     return result;
 }
 
-// Of an interface's share of its source's heat alone, times a change of it.
+// Adds the effect of an interface's share of its source's heat alone, times a change of it.
 void add_heat_share(std::size_t i, double change, const LinearisedHeat& heat, const LinearisedState& at,
                     RateEffect& result)
 {

@@ -24,11 +24,11 @@ struct Shown {
 
 /// "end", "30 min" or "time to warm".
 std::string figure_name(const twin::Figure& figure);
-/// Of values of a figure: um, degC, or h for times.
+/// Unit of a figure's values: um, degC, or h for times.
 Shown shown_figure(const twin::Figure& figure, const std::vector<twin::ForwardOutput>& outputs);
-/// Of differences of it: um, K or h.
+/// Unit of a figure's differences: um, K or h.
 Shown shown_difference(const twin::Figure& figure, const std::vector<twin::ForwardOutput>& outputs);
-/// Of the values of a range: its preferred unit, none for factors.
+/// Unit of a range's values: the preferred one, none for factors.
 Shown shown_range(const twin::VariedRange& range);
 /// Both ends: "x 0.5 to 2", "200 to 400 rpm".
 std::string range_text(const twin::VariedRange& range);

@@ -60,7 +60,7 @@ Json files_json(const Listed& listed)
     return json;
 }
 
-/// Of the list itself.
+/// Checksum of the list itself.
 std::string own_checksum(const Json& files)
 {
     return stable_hash(files.dump(-1, ' ', false, Json::error_handler_t::replace));

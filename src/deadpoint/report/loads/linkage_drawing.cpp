@@ -297,7 +297,7 @@ private:
         return svg;
     }
 
-    // Of a body and its mirror image, only the right one is named.
+    // True for the left one of a body and its mirror image: only the right one is named.
     [[nodiscard]] bool hidden_image(std::size_t b) const
     {
         const auto& name = linkage_.bodies[b];

@@ -27,7 +27,7 @@ auto column_of(const Sensitivities& sensitivities, const Value& value)
 
 bool is_degree(const Sensitivity& of) { return of.unit == "degC"; }
 
-/// Of the probe that a coefficient changes most.
+/// Effect on the probe that a coefficient changes most.
 double largest_effect(const Sensitivity& of)
 {
     double result = 0;

@@ -37,7 +37,7 @@ std::vector<TimePlace> places_from(const std::vector<double>& time, double from)
     return result;
 }
 
-// Of sqrt(mean(y^2)), from y and dy at evenly spread times, by the trapezoidal rule.
+// sqrt(mean(y^2)) and its slopes, from y and dy at evenly spread times, by the trapezoidal rule.
 struct RootMeanSquare {
     double sum = 0;
     std::vector<double> slopes;

@@ -391,7 +391,7 @@ public:
         return figures;
     }
 
-    /// Of a course the value nearest to its limit, or farthest beyond it.
+    /// The value of a course that is nearest to its limit, or farthest beyond it.
     static double extreme(const std::vector<double>& time, const std::vector<double>& value,
                           const casefile::OptimiseLimit& limit)
     {

@@ -9,7 +9,7 @@
 
 namespace deadpoint::twin {
 
-/// Of one run among many: keeps its warnings, says nothing, and stops when the study is told to stop.
+/// Observer of one run among many: keeps warnings, says nothing, and stops when the study is told to stop.
 class PointObserver : public Observer {
 public:
     /// @param study  outlives this

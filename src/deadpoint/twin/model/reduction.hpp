@@ -14,7 +14,7 @@ namespace deadpoint::twin {
 /// A reduced model of a case in two sizes. The large one says how far the small one is off.
 struct Reduction {
     ReducedPress small, large;
-    /// Of the large one, if BuildOptions asks for a certificate.
+    /// Residual of the large one, if BuildOptions asks for a certificate.
     std::shared_ptr<const reduce::ResidualTerms> residual;
 };
 

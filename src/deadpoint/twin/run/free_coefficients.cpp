@@ -26,14 +26,14 @@ double side_of(const std::vector<InterfaceLaw>& laws, std::size_t member)
     return member % 2 == 0 ? laws[member / 2].film_a : laws[member / 2].film_b;
 }
 
-// Of a segment, in which a press at rest has no law [W].
+// Heat of a source in a segment, in which a press at rest has no law [W].
 std::optional<double> heat_in(const HeatProblem& problem, std::size_t segment, std::size_t source, double temperature)
 {
     const auto& law = problem.segments[segment].heat[source];
     return law ? std::optional(problem.sources[source].share * law(temperature).value) : std::nullopt;
 }
 
-// Of the first segment in which a source heats [W].
+// Heat of a source in the first segment in which it heats [W].
 double heat_at(const HeatProblem& problem, std::size_t source, double temperature)
 {
     for (std::size_t segment = 0; segment < problem.segments.size(); ++segment)
@@ -42,7 +42,7 @@ double heat_at(const HeatProblem& problem, std::size_t source, double temperatur
     return 0;
 }
 
-// Of the first segment in which oil flows through a joint: while the press stands still it may not.
+// Oil coefficient of a joint in the first segment in which its oil flows: while the press stands still it may not.
 std::optional<double> oil_at(const HeatProblem& problem, std::size_t interface)
 {
     for (const auto& segment : problem.segments)
@@ -61,7 +61,7 @@ bool in_circuit(const HeatProblem& problem, std::size_t interface)
     });
 }
 
-// Of a joint's own oil, or of a circuit that is cooled.
+// Temperature of a joint's own oil, or of that of a circuit that is cooled.
 std::optional<double> oil_temperature_of(const HeatProblem& problem, std::size_t segment, std::size_t member)
 {
     const auto& laws = laws_in(problem, problem.segments[segment]);

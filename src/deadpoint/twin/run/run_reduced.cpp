@@ -183,7 +183,7 @@ private:
             press::gap_series(input_, chain.gaps, result_.thermal, static_cast<int>(chain.first_gap), *result_.drift);
     }
 
-    // Of E_SW with the share of the play that counts at a row, surface by surface of the case.
+    // Causes of E_SW with the share of the play that counts at a row, surface by surface of the case.
     HeatCauses causes_at(reduce::ReducedRun& run, const drift::BearingPlay& play, std::size_t row) const
     {
         const auto& figures = press_.chain->figures;

@@ -16,7 +16,7 @@ constexpr double smoothed_from = 0.05;
 // decades away from a local load.
 constexpr double largest_entry = 1e10;
 
-// Of two steps of Chebyshev's iteration on [from, to]: the first adds first D^-1 r; the second gives
+// Factors of two steps of Chebyshev's iteration on [from, to]: the first adds first D^-1 r; the second gives
 // (1 - blend) x0 + blend x1 + second D^-1 r.
 struct Chebyshev {
     explicit Chebyshev(double bound)

@@ -53,7 +53,7 @@ private:
         std::vector<float> inverse_diagonal;
         double bound = 1;
     };
-    /// Of a level. Value is float, or FloatBlock for a block of vectors.
+    /// Vectors of a level. Value is float, or FloatBlock for a block of vectors.
     template <class Value>
     struct Vectors {
         std::vector<Value> right, solution, work;

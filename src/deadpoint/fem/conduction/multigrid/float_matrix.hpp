@@ -72,7 +72,7 @@ public:
 private:
     static constexpr std::size_t slice = lanes;
 
-    /// Of the k-th entry of a row.
+    /// Index of the k-th entry of a row.
     [[nodiscard]] std::size_t position(std::size_t row, std::size_t k) const
     {
         return starts_[row / slice] + k * slice + row % slice;

@@ -16,7 +16,7 @@ struct InterfaceLaw;
 /// Internal to fem/: the functionals of a heat problem by unknowns.
 namespace deadpoint::fem {
 
-/// Of all ranks' `values` by unknown, at a point.
+/// Value at a point, from all ranks' `values` by unknown.
 double value_at(const PointShape& shape, const double* values);
 /// The shape functions that do not vanish; on a face, those of nodes off the face vanish.
 PointShape without_zeros(const PointShape& shape);
