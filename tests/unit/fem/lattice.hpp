@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <petscksp.h>
+#include <vector>
 
 /// A cube of unknowns with the mass and conduction of a block of metal.
 namespace lattice {
@@ -41,19 +42,31 @@ inline OwnedMat matrix_of(double own, double per_neighbour, double neighbour)
     return matrix;
 }
 
+/// The kinds of hierarchy that this PETSc has, the one of runs first.
+inline std::vector<PCType> hierarchies()
+{
+#ifdef PETSC_HAVE_ML
+    return {PCML, PCGAMG};
+#else
+    return {PCGAMG};
+#endif
+}
+
 /// M + d K of a block of metal, and a multigrid for it that keeps its interpolation.
 struct Hierarchy {
     OwnedMat mass = matrix_of(0.5, 1.0 / 12, 1.0 / 12), conduction = matrix_of(0.01, 1, -1), system;
     OwnedPc multigrid;
 
-    Hierarchy()
+    explicit Hierarchy(PCType type = hierarchies().front())
     {
         DEADPOINT_PETSC(MatDuplicate(mass, MAT_COPY_VALUES, system.out()));
         DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, "-lattice_pc_ml_reuse_interpolation", "true"));
         DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, "-lattice_pc_ml_maxCoarseSize", "50"));
+        DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, "-lattice_pc_gamg_reuse_interpolation", "true"));
+        DEADPOINT_PETSC(PetscOptionsSetValue(nullptr, "-lattice_pc_gamg_threshold", "0.01"));
         DEADPOINT_PETSC(PCCreate(PETSC_COMM_SELF, multigrid.out()));
         DEADPOINT_PETSC(PCSetOperators(multigrid, system, system));
-        DEADPOINT_PETSC(PCSetType(multigrid, PCML));
+        DEADPOINT_PETSC(PCSetType(multigrid, type));
         DEADPOINT_PETSC(PCSetOptionsPrefix(multigrid, "lattice_"));
         DEADPOINT_PETSC(PCSetFromOptions(multigrid));
     }

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#ifdef PETSC_HAVE_ML
 #include <ml_utils.h>
+#endif
 
 namespace deadpoint::fem {
 namespace {
@@ -24,6 +26,13 @@ constexpr double largest_reuse = 2.5;
 constexpr double shortest_factor = 1e-7;
 constexpr double largest_growth = 1e10;  // of a residual, before a solve counts as failed
 constexpr int most_iterations = 2000;
+
+// Aggregates by Trilinos' ML take fewer iterations; PETSc's own stand in where PETSc was built without it.
+#ifdef PETSC_HAVE_ML
+constexpr PCType hierarchy = PCML;
+#else
+constexpr PCType hierarchy = PCGAMG;
+#endif
 
 // Options that the user gave to PETSc take precedence.
 void default_option(const char* name, const char* value)
@@ -38,8 +47,10 @@ void set_default_options()
 {
     // Aggregates ignore weak couplings across films, which would only make them worse.
     default_option("-heat_cycle_pc_ml_Threshold", "0.01");
+    default_option("-heat_cycle_pc_gamg_threshold", "0.01");
     // Reuses aggregates and their interpolation, which are half of a hierarchy's cost; see prepare().
     default_option("-heat_cycle_pc_ml_reuse_interpolation", "true");
+    default_option("-heat_cycle_pc_gamg_reuse_interpolation", "true");
     // The library's smoothers are not used; these need no set-up.
     default_option("-heat_cycle_mg_levels_ksp_type", "richardson");
     default_option("-heat_cycle_mg_levels_pc_type", "jacobi");
@@ -179,16 +190,18 @@ void StageMatrix::reset(double longest)
 }
 
 // A new hierarchy is a function of its matrices alone, so that a resumed run can build it again: ML estimates
-// eigenvalues from the same random vectors.
+// eigenvalues from the same random vectors, and so does PETSc's own hierarchy, where PETSc comes without ML.
 void StageMatrix::create_multigrid()
 {
     cycle_.reset();
     DEADPOINT_PETSC(PCCreate(PETSC_COMM_WORLD, multigrid_.out()));
     DEADPOINT_PETSC(PCSetOperators(multigrid_, system_, system_));
-    DEADPOINT_PETSC(PCSetType(multigrid_, PCML));
+    DEADPOINT_PETSC(PCSetType(multigrid_, hierarchy));
     DEADPOINT_PETSC(PCSetOptionsPrefix(multigrid_, "heat_cycle_"));
     DEADPOINT_PETSC(PCSetFromOptions(multigrid_));
+#ifdef PETSC_HAVE_ML
     ML_set_random_seed(1 + rank());
+#endif
 }
 
 // Aggregates and interpolation of the multigrid, from a matrix that conduction rules, where coarse levels matter; they

@@ -81,12 +81,20 @@ DoubleBlock scales_of(const std::vector<DoubleBlock>& vectors)
 
 }  // namespace
 
-FloatCycle::Transfer::Transfer(Mat matrix) : matrix_(matrix)
+FloatCycle::Transfer::Transfer(Mat matrix, Vec to) : matrix_(matrix)
 {
-    if (is_assembled(matrix))
-        copy_.emplace(matrix);
+    // PETSc's own hierarchies have one matrix for both ways.
+    PetscInt rows = 0, wanted = 0;
+    DEADPOINT_PETSC(MatGetSize(matrix, &rows, nullptr));
+    DEADPOINT_PETSC(VecGetSize(to, &wanted));
+    if (rows != wanted) {
+        DEADPOINT_PETSC(MatTranspose(matrix, MAT_INITIAL_MATRIX, transposed_.out()));
+        matrix_ = transposed_;
+    }
+    if (is_assembled(matrix_))
+        copy_.emplace(matrix_);
     else
-        DEADPOINT_PETSC(MatCreateVecs(matrix, in_.out(), out_.out()));
+        DEADPOINT_PETSC(MatCreateVecs(matrix_, in_.out(), out_.out()));
 }
 
 template <class Value>
@@ -122,13 +130,18 @@ FloatCycle::FloatCycle(PC multigrid)
     PetscInt count = 0;
     DEADPOINT_PETSC(PCMGGetLevels(multigrid, &count));
     for (PetscInt level = count - 1; level > 0; --level) {
-        KSP smoother = nullptr;
+        KSP smoother = nullptr, coarser = nullptr;
         Mat restriction = nullptr, interpolation = nullptr;
         DEADPOINT_PETSC(PCMGGetSmoother(multigrid, level, &smoother));
+        DEADPOINT_PETSC(PCMGGetSmoother(multigrid, level - 1, &coarser));
         DEADPOINT_PETSC(PCMGGetRestriction(multigrid, level, &restriction));
         DEADPOINT_PETSC(PCMGGetInterpolation(multigrid, level, &interpolation));
         const Mat matrix = matrix_of(smoother);
-        levels_.push_back({matrix, FloatMatrix(matrix), Transfer(restriction), Transfer(interpolation), {}});
+        OwnedVec fine, coarse;
+        DEADPOINT_PETSC(MatCreateVecs(matrix, fine.out(), nullptr));
+        DEADPOINT_PETSC(MatCreateVecs(matrix_of(coarser), coarse.out(), nullptr));
+        levels_.push_back(
+            {matrix, FloatMatrix(matrix), Transfer(restriction, coarse), Transfer(interpolation, fine), {}});
     }
     DEADPOINT_PETSC(PCMGGetCoarseSolve(multigrid, &coarsest_));
     DEADPOINT_PETSC(MatCreateVecs(matrix_of(coarsest_), coarsest_out_.out(), coarsest_in_.out()));

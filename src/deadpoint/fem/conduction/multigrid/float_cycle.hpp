@@ -31,17 +31,19 @@ public:
     void view(PetscViewer viewer) const;
 
 private:
-    /// Between values of two levels. On several ranks the library keeps it in a format of its own and multiplies in
+    /// Between values of two levels. On several ranks the library may keep it in a format of its own and multiplies in
     /// double.
     class Transfer {
     public:
-        explicit Transfer(Mat matrix);
+        /// @param to  vector of the level to which it leads; a matrix that leads the other way is transposed
+        Transfer(Mat matrix, Vec to);
         template <class Value>
         void multiply(std::vector<Value>& in, std::vector<Value>& out, bool adds);
         [[nodiscard]] std::size_t ghosts() const { return copy_ ? copy_->ghosts() : 0; }
         [[nodiscard]] std::size_t entries() const;
 
     private:
+        OwnedMat transposed_;  ///< none where the matrix leads the right way
         Mat matrix_;
         std::optional<FloatMatrix> copy_;
         OwnedVec in_, out_;  ///< where there is no copy
