@@ -9,7 +9,7 @@ export OMPI_ALLOW_RUN_AS_ROOT = 1
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
 export OMP_NUM_THREADS = 1
 
-.PHONY: run test quick docs sanitize gates validate program build dependencies format clean
+.PHONY: run test quick docs sanitize gates validate program build dependencies test-dependencies format clean
 
 run: program
 	build/$(PRESET)/app/deadpoint run cases/$(CASE)/case.toml -o results/$(CASE) --force
@@ -18,7 +18,7 @@ test: build
 	ctest --preset $(PRESET) --parallel $(JOBS)
 
 # Unit tests, bad cases and include rules: two minutes, once they are built.
-quick: dependencies
+quick: test-dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target fast_tests
 	ctest --preset $(PRESET) --parallel $(JOBS) -L fast
@@ -55,12 +55,15 @@ program: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target deadpoint
 
-build: dependencies
+build: test-dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
 
 dependencies:
 	@scripts/install-dependencies
+
+test-dependencies:
+	@scripts/install-dependencies --tests
 
 format:
 	scripts/format

@@ -661,7 +661,7 @@ def main():
     pictures = sys.argv[4] if len(sys.argv) > 4 else None
     path = browser.find()
     if path is None:
-        print("skipped: there is no Chromium; scripts/install-dependencies installs it")
+        print("skipped: there is no Chromium; scripts/install-dependencies --tests installs it")
         return 77
     with tempfile.TemporaryDirectory(prefix="deadpoint-page-") as folder:
         press, both = compute(deadpoint, source, folder, rom)
