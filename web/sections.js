@@ -274,8 +274,11 @@ function comparisonSection(run) {
 function certifiedText(certified) {
     if (certified.refused) return `There is no certified bound: ${certified.refused}.`;
     const probes = Object.values(certified.probes_K ?? {});
-    return `Certified: at the end of the run the gap is at most ${certified.E_SW_um.toPrecision(2)} µm from that of the full model`
-        + (probes.length ? `, probes at most ${Math.max(...probes).toPrecision(2)} K.` : ".");
+    const bounds = [
+        certified.E_SW_um === undefined ? null : `the gap is at most ${certified.E_SW_um.toPrecision(2)} µm from that of the full model`,
+        probes.length ? `probes are at most ${Math.max(...probes).toPrecision(2)} K from those of the full model` : null,
+    ].filter(Boolean);
+    return `Certified: at the end of the run ${bounds.join(", ")}.`;
 }
 
 function reducedParts(reduced) {

@@ -52,6 +52,12 @@ TEST_CASE("the short text of a run: gap, causes, warm-up and temperatures, and n
                          "measured when it was built, the gap without the play of the crank's bearings:\n"
                          "  0.100 K, 0.050 um: anywhere in the box\n"
                          "  outside its range: ambient: 25 to 25\n"));
+    result.reduced->certified = press::Certified{{}, 2e-7, {{"A", 0.1}, {"B", 0.05}}};
+    CHECK(has(run_text(input, result, Detail::short_text),
+              "\n  at most 0.2 um of the gap, 0.1 K of probes at the end of the run: certified\n"));
+    result.reduced->certified->gap.reset();  // a case without a chain has no gap, and no bound of 0 um
+    CHECK(has(run_text(input, result, Detail::short_text),
+              "\n  at most 0.1 K of probes at the end of the run: certified\n"));
     result.accuracy = accuracy();
     CHECK(has(run_text(input, result, Detail::short_text), "accuracy of "));  // what was asked for
 }

@@ -26,7 +26,7 @@ struct ErrorOfSize {
 /// Bounds of the difference to the full model at the end of the run, both by implicit Euler steps.
 struct Certified {
     std::string refused;                                 ///< why there are none, or empty
-    double gap = 0;                                      ///< of E_SW [m]
+    std::optional<double> gap;                           ///< of E_SW, where the case has a dimension chain [m]
     std::vector<std::pair<std::string, double>> probes;  ///< [K]
 };
 

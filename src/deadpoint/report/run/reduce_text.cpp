@@ -24,8 +24,8 @@ std::string certified_text(const press::Certified& certified)
     double largest = 0;
     for (const auto& [name, bound] : certified.probes)
         largest = std::max(largest, bound);
-    return fmt::format("  at most {:.2g} um of the gap, {:.2g} K of probes at the end of the run: certified\n",
-                       micrometre * certified.gap, largest);
+    const auto gap = certified.gap ? fmt::format("{:.2g} um of the gap, ", micrometre * *certified.gap) : std::string{};
+    return fmt::format("  at most {}{:.2g} K of probes at the end of the run: certified\n", gap, largest);
 }
 
 }  // namespace

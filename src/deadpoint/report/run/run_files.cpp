@@ -277,8 +277,8 @@ nlohmann::ordered_json certified_json(const press::Certified& certified)
     nlohmann::ordered_json json;
     if (!certified.refused.empty())
         json["refused"] = certified.refused;
-    if (certified.gap > 0)
-        json["E_SW_um"] = micrometre * certified.gap;
+    if (certified.gap)
+        json["E_SW_um"] = micrometre * *certified.gap;
     for (const auto& [name, bound] : certified.probes)
         json["probes_K"][name] = bound;
     return json;

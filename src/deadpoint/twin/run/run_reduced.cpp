@@ -245,7 +245,7 @@ private:
             outputs.push_back(gap->gap);
         }
         const auto found = reduce::certify(large.press->terms, *large.residual, split_.problem, history.time, outputs);
-        press::Certified result{found.refused, 0, {}};
+        press::Certified result{found.refused, {}, {}};
         if (!found.refused.empty())
             return result;
         const auto off = [](const Series& one, const Series& other) {
@@ -256,12 +256,13 @@ private:
                                        found.bounds[k] + off(result_.thermal.probes[k], history.probes[k]));
         if (!drift)
             return result;
-        result.gap = found.bounds.back() + off(result_.drift->gap, drift->gap);
+        double bound = found.bounds.back() + off(result_.drift->gap, drift->gap);
         for (std::size_t b = 0; b < gap->growths.size(); ++b) {
             const auto row = terms.observed.row(static_cast<Eigen::Index>(drift::dimension_count + b));
             const double growth = found.values[layout.probes + b] - reference() * row.dot(terms.uniform);
-            result.gap += gap->by_limit(b, growth, found.bounds[layout.probes + b]);
+            bound += gap->by_limit(b, growth, found.bounds[layout.probes + b]);
         }
+        result.gap = bound;
         return result;
     }
 
