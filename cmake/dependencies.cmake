@@ -1,4 +1,7 @@
 # Libraries of Debian; scripts/install-dependencies installs them, docs/dependencies.md says why each is there.
+if(POLICY CMP0167)
+    cmake_policy(SET CMP0167 NEW)  # Boost brings its own package file
+endif()
 find_package(fmt REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(Eigen3 REQUIRED)
