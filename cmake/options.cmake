@@ -12,6 +12,10 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 add_library(deadpoint_options INTERFACE)
 target_compile_options(deadpoint_options INTERFACE -fno-semantic-interposition)
 target_compile_options(deadpoint_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion)
+# From version 13 on GCC says of moved strings and of optional values that are made in place what is not so.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+    target_compile_options(deadpoint_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
+endif()
 # In one unit with other sources, a local name may be that of something global in another of them.
 target_compile_options(deadpoint_options INTERFACE $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wshadow=local,-Wshadow>)
 # At each final link: a shared library shows its public functions only, a module of Python its entry, a program keeps Eigen's to
