@@ -45,11 +45,13 @@ void default_option(const char* name, const char* value)
 
 void set_default_options()
 {
-    // Aggregates ignore weak couplings across films, which would only make them worse.
+    // Aggregates ignore weak couplings across films, which would only make them worse. Aggregates and their
+    // interpolation, which are half of a hierarchy's cost, are used again; see prepare().
+#ifdef PETSC_HAVE_ML
     default_option("-heat_cycle_pc_ml_Threshold", "0.01");
-    default_option("-heat_cycle_pc_gamg_threshold", "0.01");
-    // Reuses aggregates and their interpolation, which are half of a hierarchy's cost; see prepare().
     default_option("-heat_cycle_pc_ml_reuse_interpolation", "true");
+#endif
+    default_option("-heat_cycle_pc_gamg_threshold", "0.01");
     default_option("-heat_cycle_pc_gamg_reuse_interpolation", "true");
     // The library's smoothers are not used; these need no set-up.
     default_option("-heat_cycle_mg_levels_ksp_type", "richardson");
