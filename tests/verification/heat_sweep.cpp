@@ -180,3 +180,34 @@ TEST_CASE("a cancelled study begins no further point")
     CHECK(outcomes[2].state == PointOutcome::State::left);
     CHECK(!fs::exists(scratch.path / "40"));
 }
+
+TEST_CASE("a prepared press that takes another case computes what a new press computes for it")
+{
+    const auto starter = [](std::vector<std::string> changes) {
+        changes.emplace_back("operation.0.duration=5 min");
+        return casefile::read_case(std::string(DEADPOINT_VERIFICATION_CASES) + "/../../../cases/starter/case.toml",
+                                   changes)
+            .value;
+    };
+    deadpoint::Observer silent;
+    Press kept(starter({}), 5);
+    kept.prepare(silent);
+    for (const auto* change :
+         {"surfaces.air_frame.film.coefficient=9 W/m^2/K", "surfaces.air_frame.film.emissivity=0.2",
+          "joints.crank_pin.interfaces.0.conductance.resistance=1e-4 m^2 K/W",
+          "joints.crank_pin.interfaces.0.heat_into=connecting_rod", "joints.crank_bearing.interfaces.0.heat_share=3",
+          "probes.slide.position=[\"0 mm\", \"-580 mm\", \"-100 mm\"]", "machine.initial_temperature=30 degC",
+          "joints.crank_bearing.clearance=20 um", "lubricants.oil.library=ISO-VG-150"}) {
+        CAPTURE(change);
+        kept.take(starter({change}));
+        Listener listener;
+        const auto taken = kept.run({}, listener);
+        CHECK(std::ranges::count(listener.stages, "mesh") == 0);
+        const auto made = Press(starter({change}), 5).run({}, silent);
+        REQUIRE(taken.thermal.probes.size() == made.thermal.probes.size());
+        // The conduction matrix is summed from its terms, or integrated with them: the last digits differ.
+        for (std::size_t p = 0; p < made.thermal.probes.size(); ++p)
+            CHECK(std::abs(taken.thermal.probes[p].value.back() - made.thermal.probes[p].value.back()) < 1e-6);
+        CHECK(std::abs(taken.drift->gap.value.back() - made.drift->gap.value.back()) < 1e-12);
+    }
+}
